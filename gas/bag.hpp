@@ -1,0 +1,67 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/base/constants.hpp"
+#include "solver/base/vec.hpp"
+
+/// What *AIRBAG_PARTICLE says of one bag, in deck units, defaults resolved, sets expanded to rows.
+namespace corpuscle::gas {
+
+/// One gas: molar heat capacity Cp(T) = A + B·T + C·T².
+struct SpeciesCard {
+    double molar_mass = NaN;  ///< XM                     [kg/mol]
+    double A = NaN;           ///< constant part of Cp    [J/(mol K)]
+    double B = 0.0;           ///< linear part            [J/(mol K^2)]
+    double C = 0.0;           ///< quadratic part         [J/(mol K^3)]
+};
+
+/// A gas that flows in.
+struct InflowCard {
+    SpeciesCard species;
+    Index mass_rate = -1;    ///< LCM: curve row, mass flow over time              [kg/s]
+    Index temperature = -1;  ///< LCT: curve row, static temperature over time     [K]
+    int inflator = 1;        ///< INFG
+};
+
+/// A nozzle.
+struct OrificeCard {
+    Index node = -1;                ///< NID: node row of its place
+    Index shell = -1;               ///< VD = -1, -2: shell row instead of a node; the flow follows its normal
+    double weight = 1.0;            ///< AN: area, shares the gas among an inflator's orifices
+    std::optional<Vec3> direction;  ///< VD > 0: direction of the vector; none: into every direction
+    double normal_sign = 0.0;       ///< VD = -1: +1, VD = -2: -1
+    double cone = NaN;              ///< half angle between the axis and the rim of the jet       [rad]
+    int inflator = 1;               ///< INFO
+};
+
+/// Air that is in the bag at the start.
+struct InitialAirCard {
+    SpeciesCard species;
+    double pressure = NaN;     ///< PAIR  [Pa]
+    double temperature = NaN;  ///< TAIR  [K]
+};
+
+/// One *AIRBAG_PARTICLE.
+struct BagCard {
+    int id = 0;                           ///< the _ID card's number, else order in the deck from 1
+    std::string title;
+    std::vector<Index> external_parts;    ///< SID1 without SID2: part rows whose shells close the bag
+    std::vector<Index> internal_parts;    ///< SID2: part rows inside (tethers, diffusers, valves)
+    std::size_t particles = 200000;       ///< NP
+    bool show_particles = true;           ///< VISFLG
+    double gas_constant = GAS_CONSTANT;   ///< R in deck units (UNIT)                 [J/(mol K)]
+    double p_atm = ATMOSPHERE_PRESSURE;   ///< PATM                                   [Pa]
+    double T_atm = ATMOSPHERE_TEMPERATURE;///< TATM                                   [K]
+    double all_in = 1e10;                 ///< TEND: all particles have entered       [s]
+    std::vector<InflowCard> inflow;       ///< NGAS cards
+    std::vector<OrificeCard> orifices;    ///< NORIF cards
+    std::optional<InitialAirCard> air;    ///< IAIR = 1
+    double smoothing = 1.0;               ///< SFFDC, scales the time over which impulse is released [-]
+};
+
+}  // namespace corpuscle::gas

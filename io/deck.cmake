@@ -1,0 +1,2 @@
+# keyword decks -> Model
+target_sources(corpuscle_io PRIVATE deck.cpp)

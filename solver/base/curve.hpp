@@ -1,0 +1,42 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace corpuscle {
+
+/// Piecewise linear curve y(x) of *DEFINE_CURVE, offset and scaled already.
+///
+/// Abscissae never decrease; two equal ones are a jump. Outside its range a curve keeps its end value.
+struct Curve {
+    int id = 0;             ///< the deck's LCID
+    std::vector<double> x;  ///< abscissa, ascending
+    std::vector<double> y;  ///< ordinate
+
+    [[nodiscard]] bool empty() const { return x.empty(); }
+
+    /// y at `at`.                                               cost: one binary search, 1 div
+    [[nodiscard]] double operator()(double at) const {
+        if (at <= x.front()) return y.front();
+        if (at >= x.back()) return y.back();
+        const auto right = std::upper_bound(x.begin(), x.end(), at);
+        const auto i = static_cast<std::size_t>(right - x.begin());
+        const double span = x[i] - x[i - 1];
+        return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / span;
+    }
+
+    /// Exact integral of y from the first abscissa to `to`, y = 0 outside the range.
+    [[nodiscard]] double integral_to(double to) const {
+        double sum = 0.0;
+        for (std::size_t i = 1; i < x.size() && x[i - 1] < to; ++i) {
+            const double end = std::min(to, x[i]);
+            sum += 0.5 * (y[i - 1] + (x[i] > end ? (*this)(end) : y[i])) * (end - x[i - 1]);
+        }
+        return sum;
+    }
+};
+
+}  // namespace corpuscle

@@ -1,0 +1,103 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+/// The only place that knows about threads.
+///
+/// Work is cut into chunks whose borders do not depend on the number of threads, and whatever chunks
+/// produce is combined in chunk order: the same bits on 1 or 64 threads.
+namespace corpuscle::parallel {
+
+inline constexpr std::size_t CHUNK = 1024;  ///< items a chunk; smaller spreads better, costs more calls
+
+inline void set_threads([[maybe_unused]] int n) {
+#ifdef _OPENMP
+    omp_set_num_threads(n);
+#endif
+}
+
+[[nodiscard]] inline int threads() {
+#ifdef _OPENMP
+    return omp_get_max_threads();
+#else
+    return 1;
+#endif
+}
+
+[[nodiscard]] inline std::size_t chunk_count(std::size_t n, std::size_t chunk = CHUNK) {
+    return (n + chunk - 1) / chunk;
+}
+
+/// body(begin, end, chunk index) for every chunk of 0..n; chunks run in any order.
+template <class Body>
+void for_chunks(std::size_t n, Body&& body, std::size_t chunk = CHUNK) {
+    const auto chunks = static_cast<std::ptrdiff_t>(chunk_count(n, chunk));
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic, 1) if (chunks > 1)
+#endif
+    for (std::ptrdiff_t c = 0; c < chunks; ++c) {
+        const std::size_t begin = static_cast<std::size_t>(c) * chunk;
+        body(begin, std::min(n, begin + chunk), static_cast<std::size_t>(c));
+    }
+}
+
+/// body(i) for every i in 0..n, in any order.
+template <class Body>
+void for_each(std::size_t n, Body&& body, std::size_t chunk = CHUNK) {
+    for_chunks(
+        n,
+        [&](std::size_t begin, std::size_t end, std::size_t) {
+            for (std::size_t i = begin; i < end; ++i) body(i);
+        },
+        chunk);
+}
+
+/// Sum of term(i): chunks first, then the chunks' sums in their order.
+template <class T, class Term>
+[[nodiscard]] T sum(std::size_t n, T zero, Term&& term, std::size_t chunk = CHUNK) {
+    std::vector<T> part(chunk_count(n, chunk), zero);
+    for_chunks(
+        n,
+        [&](std::size_t begin, std::size_t end, std::size_t c) {
+            T s = zero;
+            for (std::size_t i = begin; i < end; ++i) s += term(i);
+            part[c] = s;
+        },
+        chunk);
+    T total = zero;
+    for (const T& s : part) total += s;
+    return total;
+}
+
+/// Smallest value(i) and the first i that has it.
+struct Least {
+    double value;
+    std::size_t at;
+};
+template <class Value>
+[[nodiscard]] Least least(std::size_t n, double start, Value&& value, std::size_t chunk = CHUNK) {
+    std::vector<Least> part(chunk_count(n, chunk), Least{start, n});
+    for_chunks(
+        n,
+        [&](std::size_t begin, std::size_t end, std::size_t c) {
+            Least low{start, n};
+            for (std::size_t i = begin; i < end; ++i)
+                if (const double v = value(i); v < low.value) low = {v, i};
+            part[c] = low;
+        },
+        chunk);
+    Least low{start, n};
+    for (const Least& p : part)
+        if (p.value < low.value) low = p;
+    return low;
+}
+
+}  // namespace corpuscle::parallel

@@ -1,0 +1,114 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/cards.hpp"
+#include "fabric/materials/fabric_card.hpp"
+#include "fabric/mesh.hpp"
+#include "gas/bag.hpp"
+#include "solver/base/curve.hpp"
+#include "solver/base/vec.hpp"
+
+namespace corpuscle {
+
+/// *AIRBAG_REFERENCE_GEOMETRY: the stress-free place of some nodes.
+struct ReferenceGeometry {
+    std::vector<std::pair<Index, Vec3>> nodes;  ///< node row, reference position      [m]
+    double birth = 0.0;                         ///< stress starts here                [s]
+};
+
+/// Bits 0-2: translation x y z, bits 3-5: rotation (membranes have none).
+using DofMask = unsigned;
+
+struct Support {  ///< *BOUNDARY_SPC
+    Index node = -1;
+    DofMask fixed = 0;
+};
+
+enum class MotionKind { VELOCITY, ACCELERATION, DISPLACEMENT };  ///< VAD 0, 1, 2
+
+/// *BOUNDARY_PRESCRIBED_MOTION of nodes or of one rigid part.
+struct PrescribedMotion {
+    std::vector<Index> nodes;            ///< node rows (empty for a rigid part)
+    Index rigid_part = -1;               ///< part row of a *MAT_RIGID, or -1
+    MotionKind kind = MotionKind::VELOCITY;
+    bool rotation = false;               ///< DOF 5-8: about `axis`, rigid parts only
+    Vec3 axis = Vec3::UnitX();           ///< unit direction of the motion
+    Index curve = -1;
+    double scale = 1.0;                  ///< SF
+    double birth = 0.0, death = 1e28;    ///< [s]
+};
+
+struct RigidVelocity {  ///< initial velocity of a rigid part
+    Index part = -1;
+    Vec3 velocity = Vec3::Zero();  ///< of the centre of mass          [m/s]
+    Vec3 spin = Vec3::Zero();      ///< angular velocity               [rad/s]
+};
+
+/// *LOAD_BODY_X/Y/Z: acceleration of the frame; bodies feel its opposite.
+struct BodyLoad {
+    int axis = 0;         ///< 0 x, 1 y, 2 z
+    Index curve = -1;     ///< base acceleration over time             [m/s^2]
+    double scale = 1.0;
+};
+
+/// *LOAD_SEGMENT_SET, *LOAD_SHELL_SET: positive pressure presses against the facet's normal.
+struct PressureLoad {
+    std::vector<std::array<Index, 4>> facets;  ///< node rows; a triangle repeats its 3rd
+    Index curve = -1;                          ///< pressure over time; -1: constant `scale`  [Pa]
+    double scale = 1.0;                        ///< SF
+    double arrival = 0.0;                      ///< AT                                        [s]
+};
+
+/// Output intervals; NaN: not asked for.                                                       [s]
+struct OutputIntervals {
+    double frames = NaN;   ///< *DATABASE_BINARY_D3PLOT
+    double abstat = NaN, glstat = NaN, rcforc = NaN, rwforc = NaN, rbdout = NaN, nodout = NaN;
+};
+
+/// A scene: pure data, in the deck's units. Built by io from a deck, or by hand in a test.
+struct Model {
+    std::string title;
+    std::string deck;               ///< file name, for messages and results
+    std::string unit_system;        ///< "kg-mm-ms-K", "SI", "ton-mm-s-K", or "consistent"
+
+    // Mesh
+    std::vector<int> node_id;
+    Points x;                       ///< initial (folded) node positions, N × 3        [m]
+    std::vector<Shell> shells;
+    std::vector<Part> parts;
+    std::vector<fabric::Material> materials;
+    std::vector<ReferenceGeometry> references;
+
+    // What acts on it
+    std::vector<Curve> curves;
+    Points velocity;                ///< initial node velocities, N × 3                [m/s]
+    std::vector<RigidVelocity> rigid_velocity;
+    std::vector<Support> supports;
+    std::vector<PrescribedMotion> motions;
+    std::vector<BodyLoad> body_loads;
+    std::vector<PressureLoad> pressure_loads;
+    double mass_damping = 0.0;      ///< *DAMPING_GLOBAL VALDMP                        [1/s]
+    Index mass_damping_curve = -1;  ///< *DAMPING_GLOBAL LCID                          [1/s]
+    std::vector<gas::BagCard> bags;
+    std::vector<contact::SelfContactCard> contacts;
+    std::vector<contact::PlanarWallCard> walls;
+
+    // Control and output
+    double end_time = NaN;          ///< *CONTROL_TERMINATION ENDTIM                   [s]
+    double step_factor = 0.9;       ///< TSSFAC                                        [-]
+    double step_start = 0.0;        ///< DTINIT, 0: stable step                        [s]
+    double step_mass_scaled = 0.0;  ///< DT2MS < 0: mass is added where the step would be below |DT2MS|;
+                                    ///< > 0: everywhere to that step; 0: none         [s]
+    OutputIntervals output;
+    std::vector<Index> history_nodes;  ///< node rows of *DATABASE_HISTORY_NODE
+
+    std::vector<std::string> warnings;  ///< each with file and line, for the user
+};
+
+}  // namespace corpuscle
