@@ -1,0 +1,116 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "gas/facet_lists.hpp"
+
+#include <algorithm>
+
+namespace corpuscle::gas {
+namespace {
+
+constexpr int BLOCK = 8;  ///< cells along a block's edge; smaller: tighter pairs, more boxes for FCL
+
+std::vector<Index> nodes_of(const std::vector<Triangle>& triangles) {
+    std::vector<Index> nodes;
+    for (const Triangle& t : triangles) nodes.insert(nodes.end(), t.begin(), t.end());
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+}
+
+contact::Box swept_box(const Triangle& t, std::span<const Vec3> x_0, std::span<const Vec3> x_1,
+                       double margin) {
+    contact::Box box{x_0[t[0]], x_0[t[0]]};
+    for (const Index node : t) {
+        box.low = box.low.cwiseMin(x_0[node]).cwiseMin(x_1[node]);
+        box.high = box.high.cwiseMax(x_0[node]).cwiseMax(x_1[node]);
+    }
+    box.low.array() -= margin;
+    box.high.array() += margin;
+    return box;
+}
+
+}  // namespace
+
+FacetLists::FacetLists(std::vector<Triangle> triangles, std::span<const Vec3> x)
+    : triangles_(std::move(triangles)),
+      nodes_(nodes_of(triangles_)),
+      patches_(contact::make_patches(x, triangles_)),
+      facet_box_(triangles_.size()) {}
+
+bool FacetLists::hold_for(std::span<const Vec3> x_1) const {
+    if (margin_ < 0.0) return false;
+    for (std::size_t n = 0; n < nodes_.size(); ++n)
+        if (!((x_1[nodes_[n]] - built_at_[n]).cwiseAbs().maxCoeff() <= margin_)) return false;
+    return true;
+}
+
+void FacetLists::build(const Grid& grid, std::span<const Vec3> x_0, std::span<const Vec3> x_1,
+                       double margin) {
+    ++builds_;
+    margin_ = margin;
+    built_at_.resize(nodes_.size());
+    for (std::size_t n = 0; n < nodes_.size(); ++n) built_at_[n] = x_1[nodes_[n]];
+    grid_ = grid;
+    for (std::size_t f = 0; f < triangles_.size(); ++f)
+        facet_box_[f] = swept_box(triangles_[f], x_0, x_1, margin);
+    pair_patches_with_blocks();
+
+    start_.assign(grid_.size() + 1, 0);
+    for_each_entry([&](std::size_t cell, Index) { ++start_[cell + 1]; });
+    for (std::size_t c = 0; c < grid_.size(); ++c) start_[c + 1] += start_[c];
+    facet_.resize(static_cast<std::size_t>(start_.back()));
+    fill_.assign(start_.begin(), start_.end() - 1);
+    for_each_entry([&](std::size_t cell, Index facet) { facet_[fill_[cell]++] = facet; });
+}
+
+void FacetLists::pair_patches_with_blocks() {
+    const std::size_t patch_count = patches_.start.size() - 1;
+    box_.resize(patch_count);
+    for (std::size_t p = 0; p < patch_count; ++p) {
+        contact::Box box = facet_box_[patches_.triangle[patches_.start[p]]];
+        for (Index i = patches_.start[p]; i < patches_.start[p + 1]; ++i) {
+            const contact::Box& facet = facet_box_[patches_.triangle[i]];
+            box.low = box.low.cwiseMin(facet.low);
+            box.high = box.high.cwiseMax(facet.high);
+        }
+        box_[p] = box;
+    }
+    patch_tree_.update(box_);
+
+    blocks_ = grid_;
+    for (int& n : blocks_.count) n = (n + BLOCK - 1) / BLOCK;
+    box_.clear();
+    for (int k = 0; k < blocks_.count[2]; ++k)
+        for (int j = 0; j < blocks_.count[1]; ++j)
+            for (int i = 0; i < blocks_.count[0]; ++i) {
+                const double edge = BLOCK * grid_.edge;
+                const Vec3 low = grid_.low + edge * Vec3(i, j, k);
+                box_.push_back({low, low + Vec3::Constant(edge)});
+            }
+    block_tree_.update(box_);
+    patch_tree_.pairs(block_tree_, pairs_);
+}
+
+/// enter(cell, facet) for each facet of each paired patch, in the cells of the paired block.
+template <class Enter>
+void FacetLists::for_each_entry(Enter&& enter) const {
+    for (const auto& [patch, block] : pairs_) {
+        const std::array<int, 3> at{block % blocks_.count[0],
+                                    block / blocks_.count[0] % blocks_.count[1],
+                                    block / (blocks_.count[0] * blocks_.count[1])};
+        for (Index p = patches_.start[patch]; p < patches_.start[patch + 1]; ++p) {
+            const Index facet = patches_.triangle[p];
+            std::array<int, 3> from, to;
+            for (int a = 0; a < 3; ++a) {
+                from[a] = std::max(grid_.along(a, facet_box_[facet].low[a]), at[a] * BLOCK);
+                to[a] = std::min({grid_.along(a, facet_box_[facet].high[a]), at[a] * BLOCK + BLOCK - 1,
+                                  grid_.count[a] - 1});
+            }
+            for (int k = from[2]; k <= to[2]; ++k)
+                for (int j = from[1]; j <= to[1]; ++j)
+                    for (int i = from[0]; i <= to[0]; ++i) enter(grid_.row(i, j, k), facet);
+        }
+    }
+}
+
+}  // namespace corpuscle::gas

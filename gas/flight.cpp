@@ -1,0 +1,152 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "gas/flight.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gas/crossing.hpp"
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle::gas {
+namespace {
+
+/// Share of the step by which a particle stops short of a facet, so that it stays on its side whatever the
+/// rounding: far above the error of tau (some 1e-13), far below anything that matters.
+constexpr double SHORT_OF = 1e-7;
+
+/// More bounces than this in one step: the particle is caught between closing facets.
+constexpr int MOST_HITS = 1000;
+
+struct Meeting {
+    Index facet = -1;
+    Crossing where{};
+};
+
+/// Everything that a flight reads.
+struct Scene {
+    const FacetLists& lists;
+    const Triangle* triangles;
+    const Vec3 *x_0, *x_1;
+    double dt;
+};
+
+/// First facet that the path crosses after `after`; `last` is the meeting it has just left.
+Meeting first_meeting(const Scene& scene, const Path& path, const Vec3& from, double after,
+                      const Meeting& last) {
+    const Grid& grid = scene.lists.grid();
+    const Vec3 low = from.cwiseMin(path.at_1), high = from.cwiseMax(path.at_1);
+    std::array<int, 3> c0, c1;
+    for (int a = 0; a < 3; ++a) {
+        c0[a] = grid.along(a, low[a]);
+        c1[a] = grid.along(a, high[a]);
+    }
+    Meeting first;
+    for (int k = c0[2]; k <= c1[2]; ++k)
+        for (int j = c0[1]; j <= c1[1]; ++j)
+            for (int i = c0[0]; i <= c1[0]; ++i)
+                for (const Index facet : scene.lists.in(grid.row(i, j, k))) {
+                    if (facet == first.facet) continue;  // entered in several cells
+                    const auto hit =
+                        cross(path, scene.triangles[facet], scene.x_0, scene.x_1, after,
+                              facet == last.facet ? last.where.piece : -1);
+                    if (hit && (first.facet < 0 || hit->tau < first.where.tau)) first = {facet, *hit};
+                }
+    return first;
+}
+
+/// Velocity after the bounce.
+Vec3 reflect(const Scene& scene, const Meeting& meeting, const Vec3& v) {
+    const Triangle& nodes = scene.triangles[meeting.facet];
+    Vec3 wall = Vec3::Zero();
+    std::array<Vec3, 3> x;
+    for (int c = 0; c < 3; ++c) {
+        const Vec3 move = scene.x_1[nodes[c]] - scene.x_0[nodes[c]];
+        x[c] = scene.x_0[nodes[c]] + meeting.where.tau * move;
+        wall += meeting.where.at[c] / scene.dt * move;
+    }
+    const MovingPlane plane = plane_of(meeting.where.piece, nodes, scene.x_0, scene.x_1);
+    const double approach = plane.normal.dot(v) - plane.speed / scene.dt;
+
+    const Vec3 normal = (x[1] - x[0]).cross(x[2] - x[0]);
+    if (const double square = normal.squaredNorm(); square > 0.0) {
+        const Vec3 away = v - 2.0 * (v - wall).dot(normal) / square * normal;
+        const double after = plane.normal.dot(away) - plane.speed / scene.dt;
+        if (approach * after < 0.0) return away;
+    }
+    // Grazing, on a facet that turns or shrinks within the step: the plane of the swept piece decides.
+    return v - 2.0 * approach / plane.normal.squaredNorm() * plane.normal;
+}
+
+/// Flies one particle to the end of the step; false when it is caught.
+bool fly_one(const Scene& scene, double mass, double born, Vec3& x, Vec3& v, std::vector<Hit>& hits) {
+    Vec3 from = x;
+    double now = born;
+    Path path{from - now * scene.dt * v, from + (1.0 - now) * scene.dt * v};
+    double after = born > 0.0 ? born : -1.0;  // a full step counts every crossing, exactly
+    Meeting last;
+    for (int hit = 0; hit < MOST_HITS; ++hit) {
+        const Meeting meeting = first_meeting(scene, path, from, after, last);
+        if (meeting.facet < 0) {
+            x = path.at_1;
+            return true;
+        }
+        const double stop = std::max(now, meeting.where.tau - SHORT_OF);
+        from += (stop - now) * scene.dt * v;
+        const Vec3 away = reflect(scene, meeting, v);
+        hits.push_back({meeting.facet, meeting.where.at, mass * (v - away),
+                        0.5 * mass * (v.squaredNorm() - away.squaredNorm())});
+        v = away;
+        now = after = stop;
+        last = meeting;
+        path = {from - now * scene.dt * v, from + (1.0 - now) * scene.dt * v};
+    }
+    x = from;
+    return false;
+}
+
+/// No facet in any cell that the path may touch.
+bool meets_nothing(const FacetLists& lists, const Vec3& from, const Vec3& to) {
+    const Grid& grid = lists.grid();
+    std::array<int, 3> a, b;
+    for (int axis = 0; axis < 3; ++axis) {
+        a[axis] = grid.along(axis, std::min(from[axis], to[axis]));
+        b[axis] = grid.along(axis, std::max(from[axis], to[axis]));
+    }
+    const std::span<const Index> start = lists.starts();
+    for (int k = a[2]; k <= b[2]; ++k)
+        for (int j = a[1]; j <= b[1]; ++j) {
+            const std::size_t row = grid.row(a[0], j, k);
+            if (start[row] != start[row + static_cast<std::size_t>(b[0] - a[0]) + 1]) return false;
+        }
+    return true;
+}
+
+}  // namespace
+
+void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec3> x_1, double dt,
+         std::span<const double> mass, std::span<const double> born, Particles& gas,
+         FlightResult& result) {
+    const Scene scene{lists, lists.triangles().data(), x_0.data(), x_1.data(), dt};
+    const std::size_t old = gas.size() - born.size();
+    const std::size_t chunks = parallel::chunk_count(gas.size());
+    if (result.hits.size() < chunks) result.hits.resize(chunks);
+    for (auto& hits : result.hits) hits.clear();
+    std::vector<std::vector<Lost>> lost(chunks);
+
+    parallel::for_chunks(gas.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const double start = i < old ? 0.0 : born[i - old];
+            const Vec3 to = gas.x[i] + (1.0 - start) * dt * gas.v[i];
+            if (meets_nothing(lists, gas.x[i], to))
+                gas.x[i] = to;
+            else if (!fly_one(scene, mass[gas.species[i]], start, gas.x[i], gas.v[i],
+                              result.hits[chunk]))
+                lost[chunk].push_back({i, gas.x[i]});
+        }
+    });
+    result.lost.clear();
+    for (const auto& some : lost) result.lost.insert(result.lost.end(), some.begin(), some.end());
+}
+
+}  // namespace corpuscle::gas
