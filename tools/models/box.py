@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+# corpuscle: airbag deployment by the corpuscular method
+# SPDX-License-Identifier: MIT
+"""Writes the box meshes of models/helium_air and models/fast_piston."""
+
+from deck import MODELS, Mesh
+
+WALLS, PISTON = 1, 2
+HELD, MOVED = 1, 2  # node sets
+
+
+def box(side, cells, part_of_face):
+    """A cube from the origin to (side, side, side), `cells` along each axis, normals inward.
+
+    part_of_face(axis, end) names the part of the face where coordinate `axis` is 0 or `side`.
+    """
+    mesh = Mesh()
+    known = {}
+
+    def node(grid):
+        if grid not in known:
+            known[grid] = mesh.node(*(side * i / n for i, n in zip(grid, cells)))
+        return known[grid]
+
+    for axis in range(3):
+        u, v = (axis + 1) % 3, (axis + 2) % 3
+        for end in (0, cells[axis]):
+            for i in range(cells[u]):
+                for j in range(cells[v]):
+                    corners = []
+                    for di, dj in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                        grid = [0, 0, 0]
+                        grid[axis], grid[u], grid[v] = end, i + di, j + dj
+                        corners.append(node(tuple(grid)))
+                    if end:
+                        corners.reverse()
+                    mesh.shell(part_of_face(axis, end), *corners)
+    mesh.check_closed()
+    return mesh
+
+
+def helium_air():
+    mesh = box(0.1, (6, 6, 6), lambda axis, end: 1)
+    walls = list(mesh.nodes)
+    orifice = mesh.node(0.05, 0.05, 0.05, number=100000)
+    mesh.node_sets[HELD] = ("every node is held", walls + [orifice])
+    mesh.write(MODELS / "helium_air" / "mesh.k",
+               ["A box of 1 litre and the orifice in its middle; lengths in m.",
+                "Written by tools/models/box.py: change it there."])
+
+
+def fast_piston():
+    mesh = box(0.2, (1, 6, 6), lambda axis, end: PISTON if axis == 0 and end else WALLS)
+    moved = [n for n, x in mesh.nodes.items() if x[0] > 0.0]
+    held = [n for n in mesh.nodes if n not in moved]
+    orifice = mesh.node(0.1, 0.1, 0.1, number=12345)
+    mesh.node_sets[HELD] = ("the closed end and the orifice", held + [orifice])
+    mesh.node_sets[MOVED] = ("the piston, with the rim that the side walls share", moved)
+    mesh.write(MODELS / "fast_piston" / "mesh.k",
+               ["A box of 8 litres whose face at x = 0.2 is a piston; lengths in m.",
+                "The side walls run from the closed end to the piston's rim in one quad: they stretch.",
+                "Written by tools/models/box.py: change it there."])
+
+
+if __name__ == "__main__":
+    helium_air()
+    fast_piston()

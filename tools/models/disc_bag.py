@@ -1,0 +1,126 @@
+#!/usr/bin/env python3
+# corpuscle: airbag deployment by the corpuscular method
+# SPDX-License-Identifier: MIT
+"""Writes the mesh of models/driver_bag_flat: two discs seamed at their rim, and the inflator's orifices.
+
+Each disc is a square block, rings of quads round it, and three rings of triangles where the number of
+elements around doubles, so that elements stay near one size from the middle to the rim.
+"""
+
+from math import atan2, cos, hypot, pi, sin
+
+from deck import MODELS, Mesh
+
+FRONT, REAR, INFLATOR = 1, 2, 3   # parts
+FIXED = 1                         # node set
+RADIUS = 360.0                    # of the bag                                         [mm]
+INFLATOR_RADIUS = 45.0            # of the fixed disc                                  [mm]
+HALF_GAP = 0.5                    # the discs start 1 mm apart ...                     [mm]
+CLOSING = 28.0                    # ... and close over this last stretch to the rim    [mm]
+BLOCK = 5                         # elements along a side of the square block
+HALF_BLOCK = 28.0                 # half the block's side                              [mm]
+RINGS = ((20, 60.0), (40, 116.0), (80, 230.0), (160, RADIUS))  # around, out to radius [mm]
+WIDTH = 13.6                      # of a ring, about                                   [mm]
+ORIFICES = 12
+ORIFICE_RADIUS = 30.0             # of the circle they stand on                        [mm]
+ORIFICE_HEIGHT = 0.15             # over the fixed disc: inside the fabric's thickness [mm]
+JET_RISE = 0.2                    # of a jet's axis, over its run
+
+
+def flat_disc():
+    """Points of a disc as (x, y), cells as point rows counter-clockwise, the rows on the rim."""
+    points, cells = [], []
+    block = [[None] * (BLOCK + 1) for _ in range(BLOCK + 1)]
+    for i in range(BLOCK + 1):
+        for j in range(BLOCK + 1):
+            block[i][j] = len(points)
+            points.append(rounded_square(2.0 * i / BLOCK - 1.0, 2.0 * j / BLOCK - 1.0))
+    for i in range(BLOCK):
+        for j in range(BLOCK):
+            cells.append((block[i][j], block[i + 1][j], block[i + 1][j + 1], block[i][j + 1]))
+    ring = border(block)
+
+    start = atan2(*reversed(points[ring[0]]))
+    ring = add_ring(points, cells, ring, INFLATOR_RADIUS, len(ring), start)
+    inner = INFLATOR_RADIUS
+    for around, outer in RINGS:
+        count = max(1, round((outer - inner) / WIDTH))
+        for k in range(1, count + 1):
+            radius = inner + (outer - inner) * k / count
+            ring = add_ring(points, cells, ring, radius, around, start)
+        inner = outer
+    return points, cells, ring
+
+
+def rounded_square(u, v):
+    """The block's point for u, v in [-1, 1]: half-way between a square and a circle."""
+    along = max(abs(u), abs(v))
+    scale = HALF_BLOCK * (0.5 + 0.5 * along / hypot(u, v)) if along else 0.0
+    return scale * u, scale * v
+
+
+def border(block):
+    """The block's border rows, counter-clockwise from its corner (-1, -1)."""
+    n = BLOCK
+    return ([block[i][0] for i in range(n)] + [block[n][j] for j in range(n)]
+            + [block[i][n] for i in range(n, 0, -1)] + [block[0][j] for j in range(n, 0, -1)])
+
+
+def add_ring(points, cells, inside, radius, around, start):
+    """Adds `around` points at `radius` and the cells between them and the ring `inside`."""
+    outside = []
+    for k in range(around):
+        angle = start + 2.0 * pi * k / around
+        outside.append(len(points))
+        points.append((radius * cos(angle), radius * sin(angle)))
+    for k in range(len(inside)):
+        a, b = inside[k], inside[(k + 1) % len(inside)]
+        if around == len(inside):
+            cells.append((a, outside[k], outside[(k + 1) % around], b))
+        else:  # twice as many outside
+            c, d, e = (outside[(2 * k + i) % around] for i in range(3))
+            cells += [(a, c, d), (a, d, b), (b, d, e)]
+    return outside
+
+
+def height(x, y):
+    """Half the gap between the discs: level, and smoothly zero at the rim."""
+    share = min(1.0, max(0.0, (RADIUS - hypot(x, y)) / CLOSING))
+    return HALF_GAP * share * share * (3.0 - 2.0 * share)
+
+
+def bag():
+    points, cells, rim = flat_disc()
+    rim = set(rim)
+    mesh = Mesh()
+    front = [mesh.node(x, y, 0.0 if i in rim else height(x, y)) for i, (x, y) in enumerate(points)]
+    rear = [front[i] if i in rim else mesh.node(x, y, -height(x, y))
+            for i, (x, y) in enumerate(points)]
+    fixed = set()
+    for cell in cells:
+        on_inflator = all(hypot(*points[i]) < 1.001 * INFLATOR_RADIUS for i in cell)
+        mesh.shell(FRONT, *(front[i] for i in reversed(cell)))
+        mesh.shell(INFLATOR if on_inflator else REAR, *(rear[i] for i in cell))
+        if on_inflator:
+            fixed.update(rear[i] for i in cell)
+    mesh.check_closed()
+    add_orifices(mesh, fixed)
+    mesh.node_sets[FIXED] = ("the inflator: fixed disc and orifices", sorted(fixed))
+    return mesh
+
+
+def add_orifices(mesh, fixed):
+    """A circle of nodes just above the fixed disc, each with a vector that points outward."""
+    for k in range(ORIFICES):
+        angle = 2.0 * pi * k / ORIFICES
+        c, s = cos(angle), sin(angle)
+        fixed.add(mesh.node(ORIFICE_RADIUS * c, ORIFICE_RADIUS * s, ORIFICE_HEIGHT - HALF_GAP,
+                            number=100001 + k))
+        mesh.vectors[1 + k] = ((0.0, 0.0, 0.0), (c, s, JET_RISE))
+
+
+if __name__ == "__main__":
+    bag().write(MODELS / "driver_bag_flat" / "mesh.k",
+                ["Two discs of 720 mm diameter seamed at the rim, 1 mm apart, with a fixed disc and",
+                 "twelve orifices of the inflator in the middle of the rear one; lengths in mm.",
+                 "Written by tools/models/disc_bag.py: change it there."])
