@@ -1,2 +1,208 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
+#include "io/results_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+#include <utility>
+
+#include "io/atomic_file.hpp"
+#include "solver/base/error.hpp"
+
+namespace corpuscle::io {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr int FORMAT_VERSION = 1;
+
+/// Histories wait in memory for this long, and for 50 times what a version costs: 2 % of the run at
+/// most.
+constexpr auto PATIENCE = std::chrono::milliseconds(500);
+constexpr int PATIENCE_PER_COST = 50;
+
+std::span<const double> flat(const Points& x) {
+    static_assert(sizeof(Vec3) == 3 * sizeof(double));
+    return {x.empty() ? nullptr : x.front().data(), 3 * x.size()};
+}
+
+template <class T, std::size_t COLUMNS>
+std::span<const T> flat(const std::vector<std::array<T, COLUMNS>>& rows) {
+    return {rows.empty() ? nullptr : rows.front().data(), COLUMNS * rows.size()};
+}
+
+std::vector<float> single(const Points& x) {
+    const std::span<const double> from = flat(x);
+    std::vector<float> to(from.size());
+    std::transform(from.begin(), from.end(), to.begin(),
+                   [](double value) { return static_cast<float>(value); });
+    return to;
+}
+
+/// A file that is written beside its place and then takes it.
+template <class Fill>
+void write_whole(const fs::path& file, Fill&& fill) {
+    Hdf5Writer next(next_version(file));
+    fill(next);
+    next.close();
+    take_its_name(file);
+}
+
+void fill_mesh(Hdf5Writer& file, const RecordLayout& layout, const std::string& units,
+               std::span<const std::int32_t> topology) {
+    const std::uint64_t n = layout.node_id.size(), e = layout.shell_id.size();
+    const auto integers = [&](const char* name, std::span<const std::int32_t> values,
+                              const Shape& shape, const char* text) {
+        file.dataset(name, values, shape, {"-", text}, Packing::DEFLATE);
+    };
+    integers("/node_id", layout.node_id, {n}, "ids of the nodes in the deck");
+    file.dataset("/coordinates", flat(layout.coordinates), {n, 3},
+                 {unit_of(Quantity::LENGTH, units), "initial (folded) coordinates of the nodes"},
+                 Packing::DEFLATE);
+    integers("/shell_id", layout.shell_id, {e}, "ids of the shells in the deck");
+    integers("/shell_part", layout.shell_part, {e}, "ids of the shells' parts");
+    integers("/shell_nodes", flat(layout.shell_nodes), {e, 4},
+             "rows in node_id; a triangle repeats its 3rd");
+    integers("/xdmf_topology", topology, {topology.size()},
+             "for XDMF: each shell as 4 (triangle) or 5 (quad) and its rows in node_id");
+}
+
+void fill_particles(Hdf5Writer& file, const Frame::Particles& p, const std::string& units) {
+    const std::uint64_t n = p.id.size();
+    std::vector<std::int32_t> index(n);
+    std::iota(index.begin(), index.end(), 0);
+    const std::string energy = unit_of(Quantity::ENERGY, units);
+    file.dataset<std::int64_t>("/particles/id", p.id, {n}, {"-", "a particle's name for life"});
+    file.dataset<std::int32_t>("/particles/species", p.species, {n},
+                               {"-", "0 initial air, else the gas's number in the deck"});
+    file.dataset("/particles/position", flat(p.position), {n, 3},
+                 {unit_of(Quantity::LENGTH, units), "position"});
+    file.dataset<float>("/particles/velocity", single(p.velocity), {n, 3},
+                        {unit_of(Quantity::VELOCITY, units), "velocity"});
+    file.dataset<double>("/particles/internal_energy", p.internal_energy, {n},
+                         {energy, "spin and vibration energy of the particle"});
+    file.dataset<double>("/particles/mass", p.mass, {n},
+                         {unit_of(Quantity::MASS, units), "mass of the particle"});
+    file.dataset<std::int32_t>("/particles/xdmf_index", index, {n}, {"-", "for XDMF: 0, 1, 2 ..."});
+}
+
+void fill_frame(Hdf5Writer& file, const Frame& frame, const std::string& units) {
+    const std::uint64_t n = frame.coordinates.size(), e = frame.shell_active.size();
+    const std::string pressure = unit_of(Quantity::PRESSURE, units);
+    file.dataset("/coordinates", flat(frame.coordinates), {n, 3},
+                 {unit_of(Quantity::LENGTH, units), "coordinates of the nodes"});
+    file.dataset<float>("/velocity", single(frame.velocity), {n, 3},
+                        {unit_of(Quantity::VELOCITY, units), "velocity of the nodes"});
+    file.dataset<float>("/shell_pressure", frame.shell_pressure, {e},
+                        {pressure, "gauge pressure on the shell"});
+    file.dataset("/shell_stress", flat(frame.shell_stress), {e, 3},
+                 {pressure, "membrane stress: warp, weft, shear"});
+    file.dataset("/shell_strain", flat(frame.shell_strain), {e, 3},
+                 {"-", "membrane strain: warp, weft, shear"});
+    file.dataset<std::uint8_t>("/shell_active", frame.shell_active, {e},
+                               {"-", "1 alive, 0 eroded"});
+    if (frame.particles) fill_particles(file, *frame.particles, units);
+}
+
+void fill_root(Hdf5Writer& file, const RunInfo& info, const std::string& termination) {
+    file.attribute("/", "program", info.program);
+    file.attribute("/", "version", info.version);
+    file.attribute("/", "format", FORMAT_VERSION);
+    file.attribute("/", "deck", info.deck);
+    file.attribute("/", "unit_system", info.unit_system);
+    file.attribute("/", "seed", info.seed);
+    file.attribute("/", "threads", info.threads);
+    file.attribute("/", "termination", termination);
+}
+
+}  // namespace
+
+ResultsFile::ResultsFile(fs::path folder, RunInfo info, const RecordLayout& layout)
+    : folder_(std::move(folder)), info_(std::move(info)), layout_(layout), history_(layout) {
+    clear_away();
+    write_mesh();
+    flush();
+    replace_text(folder_ / "results.xdmf", xdmf_text(xdmf_));
+}
+
+fs::path ResultsFile::part_file(std::string_view name) const {
+    return folder_ / "results.parts" / fmt::format("{}.h5", name);
+}
+
+void ResultsFile::clear_away() const {
+    try {
+        for (const char* old : {"results.h5", "results.xdmf", "results.parts"})
+            fs::remove_all(folder_ / old);
+        fs::create_directories(folder_ / "results.parts");
+    } catch (const fs::filesystem_error& why) {
+        throw SystemError(fmt::format("cannot make the results folder {}: {}", folder_.string(),
+                                      why.code().message()));
+    }
+}
+
+void ResultsFile::write_mesh() {
+    const std::vector<std::int32_t> topology = xdmf_topology(layout_.shell_nodes);
+    write_whole(part_file("mesh"),
+                [&](Hdf5Writer& file) { fill_mesh(file, layout_, info_.unit_system, topology); });
+    xdmf_.nodes = layout_.node_id.size();
+    xdmf_.shells = layout_.shell_id.size();
+    xdmf_.topology_size = topology.size();
+}
+
+void ResultsFile::append(const Sample& sample) {
+    history_.append(layout_, sample);
+    const auto patience = std::max<Clock::duration>(PATIENCE, PATIENCE_PER_COST * cost_);
+    if (Clock::now() - written_at_ >= patience) flush();
+}
+
+void ResultsFile::write(const Frame& frame) {
+    assert(frame.coordinates.size() == xdmf_.nodes && frame.shell_active.size() == xdmf_.shells &&
+           "a frame has the mesh's sizes");
+    write_whole(part_file(frame_name(frame_times_.size())),
+                [&](Hdf5Writer& file) { fill_frame(file, frame, info_.unit_system); });
+    frame_times_.push_back(frame.time);
+    flush();
+
+    XdmfScene::State& state = xdmf_.states.emplace_back();
+    state.time = frame.time;
+    if (frame.particles) state.particles = frame.particles->id.size();
+    replace_text(folder_ / "results.xdmf", xdmf_text(xdmf_));
+}
+
+void ResultsFile::flush() {
+    const auto begin = Clock::now();
+    write_version(Parts::LINKED);
+    written_at_ = Clock::now();
+    cost_ = written_at_ - begin;
+}
+
+void ResultsFile::finish(std::string_view termination) {
+    termination_ = termination;
+    flush();  // should gathering fail for want of space, this version stands
+    write_version(Parts::COPIED);
+    fs::remove_all(folder_ / "results.parts");
+}
+
+void ResultsFile::write_version(Parts parts) {
+    write_whole(folder_ / "results.h5", [&](Hdf5Writer& file) {
+        const auto include = [&](const std::string& path, std::string_view name) {
+            if (parts == Parts::LINKED)
+                file.link(path, fmt::format("results.parts/{}.h5", name));
+            else
+                file.copy(path, part_file(name));
+        };
+        fill_root(file, info_, termination_);
+        include("/mesh", "mesh");
+        history_.write(file, info_.unit_system);
+        file.dataset<double>("/frames/time", frame_times_, {frame_times_.size()},
+                             {unit_of(Quantity::TIME, info_.unit_system), "time of the frames"});
+        for (std::size_t i = 0; i < frame_times_.size(); ++i)
+            include(fmt::format("/frames/{}", frame_name(i)), frame_name(i));
+    });
+}
+
+}  // namespace corpuscle::io

@@ -1,0 +1,91 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+/// The little of HDF5 that results need, its failures thrown as SystemError. <hdf5.h> stays out of
+/// sight.
+///
+/// Elements T are float, double, std::uint8_t, std::int32_t, std::int64_t or std::uint64_t.
+namespace corpuscle::io {
+
+using Shape = std::vector<std::uint64_t>;  ///< rows, columns, ...; empty: one number
+
+/// What a dataset says of itself, in the attributes `unit` and `description`.
+struct Caption {
+    std::string unit;
+    std::string description;
+};
+
+enum class Packing { PLAIN, DEFLATE };  ///< DEFLATE: level 1 after byte shuffle, one chunk
+
+/// A file that is being written, from start to end, once.
+class Hdf5Writer {
+public:
+    /// Creates or empties `file`.
+    explicit Hdf5Writer(std::filesystem::path file);
+    ~Hdf5Writer();
+    Hdf5Writer(const Hdf5Writer&) = delete;
+    Hdf5Writer& operator=(const Hdf5Writer&) = delete;
+
+    /// Groups on the way to `path` are made as needed.
+    void group(const std::string& path);
+
+    template <class T>
+    void dataset(const std::string& path, std::span<const T> values, const Shape& shape,
+                 const Caption& caption, Packing packing = Packing::PLAIN);
+
+    void attribute(const std::string& path, const std::string& name, std::string_view text);
+    template <class T>
+    requires std::is_arithmetic_v<T>
+    void attribute(const std::string& path, const std::string& name, T number);
+
+    /// `path` here stands for all of another file, named relative to this one.
+    void link(const std::string& path, const std::string& other_file);
+    /// `path` here becomes a copy of all of another file.
+    void copy(const std::string& path, const std::filesystem::path& other_file);
+
+    /// Everything is in the file, or this throws; the destructor alone keeps silent.
+    void close();
+
+private:
+    std::filesystem::path file_;
+    std::int64_t id_;
+};
+
+class Hdf5Reader {
+public:
+    explicit Hdf5Reader(std::filesystem::path file);
+    ~Hdf5Reader();
+    Hdf5Reader(const Hdf5Reader&) = delete;
+    Hdf5Reader& operator=(const Hdf5Reader&) = delete;
+
+    [[nodiscard]] bool has(const std::string& path) const;
+    /// Names in a group, in alphabetical order.
+    [[nodiscard]] std::vector<std::string> names(const std::string& path) const;
+    [[nodiscard]] bool is_group(const std::string& path) const;
+    [[nodiscard]] Shape shape(const std::string& path) const;
+    /// Bytes an element takes in the file.
+    [[nodiscard]] std::size_t element_size(const std::string& path) const;
+
+    /// All of a dataset, row by row, as T.
+    template <class T>
+    [[nodiscard]] std::vector<T> read(const std::string& path) const;
+
+    [[nodiscard]] std::string text(const std::string& path, const std::string& attribute) const;
+    template <class T>
+    [[nodiscard]] T number(const std::string& path, const std::string& attribute) const;
+
+private:
+    std::filesystem::path file_;
+    std::int64_t id_;
+};
+
+}  // namespace corpuscle::io

@@ -1,0 +1,180 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "io/history_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <set>
+#include <type_traits>
+
+#include "solver/base/error.hpp"
+
+namespace corpuscle::io {
+namespace {
+
+/// A sample of the layout's sizes, all zero.
+Sample blank(const RecordLayout& layout) {
+    Sample s;
+    for (const auto& bag : layout.airbags) {
+        AirbagSample& of = s.airbags.emplace_back();
+        of.species.resize(bag.species.size());
+        of.parts.resize(bag.parts.size());
+    }
+    s.parts.resize(layout.parts.size());
+    s.rigid_bodies.resize(layout.rigid_bodies.size());
+    s.wall_force.resize(layout.walls.size(), Vec3::Zero());
+    s.contacts.resize(layout.contacts.size());
+    s.node_coordinates.resize(layout.history_nodes.size(), Vec3::Zero());
+    s.node_velocity = s.node_coordinates;
+    return s;
+}
+
+[[maybe_unused]] bool has_sizes_of(const RecordLayout& layout, const Sample& s) {
+    bool same =
+        s.airbags.size() == layout.airbags.size() && s.parts.size() == layout.parts.size() &&
+        s.rigid_bodies.size() == layout.rigid_bodies.size() &&
+        s.wall_force.size() == layout.walls.size() && s.contacts.size() == layout.contacts.size() &&
+        s.node_coordinates.size() == layout.history_nodes.size() &&
+        s.node_velocity.size() == layout.history_nodes.size();
+    for (std::size_t i = 0; same && i < s.airbags.size(); ++i)
+        same = s.airbags[i].species.size() == layout.airbags[i].species.size() &&
+               s.airbags[i].parts.size() == layout.airbags[i].parts.size();
+    return same;
+}
+
+void energy(auto&& row, const EnergyBooks& e) {
+    const auto book = [&](const char* name, const char* text, double value) {
+        row(fmt::format("/history/energy/{}", name), Quantity::ENERGY, text, value);
+    };
+    book("kinetic", "kinetic energy of fabric and rigid bodies", e.kinetic);
+    book("strain", "strain energy of the fabric", e.strain);
+    book("gas", "all energy that the gas inside the bags holds", e.gas);
+    book("contact", "energy stored in contacts", e.contact);
+    book("friction", "energy spent by friction so far", e.friction);
+    book("damping", "energy spent by damping so far", e.damping);
+    book("ambient", "work done against the atmosphere, p_atm (V - V at the start)", e.ambient);
+    book("inflow", "energy brought in by inflators so far", e.inflow);
+    book("outflow", "energy that left with gas so far", e.outflow);
+    book("external", "work of loads, supports and prescribed motion so far", e.external);
+    book("total", "what is there now and what was spent", e.total);
+    book("residual", "total - (start + inflow + external): the error of the books", e.residual);
+}
+
+void airbag(auto&& row, const RecordLayout::Airbag& bag, const AirbagSample& s) {
+    using enum Quantity;
+    const std::string at = fmt::format("/history/airbag/{}/", bag.id);
+    row(at + "volume", VOLUME, "enclosed volume", s.volume);
+    row(at + "pressure", PRESSURE, "absolute: 2/3 of the translational energy per volume",
+        s.pressure);
+    row(at + "temperature", TEMPERATURE, "at which the gas at rest would hold `energy`",
+        s.temperature);
+    row(at + "mass", MASS, "gas inside", s.mass);
+    row(at + "mass_in", MASS, "gas brought in by inflators so far", s.mass_in);
+    row(at + "mass_out_vent", MASS, "gas lost through vents so far", s.mass_out_vent);
+    row(at + "mass_out_fabric", MASS, "gas lost through porous fabric so far", s.mass_out_fabric);
+    row(at + "particles", NONE, "particles inside", s.particles);
+    row(at + "particles_out", NONE, "particles gone through vents and fabric so far",
+        s.particles_out);
+    row(at + "energy", ENERGY, "all that the gas inside holds, initial air too", s.energy);
+    row(at + "translational_energy", ENERGY, "translational part of `energy`",
+        s.translational_energy);
+    for (std::size_t k = 0; k < bag.species.size(); ++k) {
+        const std::string of = fmt::format("{}species/{}/", at, bag.species[k]);
+        row(of + "mass", MASS, "this gas inside", s.species[k].mass);
+        row(of + "temperature", TEMPERATURE, "at which this gas at rest would hold `energy`",
+            s.species[k].temperature);
+        row(of + "energy", ENERGY, "all that this gas inside holds", s.species[k].energy);
+    }
+    for (std::size_t k = 0; k < bag.parts.size(); ++k) {
+        const std::string on = fmt::format("{}part/{}/", at, bag.parts[k]);
+        row(on + "pressure", PRESSURE,
+            "gas impulse on the part's inside per area and time since the last sample, unsmoothed",
+            s.parts[k].pressure);
+        row(on + "area", AREA, "area of the part's inside", s.parts[k].area);
+        row(on + "mass_out", MASS, "gas lost through this part so far", s.parts[k].mass_out);
+    }
+}
+
+void bodies(auto&& row, const RecordLayout& layout, const Sample& s) {
+    using enum Quantity;
+    for (std::size_t i = 0; i < layout.parts.size(); ++i) {
+        const std::string of = fmt::format("/history/part/{}/", layout.parts[i]);
+        row(of + "kinetic_energy", ENERGY, "kinetic energy of the part", s.parts[i].kinetic_energy);
+        row(of + "strain_energy", ENERGY, "strain energy of the part", s.parts[i].strain_energy);
+        row(of + "momentum", MOMENTUM, "momentum of the part", s.parts[i].momentum);
+    }
+    for (std::size_t i = 0; i < layout.rigid_bodies.size(); ++i) {
+        const std::string of = fmt::format("/history/rigid_body/{}/", layout.rigid_bodies[i]);
+        row(of + "position", LENGTH, "centre of mass", s.rigid_bodies[i].position);
+        row(of + "velocity", VELOCITY, "of the centre of mass", s.rigid_bodies[i].velocity);
+        row(of + "acceleration", ACCELERATION, "of the centre of mass",
+            s.rigid_bodies[i].acceleration);
+        row(of + "force", FORCE, "contact and gas on the body", s.rigid_bodies[i].force);
+    }
+    for (std::size_t i = 0; i < layout.history_nodes.size(); ++i) {
+        const std::string of = fmt::format("/history/node/{}/", layout.history_nodes[i]);
+        row(of + "coordinates", LENGTH, "position of the node", s.node_coordinates[i]);
+        row(of + "velocity", VELOCITY, "velocity of the node", s.node_velocity[i]);
+    }
+}
+
+void touching(auto&& row, const RecordLayout& layout, const Sample& s) {
+    using enum Quantity;
+    for (std::size_t i = 0; i < layout.walls.size(); ++i)
+        row(fmt::format("/history/rigidwall/{}/force", layout.walls[i]), FORCE,
+            "force on the rigid wall", s.wall_force[i]);
+    for (std::size_t i = 0; i < layout.contacts.size(); ++i) {
+        const std::string of = fmt::format("/history/contact/{}/", layout.contacts[i]);
+        row(of + "force", FORCE, "resultant contact force", s.contacts[i].force);
+        row(of + "energy", ENERGY, "energy stored in the contact", s.contacts[i].energy);
+    }
+}
+
+/// THE list of histories: row(path, quantity, description, value) for every one.
+void visit(const RecordLayout& layout, const Sample& s, auto&& row) {
+    row("/history/time", Quantity::TIME, "time of the samples", s.time);
+    energy(row, s.energy);
+    for (std::size_t i = 0; i < layout.airbags.size(); ++i)
+        airbag(row, layout.airbags[i], s.airbags[i]);
+    bodies(row, layout, s);
+    touching(row, layout, s);
+}
+
+}  // namespace
+
+HistoryTable::HistoryTable(const RecordLayout& layout) {
+    std::set<std::string> taken;
+    visit(layout, blank(layout),
+          [&]<class Value>(const std::string& path, Quantity quantity, const char* description,
+                           const Value&) {
+              if (!taken.insert(path).second)
+                  throw InputError(
+                      fmt::format("two histories would be named {}: ids must differ", path));
+              columns_.push_back({path, quantity, description, std::is_same_v<Value, Vec3>, {}});
+          });
+}
+
+void HistoryTable::append(const RecordLayout& layout, const Sample& sample) {
+    assert(has_sizes_of(layout, sample) && "a sample has the sizes of its layout");
+    auto column = columns_.begin();
+    visit(layout, sample,
+          [&]<class Value>(const std::string&, Quantity, const char*, const Value& value) {
+              std::vector<double>& values = (column++)->values;
+              if constexpr (std::is_same_v<Value, Vec3>)
+                  values.insert(values.end(), value.begin(), value.end());
+              else
+                  values.push_back(value);
+          });
+    ++rows_;
+}
+
+void HistoryTable::write(Hdf5Writer& file, const std::string& unit_system) const {
+    for (const Column& c : columns_) {
+        const Shape shape = c.is_vector ? Shape{rows_, 3} : Shape{rows_};
+        file.dataset<double>(c.path, c.values, shape,
+                             {unit_of(c.quantity, unit_system), c.description});
+    }
+}
+
+}  // namespace corpuscle::io

@@ -1,0 +1,67 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/history_table.hpp"
+#include "io/xdmf.hpp"
+#include "solver/records.hpp"
+
+namespace corpuscle::io {
+
+/// Who ran what: the root attributes of the results.
+struct RunInfo {
+    std::string program, version;
+    std::string deck;         ///< path of the deck
+    std::string unit_system;  ///< as Model::unit_system
+    std::uint64_t seed = 0;
+    int threads = 1;
+};
+
+/// FOLDER/results.h5 and FOLDER/results.xdmf, as io/FORMAT.md promises them.
+///
+/// At any instant results.h5 is a whole HDF5 file that nobody is writing to: each version is
+/// written beside it and renamed. So it opens, whenever the run is killed, and may be looked at
+/// meanwhile. To keep versions small, mesh and frames lie in FOLDER/results.parts while the run
+/// lasts, each written once, behind external links; finish() gathers all in the one file.
+class ResultsFile {
+public:
+    /// Creates the folder, clears away the results of an earlier run, writes the mesh.
+    /// @throws SystemError if that cannot be written, InputError if ids of one kind collide
+    ResultsFile(std::filesystem::path folder, RunInfo info, const RecordLayout& layout);
+
+    /// One row in every history. On the disk within a second, or 50 times what a version costs.
+    void append(const Sample& sample);
+    /// One state for pictures, on the disk on return.
+    void write(const Frame& frame);
+    /// What was appended survives a kill from now on.
+    void flush();
+    /// The last version, all in one file. @param termination "normal" or "error: ..."
+    void finish(std::string_view termination);
+
+private:
+    enum class Parts { LINKED, COPIED };
+
+    void clear_away() const;
+    void write_mesh();
+    void write_version(Parts parts);
+    [[nodiscard]] std::filesystem::path part_file(std::string_view name) const;
+
+    std::filesystem::path folder_;
+    RunInfo info_;
+    RecordLayout layout_;
+    std::string termination_ = "running";
+    HistoryTable history_;
+    std::vector<double> frame_times_;
+    XdmfScene xdmf_;
+    std::chrono::steady_clock::time_point written_at_;
+    std::chrono::steady_clock::duration cost_{};  ///< of the last version
+};
+
+}  // namespace corpuscle::io
