@@ -111,18 +111,15 @@ std::vector<EulerTube::Conserved> EulerTube::rate(const std::vector<Conserved>& 
     const double piston =
         wall_pressure(faces.back().right, piston_velocity - faces.back().right.velocity);
 
-    std::vector<Conserved> rates(n, Conserved{});
-    rates[0][1] += closed;
-    rates[n - 1][1] -= piston;
-    rates[n - 1][2] -= piston * piston_velocity;
-    for (std::size_t i = 1; i < n; ++i) {
-        const double face_velocity =
-            piston_velocity * static_cast<double>(i) / static_cast<double>(n);
-        const Conserved through = flux(faces[i - 1].right, faces[i].left, face_velocity);
-        for (int k = 0; k < 3; ++k) {
-            rates[i - 1][k] -= through[k];
-            rates[i][k] += through[k];
-        }
+    std::vector<Conserved> rates(n);
+    Conserved in{0.0, closed, 0.0};
+    for (std::size_t i = 0; i < n; ++i) {
+        const double share = static_cast<double>(i + 1) / static_cast<double>(n);
+        const Conserved out = i + 1 < n
+                                  ? flux(faces[i].right, faces[i + 1].left, share * piston_velocity)
+                                  : Conserved{0.0, piston, piston * piston_velocity};
+        for (int k = 0; k < 3; ++k) rates[i][k] = in[k] - out[k];
+        in = out;
     }
     return rates;
 }
