@@ -94,12 +94,17 @@ Id make_groups_on_the_way() {
     return {list, H5Pclose};
 }
 
+/// How files are opened.
+///
 /// Without file locks: a file being written has a name that nobody else knows, a file being read is
-/// finished, and network file systems often have no locks to give.
-Id without_locks() {
+/// finished, and network file systems often have no locks to give. Without sieve: a write that
+/// fails fails at once. Without clean-up at exit: see ~Hdf5Writer.
+Id access() {
+    H5dont_atexit();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // complaints are thrown, not printed
     const hid_t list = H5Pcreate(H5P_FILE_ACCESS);
     H5Pset_file_locking(list, /*use=*/0, /*ignore_when_disabled=*/1);
+    H5Pset_sieve_buf_size(list, 0);
     return {list, H5Pclose};
 }
 
@@ -128,15 +133,20 @@ Id creation_of(const Shape& shape, Packing packing) {
 }  // namespace
 
 Hdf5Writer::Hdf5Writer(std::filesystem::path file) : file_(std::move(file)), id_(-1) {
-    const Id access = without_locks();
-    id_ = checked(H5Fcreate(file_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), "create", file_);
+    id_ = checked(H5Fcreate(file_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access()), "create", file_);
 }
 
+/// A file that could not be written to its end is abandoned: HDF5 1.10 does not survive closing a
+/// file on a full disk. It stays open, empty and nameless, until the program ends.
 Hdf5Writer::~Hdf5Writer() {
-    if (id_ >= 0) H5Fclose(id_);
+    if (id_ < 0) return;
+    std::error_code ignored;
+    std::filesystem::resize_file(file_, 0, ignored);
+    std::filesystem::remove(file_, ignored);
 }
 
 void Hdf5Writer::close() {
+    checked(H5Fflush(id_, H5F_SCOPE_LOCAL), "write", file_);
     checked(H5Fclose(std::exchange(id_, -1)), "write", file_);
 }
 
@@ -194,16 +204,15 @@ void Hdf5Writer::link(const std::string& path, const std::string& other_file) {
 }
 
 void Hdf5Writer::copy(const std::string& path, const std::filesystem::path& other_file) {
-    const Id access = without_locks();
-    const Id other(checked(H5Fopen(other_file.c_str(), H5F_ACC_RDONLY, access), "read", other_file),
-                   H5Fclose);
+    const Id other(
+        checked(H5Fopen(other_file.c_str(), H5F_ACC_RDONLY, access()), "read", other_file),
+        H5Fclose);
     const Id on_the_way = make_groups_on_the_way();
     checked(H5Ocopy(other, "/", id_, path.c_str(), H5P_DEFAULT, on_the_way), "write", file_, path);
 }
 
 Hdf5Reader::Hdf5Reader(std::filesystem::path file) : file_(std::move(file)), id_(-1) {
-    const Id access = without_locks();
-    id_ = checked(H5Fopen(file_.c_str(), H5F_ACC_RDONLY, access), "read", file_);
+    id_ = checked(H5Fopen(file_.c_str(), H5F_ACC_RDONLY, access()), "read", file_);
 }
 
 Hdf5Reader::~Hdf5Reader() {

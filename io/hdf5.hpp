@@ -52,7 +52,7 @@ public:
     /// `path` here becomes a copy of all of another file.
     void copy(const std::string& path, const std::filesystem::path& other_file);
 
-    /// Everything is in the file, or this throws; the destructor alone keeps silent.
+    /// Everything is in the file, or this throws. A file that was not closed is removed.
     void close();
 
 private:
