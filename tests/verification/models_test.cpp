@@ -1,0 +1,84 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+// The models at full length against what is known exactly of them.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+
+#include "tests/support/fast_piston.hpp"
+#include "tests/support/model_run.hpp"
+
+using namespace corpuscle;
+using corpuscle::test::ModelRun;
+
+namespace {
+
+constexpr double HELIUM_AIR_PRESSURE = 92.06e3;  // as the notes give it [Pa]
+
+double last(const ModelRun& run, const std::string& path) {
+    return run.history(path).back();
+}
+
+/// Time and mean pressure on the piston in bins of 0.1 ms, from its start to 4 ms after.
+std::map<int, double> binned(const std::vector<double>& time, const std::vector<double>& pressure) {
+    std::map<int, double> sum, count;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        const int bin =
+            static_cast<int>(std::floor((time[i] - oracle::fast_piston::START) / 1.0e-4 - 1e-6));
+        if (bin < 0 || bin >= 40) continue;
+        sum[bin] += pressure[i];
+        count[bin] += 1.0;
+    }
+    for (auto& [bin, total] : sum) total /= count[bin];
+    return sum;
+}
+
+/// RMS difference between the run's and Euler's pressure on the piston, over p0.
+double piston_error(const ModelRun& run) {
+    const auto time = run.history("/history/time");
+    const auto measured = binned(time, run.history("/history/airbag/1/part/2/pressure"));
+    std::vector<double> fine;
+    for (int i = 0; i < 4000; ++i) fine.push_back(oracle::fast_piston::START + (i + 0.5) * 1.0e-6);
+    const auto exact = binned(fine, oracle::fast_piston::piston_pressure(fine, 400));
+    REQUIRE(measured.size() == exact.size());
+    double sum = 0.0;
+    for (const auto& [bin, pressure] : exact) {
+        sum += std::pow(measured.at(bin) - pressure, 2) / static_cast<double>(exact.size());
+    }
+    return std::sqrt(sum) / oracle::fast_piston::PRESSURE;
+}
+
+}  // namespace
+
+TEST_CASE("helium and air in a box come to nRT/V and one temperature", "[models]") {
+    const ModelRun run("helium_air", "");
+    REQUIRE(run.status() == 0);
+    const std::string bag = "/history/airbag/1";
+
+    const double pressure = run.mean(bag + "/part/1/pressure", 5e-3, 20e-3);
+    const double air = run.mean(bag + "/species/1/temperature", 5e-3, 20e-3);
+    const double helium = run.mean(bag + "/species/2/temperature", 5e-3, 20e-3);
+    WARN("mean wall pressure " << pressure << " Pa, air " << air << " K, helium " << helium
+                               << " K");
+    CHECK(pressure == Approx(HELIUM_AIR_PRESSURE).epsilon(0.005));
+    CHECK(air == Approx(300.0).epsilon(0.02));
+    CHECK(helium == Approx(300.0).epsilon(0.02));
+
+    // the curves' mass to within a particle in ten thousand, and nothing lost of what came in
+    CHECK(last(run, bag + "/mass") == Approx(0.2e-3).epsilon(1e-3));
+    CHECK(last(run, bag + "/mass") == Approx(last(run, bag + "/mass_in")).epsilon(1e-9));
+    const double inflow = last(run, "/history/energy/inflow");
+    for (double residual : run.history("/history/energy/residual")) {
+        REQUIRE(std::abs(residual) < 1e-9 * inflow);
+    }
+}
+
+TEST_CASE("the pressure on the fast piston is Euler's", "[models]") {
+    const ModelRun few("fast_piston", "-D NP=10000"), many("fast_piston", "-D NP=100000");
+    REQUIRE(few.status() == 0);
+    REQUIRE(many.status() == 0);
+    const double coarse = piston_error(few), fine = piston_error(many);
+    WARN("RMS error over p0: " << coarse << " at 10 000 particles, " << fine << " at 100 000");
+    CHECK(fine < 0.03);
+    CHECK(fine < coarse);
+}
