@@ -17,18 +17,6 @@ std::vector<Index> nodes_of(const std::vector<Triangle>& triangles) {
     return nodes;
 }
 
-contact::Box swept_box(const Triangle& t, std::span<const Vec3> x_0, std::span<const Vec3> x_1,
-                       double margin) {
-    contact::Box box{x_0[t[0]], x_0[t[0]]};
-    for (const Index node : t) {
-        box.low = box.low.cwiseMin(x_0[node]).cwiseMin(x_1[node]);
-        box.high = box.high.cwiseMax(x_0[node]).cwiseMax(x_1[node]);
-    }
-    box.low.array() -= margin;
-    box.high.array() += margin;
-    return box;
-}
-
 }  // namespace
 
 FacetLists::FacetLists(std::vector<Triangle> triangles, std::span<const Vec3> x)
@@ -52,7 +40,7 @@ void FacetLists::build(const Grid& grid, std::span<const Vec3> x_0, std::span<co
     for (std::size_t n = 0; n < nodes_.size(); ++n) built_at_[n] = x_1[nodes_[n]];
     grid_ = grid;
     for (std::size_t f = 0; f < triangles_.size(); ++f)
-        facet_box_[f] = swept_box(triangles_[f], x_0, x_1, margin);
+        facet_box_[f] = contact::triangle_box(triangles_[f], x_0, x_1, margin);
     pair_patches_with_blocks();
 
     start_.assign(grid_.size() + 1, 0);
@@ -64,17 +52,9 @@ void FacetLists::build(const Grid& grid, std::span<const Vec3> x_0, std::span<co
 }
 
 void FacetLists::pair_patches_with_blocks() {
-    const std::size_t patch_count = patches_.start.size() - 1;
-    box_.resize(patch_count);
-    for (std::size_t p = 0; p < patch_count; ++p) {
-        contact::Box box = facet_box_[patches_.triangle[patches_.start[p]]];
-        for (Index i = patches_.start[p]; i < patches_.start[p + 1]; ++i) {
-            const contact::Box& facet = facet_box_[patches_.triangle[i]];
-            box.low = box.low.cwiseMin(facet.low);
-            box.high = box.high.cwiseMax(facet.high);
-        }
-        box_[p] = box;
-    }
+    box_.assign(patches_.size(), {});
+    for (std::size_t p = 0; p < patches_.size(); ++p)
+        for (const Index facet : patches_[p]) box_[p].include(facet_box_[facet]);
     patch_tree_.update(box_);
 
     blocks_ = grid_;
@@ -98,8 +78,7 @@ void FacetLists::for_each_entry(Enter&& enter) const {
         const std::array<int, 3> at{block % blocks_.count[0],
                                     block / blocks_.count[0] % blocks_.count[1],
                                     block / (blocks_.count[0] * blocks_.count[1])};
-        for (Index p = patches_.start[patch]; p < patches_.start[patch + 1]; ++p) {
-            const Index facet = patches_.triangle[p];
+        for (const Index facet : patches_[patch]) {
             std::array<int, 3> from, to;
             for (int a = 0; a < 3; ++a) {
                 from[a] = std::max(grid_.along(a, facet_box_[facet].low[a]), at[a] * BLOCK);

@@ -28,6 +28,21 @@ struct Curve {
         return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / span;
     }
 
+    /// Mean of y over [from, to], exact.
+    [[nodiscard]] double mean(double from, double to) const {
+        double sum = 0.0, at = from, y_at = (*this)(from);
+        for (auto next = std::upper_bound(x.begin(), x.end(), from); at < to; ++next) {
+            const double end = next == x.end() ? to : std::min(to, *next);
+            const bool at_knot = next != x.end() && end == *next;
+            const double y_end = at_knot ? y[static_cast<std::size_t>(next - x.begin())] : (*this)(end);
+            sum += 0.5 * (y_at + y_end) * (end - at);
+            at = end;
+            y_at = at_knot ? after(static_cast<std::size_t>(next - x.begin())) : y_end;
+            if (next == x.end()) break;
+        }
+        return sum / (to - from);
+    }
+
     /// Exact integral of y from the first abscissa to `to`, y = 0 outside the range.
     [[nodiscard]] double integral_to(double to) const {
         double sum = 0.0;
@@ -36,6 +51,13 @@ struct Curve {
             sum += 0.5 * (y[i - 1] + (x[i] > end ? (*this)(end) : y[i])) * (end - x[i - 1]);
         }
         return sum;
+    }
+
+private:
+    /// Ordinate just after knot i: of the last knot at the same abscissa.
+    [[nodiscard]] double after(std::size_t i) const {
+        while (i + 1 < x.size() && x[i + 1] == x[i]) ++i;
+        return y[i];
     }
 };
 

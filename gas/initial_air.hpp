@@ -1,0 +1,50 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "gas/bag.hpp"
+#include "gas/species.hpp"
+
+namespace corpuscle::gas {
+
+/// Air in the bag at the start (IAIR = 1): a control volume at uniform pressure p = n R T / V.
+///
+/// It works on the fabric, E -= p dV, and shares heat with the particles so that both stay at one mean
+/// temperature [notes, "Initial air"].
+class InitialAir {
+public:
+    /// n = p V / (R T) moles at the card's pressure and temperature.
+    InitialAir(const InitialAirCard& card, double gas_constant, double volume)
+        : species_(card.species, gas_constant, "initial air"),
+          moles_(card.pressure * volume / (gas_constant * card.temperature)),
+          energy_(moles_ * species_.molar_energy()(card.temperature)),
+          temperature_(card.temperature) {}
+
+    [[nodiscard]] double pressure(double volume) const {  ///< [Pa]
+        return moles_ * species_.gas_constant() * temperature_ / volume;
+    }
+    [[nodiscard]] double temperature() const { return temperature_; }                ///< [K]
+    [[nodiscard]] double energy() const { return energy_; }                          ///< [J]
+    [[nodiscard]] double mass() const { return moles_ * species_.molar_mass(); }     ///< [kg]
+    [[nodiscard]] double moles() const { return moles_; }
+    [[nodiscard]] double translational() const {  ///< (3/2) n R T                      [J]
+        return 1.5 * moles_ * species_.gas_constant() * temperature_;
+    }
+    [[nodiscard]] const Species& species() const { return species_; }
+    /// Energy of the air as a polynomial in its temperature.
+    [[nodiscard]] EnergyPolynomial content() const { return moles_ * species_.molar_energy(); }
+
+    /// Takes up heat (or gives it, or work, when negative).                              [J]
+    void add(double energy) {
+        energy_ += energy;
+        temperature_ = content().temperature(energy_, temperature_);
+    }
+
+private:
+    Species species_;
+    double moles_;        ///< [mol]
+    double energy_;       ///< [J]
+    double temperature_;  ///< [K]
+};
+
+}  // namespace corpuscle::gas
