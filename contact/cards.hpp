@@ -12,28 +12,28 @@ namespace corpuscle::contact {
 
 /// *CONTACT_AIRBAG_SINGLE_SURFACE, *CONTACT_AUTOMATIC_SINGLE_SURFACE.
 struct SelfContactCard {
-    int id = 0;                      ///< CID, else order in the deck from 1
+    int id = 0;  ///< CID, else order in the deck from 1
     std::string title;
-    std::vector<Index> parts;        ///< part rows whose facets may touch each other (all: every part)
-    double friction_static = 0.0;    ///< FS  [-]
-    double friction_dynamic = 0.0;   ///< FD  [-]
-    double friction_decay = 0.0;     ///< DC  [s/m]
-    double damping = 20.0;           ///< VDC, percent of critical  [%]
-    double thickness = NaN;          ///< SAST: contact thickness; NaN: that of the section  [m]
-    Index thickness_curve = -1;      ///< LCIDAB: curve row, thickness over time
-    double birth = 0.0;              ///< BT  [s]
-    double death = INF;              ///< DT  [s]
+    std::vector<Index> parts;  ///< part rows whose facets may touch each other (all: every part)
+    double friction_static = 0.0;   ///< FS  [-]
+    double friction_dynamic = 0.0;  ///< FD  [-]
+    double friction_decay = 0.0;    ///< DC  [s/m]
+    double damping = 20.0;          ///< VDC, percent of critical  [%]
+    double thickness = NaN;         ///< SAST: contact thickness; NaN: that of the section  [m]
+    Index thickness_curve = -1;     ///< LCIDAB: curve row, thickness over time
+    double birth = 0.0;             ///< BT  [s]
+    double death = INF;             ///< DT  [s]
 };
 
 /// *RIGIDWALL_PLANAR: an immovable half-space.
 struct PlanarWallCard {
-    int id = 0;                      ///< RWID, else order in the deck from 1
+    int id = 0;  ///< RWID, else order in the deck from 1
     std::string title;
-    Vec3 point = Vec3::Zero();       ///< XT YT ZT, on the wall                      [m]
-    Vec3 normal = Vec3::UnitZ();     ///< head - tail, unit; nodes live on this side
-    double friction = 0.0;           ///< FRIC: 0 slides, 1 sticks, else Coulomb     [-]
-    std::vector<Index> nodes;        ///< node rows that it stops
-    double birth = 0.0, death = INF; ///< [s]
+    Vec3 point = Vec3::Zero();        ///< XT YT ZT, on the wall                      [m]
+    Vec3 normal = Vec3::UnitZ();      ///< head - tail, unit; nodes live on this side
+    double friction = 0.0;            ///< FRIC: 0 slides, 1 sticks, else Coulomb     [-]
+    std::vector<Index> nodes;         ///< node rows that it stops
+    double birth = 0.0, death = INF;  ///< [s]
 };
 
 }  // namespace corpuscle::contact

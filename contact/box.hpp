@@ -1,0 +1,32 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "solver/base/vec.hpp"
+
+namespace corpuscle::contact {
+
+/// Axis-aligned box, closed: boxes that touch overlap.                                      [m]
+struct Box {
+    Vec3 low = Vec3::Constant(INF);
+    Vec3 high = Vec3::Constant(-INF);
+
+    void include(const Vec3& p) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    void include(const Box& other) {
+        low = low.cwiseMin(other.low);
+        high = high.cwiseMax(other.high);
+    }
+    void inflate(double margin) {
+        low.array() -= margin;
+        high.array() += margin;
+    }
+    [[nodiscard]] bool overlaps(const Box& other) const {
+        return (low.array() <= other.high.array()).all() &&
+               (other.low.array() <= high.array()).all();
+    }
+};
+
+}  // namespace corpuscle::contact
