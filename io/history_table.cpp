@@ -53,6 +53,8 @@ void energy(auto&& row, const EnergyBooks& e) {
     book("contact", "energy stored in contacts", e.contact);
     book("friction", "energy spent by friction so far", e.friction);
     book("damping", "energy spent by damping so far", e.damping);
+    book("smoothing", "given by particles to the wall, not yet passed on to the fabric",
+         e.smoothing);
     book("ambient", "work done against the atmosphere, p_atm (V - V at the start)", e.ambient);
     book("inflow", "energy brought in by inflators so far", e.inflow);
     book("outflow", "energy that left with gas so far", e.outflow);

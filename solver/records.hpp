@@ -25,6 +25,7 @@ struct RecordLayout {
     std::vector<int> parts;                    ///< part ids
     std::vector<int> rigid_bodies;             ///< part ids of the rigid bodies
     std::vector<int> walls, contacts;          ///< ids
+    Points wall_normals;                       ///< of the walls, unit; nodes live on this side
     std::vector<int> history_nodes;            ///< node ids
     std::vector<Index> history_node_rows;
 
@@ -38,6 +39,7 @@ struct RecordLayout {
 /// The ledger at one instant.                                                                  [J]
 struct EnergyBooks {
     double kinetic = 0, strain = 0, gas = 0, contact = 0, friction = 0, damping = 0;
+    double smoothing = 0; ///< given by particles to the wall, not yet passed on to the fabric
     double ambient = 0;   ///< p_atm · (V - V at the start)
     double inflow = 0, outflow = 0, external = 0;
     double total = 0;     ///< what is there now and what was spent

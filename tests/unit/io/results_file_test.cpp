@@ -86,6 +86,7 @@ void expect_energy(Histories& h) {
     book("contact", &EnergyBooks::contact);
     book("friction", &EnergyBooks::friction);
     book("damping", &EnergyBooks::damping);
+    book("smoothing", &EnergyBooks::smoothing);
     book("ambient", &EnergyBooks::ambient);
     book("inflow", &EnergyBooks::inflow);
     book("outflow", &EnergyBooks::outflow);

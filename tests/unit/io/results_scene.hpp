@@ -75,8 +75,9 @@ inline Sample sample(const RecordLayout& layout, std::size_t row) {
     s.dt = 1e-3;
     s.step = static_cast<std::int64_t>(100 * row);
     EnergyBooks& e = s.energy;
-    for (double* book : {&e.kinetic, &e.strain, &e.gas, &e.contact, &e.friction, &e.damping,
-                         &e.ambient, &e.inflow, &e.outflow, &e.external, &e.total, &e.residual})
+    for (double* book :
+         {&e.kinetic, &e.strain, &e.gas, &e.contact, &e.friction, &e.damping, &e.smoothing,
+          &e.ambient, &e.inflow, &e.outflow, &e.external, &e.total, &e.residual})
         *book = c.next();
     for (const auto& bag : layout.airbags) {
         AirbagSample& b = s.airbags.emplace_back();

@@ -1,0 +1,231 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <sstream>
+
+#include "io/ascii_files.hpp"
+#include "io/ascii_tables.hpp"
+#include "solver/base/error.hpp"
+#include "tests/unit/io/results_scene.hpp"
+
+using namespace corpuscle;
+
+namespace {
+
+std::vector<std::string> lines(const std::string& text) {
+    std::vector<std::string> all;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) all.push_back(line);
+    return all;
+}
+
+std::string text_of(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
+/// The numbers of a line, cut at fixed widths.
+std::vector<double> cut(const std::string& line, const std::vector<int>& widths) {
+    std::vector<double> values;
+    std::size_t at = 0;
+    for (const int width : widths) {
+        values.push_back(std::stod(line.substr(at, static_cast<std::size_t>(width))));
+        at += static_cast<std::size_t>(width);
+    }
+    CHECK(line.size() == at);
+    return values;
+}
+
+void check_near(const std::vector<double>& values, const std::vector<double>& expected) {
+    REQUIRE(values.size() == expected.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        INFO("column " << i);
+        CHECK(values[i] == Approx(expected[i]).epsilon(1e-3));  // abstat prints 4 digits
+    }
+}
+
+}  // namespace
+
+TEST_CASE("a number keeps its column whatever its exponent", "[io]") {
+    const double value = GENERATE(0.0, 1.0, -1.0, 1.2345678e-100, -1.2345678e-100, -9.999999e299);
+    CHECK(io::field(value, 12, 5).size() == 12);
+    CHECK(std::stod(io::field(value, 12, 5)) == Approx(value).epsilon(1e-3));
+}
+
+TEST_CASE("abstat has the bag's numbers in LS-DYNA's columns", "[io]") {
+    const RecordLayout layout = scene::layout();
+    const Sample s = scene::sample(layout, 3);
+    const auto rows = lines(io::abstat_state(layout, s));
+    REQUIRE(rows.size() == 5);
+    CHECK(rows[0].empty());
+    CHECK(rows[1].empty());
+    CHECK(rows[2].find("airbag/cv #") != std::string::npos);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const AirbagSample& b = s.airbags[i];
+        check_near(
+            cut(rows[3 + i], {12, 8, 15, 15, 15, 15, 15, 11, 11, 11, 11, 11}),
+            {1.5, i == 0 ? 7.0 : 9.0, b.volume, b.pressure, b.energy, b.mass_rate_in,
+             b.mass / b.volume, b.mass_rate_out, b.mass, b.temperature, b.surface_area, 0.0});
+    }
+}
+
+TEST_CASE("glstat's energies close when the ledger does", "[io]") {
+    Sample start, end;
+    start.energy.kinetic = 2.0;
+    start.energy.gas = 10.0;
+    start.energy.total = 12.0;
+    EnergyBooks& e = end.energy;
+    e.kinetic = 3.0;
+    e.strain = 1.0;
+    e.gas = 50.0;
+    e.smoothing = 0.5;
+    e.contact = 0.25;
+    e.friction = 0.75;
+    e.damping = 1.5;
+    e.ambient = 4.0;
+    e.outflow = 6.0;
+    e.total = 67.0;
+    e.inflow = 70.0;
+    e.external = -15.0;
+    e.residual = e.total - (start.energy.total + e.inflow + e.external);
+    REQUIRE(e.residual == 0.0);
+    end.time = 0.02;
+    end.dt = 1e-6;
+    const auto rows = lines(io::glstat_state(end, start));
+    REQUIRE(rows.size() == 13);
+    const std::vector<std::pair<std::string, double>> expected{
+        {" time...........................", 0.02}, {" time step......................", 1e-6},
+        {" kinetic energy.................", 3.0},  {" internal energy................", 51.5},
+        {" system damping energy..........", 1.5},  {" sliding interface energy.......", 1.0},
+        {" external work..................", 45.0}, {" total energy...................", 57.0},
+        {" total energy / initial energy..", 1.0}};
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        CHECK(rows[4 + i].substr(0, 32) == expected[i].first);
+        CHECK(rows[4 + i].size() == 46);
+        CHECK(std::stod(rows[4 + i].substr(32)) == Approx(expected[i].second));
+    }
+}
+
+TEST_CASE("rcforc tells both sides of a contact, equal and opposite", "[io]") {
+    const RecordLayout layout = scene::layout();
+    const Sample s = scene::sample(layout, 1);
+    const auto rows = lines(io::rcforc_state(layout, s));
+    REQUIRE(rows.size() == 2);
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::string& row = rows[side];
+        CHECK(row.substr(0, 8) == (side == 0 ? "  slave " : "  master"));
+        CHECK(std::stoi(row.substr(8, 11)) == 41);
+        CHECK(row.substr(19, 5) == " time");
+        CHECK(std::stod(row.substr(24, 12)) == Approx(0.5));
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            CHECK(row.substr(36 + 16 * axis, 4) == std::string("  ") + "xyz"[axis] + " ");
+            const double force = std::stod(row.substr(40 + 16 * axis, 12));
+            CHECK(force ==
+                  Approx((side == 0 ? 1.0 : -1.0) * s.contacts[0].force[static_cast<int>(axis)]));
+        }
+    }
+}
+
+TEST_CASE("rwforc's normal force is the force along the wall's normal", "[io]") {
+    RecordLayout layout = scene::layout();
+    layout.wall_normals = {Vec3::UnitZ(), Vec3(0.6, 0.8, 0.0)};
+    const Sample s = scene::sample(layout, 1);
+    const auto rows = lines(io::rwforc_state(layout, s));
+    REQUIRE(rows.size() == 5);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Vec3& f = s.wall_force[i];
+        check_near(cut(rows[3 + i], {12, 8, 15, 15, 15, 15}),
+                   {0.5, 31.0 + static_cast<double>(i), f.dot(layout.wall_normals[i]), f.x(), f.y(),
+                    f.z()});
+    }
+}
+
+TEST_CASE("rbdout tells where a rigid body is and how far it came", "[io]") {
+    const RecordLayout layout = scene::layout();
+    const Sample start = scene::sample(layout, 0), s = scene::sample(layout, 2);
+    const auto rows = lines(io::rbdout_state(layout, s, start));
+    REQUIRE(rows.size() == 10);
+    CHECK(rows[2].substr(0, 57) == "  r i g i d   b o d y   m o t i o n   a t  cycle=     200");
+    CHECK(rows[4] == " rigid body       20");
+    const Sample::Rigid& body = s.rigid_bodies[0];
+    const std::vector<std::pair<std::string, Vec3>> expected{
+        {"    coordinates:", body.position},
+        {"  displacements:", body.position - start.rigid_bodies[0].position},
+        {"     velocities:", body.velocity},
+        {"  accelerations:", body.acceleration}};
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        CHECK(rows[6 + i].substr(0, 16) == expected[i].first);
+        const Vec3& v = expected[i].second;
+        check_near(cut(rows[6 + i].substr(16), {12, 12, 12}), {v.x(), v.y(), v.z()});
+    }
+}
+
+TEST_CASE("nodout's acceleration is the mean since the state before", "[io]") {
+    const RecordLayout layout = scene::layout();
+    const Sample before = scene::sample(layout, 1), s = scene::sample(layout, 2);
+    const auto rows = lines(io::nodout_state(layout, s, before));
+    REQUIRE(rows.size() == 8);
+    CHECK(rows[3].substr(0, 55) == " n o d a l   p r i n t   o u t   f o r   t i m e  s t e");
+    const std::vector<int> widths{9, 13, 12, 12, 12, 12, 12, 12, 12, 12, 12, 12, 12};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Vec3 x = s.node_coordinates[i], v = s.node_velocity[i];
+        const Vec3 u =
+            x - layout.coordinates[static_cast<std::size_t>(layout.history_node_rows[i])];
+        const Vec3 a = (v - before.node_velocity[i]) / 0.5;
+        check_near(cut(rows[6 + i], widths),
+                   {i == 0 ? 102.0 : 105.0, u.x(), u.y(), u.z(), v.x(), v.y(), v.z(), a.x(), a.y(),
+                    a.z(), x.x(), x.y(), x.z()});
+    }
+}
+
+TEST_CASE("each text file appears only when asked for, each at its own interval", "[io]") {
+    const scene::Folder folder("ascii");
+    const RecordLayout layout = scene::layout();
+    OutputIntervals intervals;
+    intervals.abstat = 1.0;
+    intervals.nodout = 2.5;
+    std::filesystem::create_directories(folder.path);
+    std::ofstream(folder.path / "glstat") << "of an earlier run";
+    {
+        io::AsciiFiles files(folder.path, layout, intervals, "a bag");
+        std::size_t offered = 0;
+        for (std::size_t row = 0; row <= 20; ++row) {  // every 0.5, to 10
+            const Sample s = scene::sample(layout, row);
+            if (!files.due(s.time)) continue;
+            CHECK(files.next_time() <= s.time);
+            files.append(s);
+            ++offered;
+        }
+        CHECK(offered == 13);  // 0 1 2 2.5 3 4 5 6 7 7.5 8 9 10
+        CHECK(files.next_time() == Approx(11.0));
+    }
+    std::vector<double> abstat, nodout;
+    for (const std::string& line : lines(text_of(folder.path / "abstat")))
+        if (line.find("       7     ") == 12) abstat.push_back(std::stod(line.substr(0, 12)));
+    for (const std::string& line : lines(text_of(folder.path / "nodout")))
+        if (const std::size_t at = line.find("( at time"); at != std::string::npos)
+            nodout.push_back(std::stod(line.substr(at + 9)));
+    CHECK(abstat == std::vector<double>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
+    CHECK(nodout == std::vector<double>{0.0, 2.5, 5.0, 7.5, 10.0});
+    CHECK(lines(text_of(folder.path / "abstat"))[0] == " a bag");
+    for (const char* name : {"glstat", "rcforc", "rwforc", "rbdout"})
+        CHECK_FALSE(std::filesystem::exists(folder.path / name));
+}
+
+TEST_CASE("text files that nobody asked for are never due", "[io]") {
+    const scene::Folder folder("no_ascii");
+    io::AsciiFiles files(folder.path, scene::layout(), OutputIntervals{}, "a bag");
+    CHECK_FALSE(files.due(1e30));
+    CHECK(files.next_time() == INF);
+}
+
+TEST_CASE("a text file that cannot be opened is named with the reason", "[io]") {
+    const scene::Folder folder("ascii_in_the_way");
+    std::filesystem::create_directories(folder.path / "abstat" / "x");
+    OutputIntervals intervals;
+    intervals.abstat = 1.0;
+    CHECK_THROWS_WITH(io::AsciiFiles(folder.path, scene::layout(), intervals, ""),
+                      Catch::Contains("abstat") && Catch::Contains("Is a directory"));
+}
