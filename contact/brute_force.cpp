@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "contact/brute_force.hpp"
 
+#include "contact/orientation.hpp"
+
 namespace corpuscle::contact::brute_force {
 
 std::vector<std::pair<Index, Index>> self_pairs(std::span<const Box> boxes) {
@@ -18,6 +20,17 @@ std::vector<std::pair<Index, Index>> pairs(std::span<const Box> a, std::span<con
     for (std::size_t i = 0; i < a.size(); ++i)
         for (std::size_t j = 0; j < b.size(); ++j)
             if (a[i].overlaps(b[j]))
+                found.emplace_back(static_cast<Index>(i), static_cast<Index>(j));
+    return found;
+}
+
+std::vector<std::pair<Index, Index>> crossings(std::span<const Triangle> triangles,
+                                               std::span<const Vec3> x) {
+    std::vector<std::pair<Index, Index>> found;
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        for (std::size_t j = i + 1; j < triangles.size(); ++j)
+            if (!share_node(triangles[i], triangles[j]) &&
+                triangles_cross(triangles[i], triangles[j], x))
                 found.emplace_back(static_cast<Index>(i), static_cast<Index>(j));
     return found;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/box.hpp"
+#include "solver/base/surface.hpp"
 
 /// The plain way, kept as the oracle that the quick one is held to.
 namespace corpuscle::contact::brute_force {
@@ -17,5 +18,9 @@ namespace corpuscle::contact::brute_force {
 /// All overlapping pairs (row in a, row in b), sorted.
 [[nodiscard]] std::vector<std::pair<Index, Index>> pairs(std::span<const Box> a,
                                                          std::span<const Box> b);
+
+/// All pairs i < j of triangles without a common node that cross, sorted.
+[[nodiscard]] std::vector<std::pair<Index, Index>> crossings(std::span<const Triangle> triangles,
+                                                             std::span<const Vec3> x);
 
 }  // namespace corpuscle::contact::brute_force
