@@ -33,22 +33,22 @@ def gas(axes, frame, colours):
     v = np.linalg.norm(frame["particles/velocity"][:], axis=1)
     chosen = np.flatnonzero(x[:, 1] > 0.0)
     chosen = chosen[:: max(1, len(chosen) // SHOWN)]
-    axes.scatter(*x[chosen].T, c=v[chosen], s=0.4, cmap="plasma", norm=colours, linewidths=0,
+    axes.scatter(*x[chosen].T, c=v[chosen], s=0.8, cmap="plasma", norm=colours, linewidths=0,
                  depthshade=False)
 
 
 def strip(run):
     quads = run["mesh/shell_nodes"][:]
-    figure = plt.figure(figsize=(15, 3.6))
+    figure = plt.figure(figsize=(18, 3.4))
     colours = plt.Normalize(0.0, 1500.0)
     for i, instant in enumerate(INSTANTS):
         frame, at = frame_at(run, instant)
         axes = figure.add_subplot(1, len(INSTANTS), i + 1, projection="3d", computed_zorder=False)
         cut_open(axes, frame["coordinates"][:].astype(float), quads)
         gas(axes, frame, colours)
-        axes.set(xlim=(-300, 300), ylim=(-150, 350), zlim=(-250, 250), title=f"{at:.0f} ms")
-        axes.set_box_aspect((6, 5, 5), zoom=1.45)
-        axes.view_init(elev=14, azim=-78)
+        axes.set(xlim=(-370, 370), ylim=(-370, 370), zlim=(-60, 340), title=f"{at:.0f} ms")
+        axes.set_box_aspect((740, 740, 400), zoom=1.6)
+        axes.view_init(elev=16, azim=-80)
         axes.set_axis_off()
     figure.subplots_adjust(0, 0, 1, 0.95, 0, 0)
     scale = plt.cm.ScalarMappable(colours, "plasma")
