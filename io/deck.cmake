@@ -1,2 +1,26 @@
 # keyword decks -> Model
-target_sources(corpuscle_io PRIVATE deck.cpp)
+target_sources(corpuscle_io PRIVATE
+    deck.cpp
+    # text -> cards
+    faults.cpp text.cpp lines.cpp keyword_reader.cpp
+    expression.cpp parameters.cpp parameter_cards.cpp
+    card.cpp cards.cpp
+    # cards -> scene, a file a family
+    keywords/table.cpp
+    keywords/nodes_elements.cpp
+    keywords/parts_sections.cpp
+    keywords/materials.cpp
+    keywords/mat_fabric.cpp
+    keywords/curves.cpp
+    keywords/sets.cpp
+    keywords/sets_general.cpp
+    keywords/airbag_particle.cpp
+    keywords/airbag_gas.cpp
+    keywords/reference_geometry.cpp
+    keywords/boundary.cpp
+    keywords/motion.cpp
+    keywords/initial_velocity.cpp
+    keywords/loads.cpp
+    keywords/contact.cpp
+    keywords/walls.cpp
+    keywords/control_output.cpp)

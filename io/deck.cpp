@@ -1,2 +1,105 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
+#include "io/deck.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/draft.hpp"
+#include "io/faults.hpp"
+#include "io/keyword_reader.hpp"
+#include "io/keywords/keywords.hpp"
+#include "io/parameters.hpp"
+#include "io/text.hpp"
+#include "solver/base/error.hpp"
+
+namespace corpuscle::io {
+
+namespace {
+
+/// DIALECT, by -D or by *PARAMETER: 2007 for the cards of the course notes.
+Dialect dialect(Parameters& parameters, Faults& faults) {
+    const Place deck{0, 1};
+    double year = 0.0;
+    if (const Parameter* p = parameters.find("DIALECT", 0))
+        year = p->value.number;
+    else if (const auto text = parameters.take_override("DIALECT"))
+        year = parse_real(*text).value_or(NaN);
+    if (year == 2007.0) return Dialect::NOTES_2007;
+    if (year != 0.0) faults.fault(deck, "DIALECT, expected 2007, or 0 for today's cards");
+    return Dialect::TODAY;
+}
+
+struct Task {
+    const Block* block;
+    keywords::Match match;
+};
+
+/// What is to be read, with a fault or a warning for what is not.
+std::vector<Task> sort_out(const DeckText& text, Faults& faults) {
+    std::vector<Task> tasks;
+    for (const Block& block : text.blocks) {
+        keywords::Match match = keywords::find(block.keyword);
+        if (match.keyword != nullptr)
+            tasks.push_back({&block, std::move(match)});
+        else if (match.is_harmless)
+            faults.warn(block.place,
+                        fmt::format("*{} is not read, it cannot change the answer", block.keyword));
+        else
+            faults.fault(block.place, fmt::format("*{} {}", block.keyword, match.fault));
+    }
+    std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) {
+        return a.match.keyword->phase < b.match.keyword->phase;
+    });
+    return tasks;
+}
+
+void read_block(Task& task, const Parameters& parameters, Faults& faults, Draft& draft) {
+    faults.begin_block();
+    Cards cards(*task.block, faults, parameters, std::move(task.match.suffixes));
+    task.match.keyword->read(cards, draft);
+    cards.finish();
+    faults.end_block(task.block->place, task.block->keyword);
+}
+
+/// What no single keyword can see.
+void check_whole(Draft& draft, const DeckText& text, Faults& faults) {
+    Model& model = draft.model;
+    const bool has_termination =
+        std::any_of(text.blocks.begin(), text.blocks.end(),
+                    [](const Block& b) { return b.keyword == "CONTROL_TERMINATION"; });
+    if (!has_termination)
+        faults.fault(text.end, "*CONTROL_TERMINATION is missing, expected ENDTIM > 0");
+    if (model.shells.empty()) faults.fault(text.end, "*ELEMENT_SHELL is missing, expected a mesh");
+    if (draft.frame_count > 0 && std::isnan(model.output.frames))
+        model.output.frames = model.end_time / draft.frame_count;
+    auto& history = model.history_nodes;
+    std::sort(history.begin(), history.end());
+    history.erase(std::unique(history.begin(), history.end()), history.end());
+    model.velocity.resize(model.x.size(), Vec3::Zero());
+}
+
+}  // namespace
+
+Model read_deck(const std::filesystem::path& file, const DeckOptions& options) {
+    Faults faults;
+    Parameters parameters(options.overrides);
+    const DeckText text = read_keywords(file, parameters, faults);
+    Model model;
+    model.deck = file.string();
+    model.unit_system = "consistent";
+    Draft draft(model);
+    draft.dialect = dialect(parameters, faults);
+    for (Task& task : sort_out(text, faults)) read_block(task, parameters, faults, draft);
+    if (!text.files.empty()) check_whole(draft, text, faults);
+
+    std::vector<std::string> all = parameters.unused_overrides();
+    for (std::string& fault : faults.faults()) all.push_back(std::move(fault));
+    if (!all.empty()) throw InputError(std::move(all));
+    model.warnings = faults.warnings();
+    return model;
+}
+
+}  // namespace corpuscle::io

@@ -1,0 +1,272 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "io/card.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+#include "io/text.hpp"
+
+namespace corpuscle::io {
+
+namespace {
+constexpr std::size_t CARD_END = 80, LONG_CARD_END = 160;  ///< columns beyond are remarks
+constexpr Range IDS{1.0, std::numeric_limits<int>::max()};
+}  // namespace
+
+bool Range::holds(double value) const {
+    return (low_is_out ? value > low : value >= low) &&
+           (high_is_out ? value < high : value <= high);
+}
+
+std::string Range::text() const {
+    const std::string above = fmt::format("{} {}", low_is_out ? ">" : ">=", low);
+    const std::string below = fmt::format("{} {}", high_is_out ? "<" : "<=", high);
+    if (low == -INF) return high == INF ? "a number" : below;
+    if (high == INF) return above;
+    if (!low_is_out && !high_is_out) return fmt::format("{} to {}", low, high);
+    return above + " and " + below;
+}
+
+Layout::Layout(const char* text) {
+    for_each_word(text, [&](std::string_view word) {
+        assert(size_ < MOST_FIELDS);
+        Field& field = fields_[size_++];
+        if (const auto at = word.find('='); at != std::string_view::npos) {
+            field.fallback = parse_real(word.substr(at + 1)).value();
+            word = word.substr(0, at);
+        }
+        if (const auto at = word.find(':'); at != std::string_view::npos) {
+            field.width =
+                word.substr(at + 1) == "*" ? 0 : parse_integer(word.substr(at + 1)).value();
+            word = word.substr(0, at);
+        }
+        field.name = word;
+    });
+}
+
+Card::Card(Cards& cards, const Layout& layout, const Line& line, bool is_missing, bool plus)
+    : cards_(cards),
+      layout_(layout),
+      line_(line),
+      card_number_(cards.card_number()),
+      is_missing_(is_missing) {
+    cut(line.text, cards.block().columns, plus);
+}
+
+Card::~Card() {
+    if (is_missing_) return;
+    complain_of_unread();
+    warn_of_rest();
+}
+
+/// A comma anywhere makes a line free format, but for those inside <expressions>.
+void Card::cut(std::string_view line, Columns columns, bool plus) {
+    if (plus) line.remove_prefix(1);
+    const auto fields = layout_.fields();
+    if (line.find(',') != std::string_view::npos) {
+        for (std::size_t i = 0; i < fields.size() && !line.empty(); ++i) {
+            std::size_t end = 0;
+            for (int depth = 0; end < line.size() && (depth > 0 || line[end] != ','); ++end)
+                depth += line[end] == '<' ? 1 : line[end] == '>' ? -1 : 0;
+            if (fields[i].width == 0) end = line.size();
+            field_[i] = trim(line.substr(0, end));
+            line.remove_prefix(std::min(line.size(), end + 1));
+        }
+        rest_ = trim(line);
+        return;
+    }
+    std::size_t from = 0;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        std::size_t width = static_cast<std::size_t>(fields[i].width);
+        if (width == 0)
+            width = line.size();
+        else if (columns == Columns::LONG)
+            width = std::max<std::size_t>(width, 20);
+        else if (columns == Columns::I10)
+            width = std::max<std::size_t>(width, 10);
+        if (plus && i == 0) --width;
+        if (from < line.size()) field_[i] = trim(line.substr(from, width));
+        from += width;
+    }
+    const std::size_t end = columns == Columns::LONG ? LONG_CARD_END : CARD_END;
+    if (from < end && from < line.size()) rest_ = trim(line.substr(from, end - from));
+}
+
+std::size_t Card::at(std::string_view name) const {
+    const auto fields = layout_.fields();
+    for (std::size_t i = 0; i < fields.size(); ++i)
+        if (fields[i].name == name) return i;
+    assert(false && "a handler asks for a field that its layout has");
+    return 0;
+}
+
+/// &name, -&name, <expression>, -<expression>.
+Card::Number Card::named_number(std::size_t i, std::string_view text) {
+    const double sign = text.front() == '-' ? -1.0 : 1.0;
+    if (sign < 0) text = trim(text.substr(1));
+    const Parameters& parameters = cards_.parameters();
+    const std::uint32_t file = cards_.block().place.file;
+    const auto lookup = [&](std::string_view name) { return parameters.value(name, file); };
+    try {
+        if (text.front() == '<') {
+            if (text.back() != '>') throw ExpressionError("> at the end of the expression");
+            return {sign * evaluate(text.substr(1, text.size() - 2), lookup).number, true};
+        }
+        const std::string_view name = trim(text.substr(1));
+        if (const auto value = lookup(name)) return {sign * value->number, true};
+        const std::string meant = parameters.nearest_name(name);
+        fault(i, "a *PARAMETER of that name with a number" +
+                     (meant.empty() ? meant : fmt::format("; did you mean &{}?", meant)));
+    } catch (const ExpressionError& error) {
+        fault(i, error.what());
+    }
+    return {};
+}
+
+Card::Number Card::number(std::size_t i, bool whole) {
+    read_ |= 1U << i;
+    const std::string_view text = field_[i];
+    if (text.empty()) return {};
+    const bool is_named =
+        text.front() == '&' || text.front() == '<' ||
+        (text.size() > 1 && text.front() == '-' && (text[1] == '&' || text[1] == '<'));
+    if (is_named) {
+        const Number result = named_number(i, text);
+        if (!result.is_good || !whole || parse_integer(fmt::format("{}", result.value)))
+            return result;
+    } else if (whole) {
+        if (const auto value = parse_integer(text)) return {static_cast<double>(*value), true};
+    } else if (const auto value = parse_real(text)) {
+        return {*value, true};
+    }
+    fault(i, whole ? "a whole number" : "a number");
+    return {};
+}
+
+double Card::in_range(std::size_t i, Number number, const Range& range) {
+    const double fallback = layout_.fields()[i].fallback;
+    if (!number.is_good && !field_[i].empty()) return fallback;
+    const double value = number.is_good && number.value != 0.0 ? number.value : fallback;
+    if (range.holds(value)) return value;
+    fault(i, range.text());
+    return fallback;
+}
+
+double Card::real(std::size_t i, const Range& range) {
+    return in_range(i, number(i, false), range);
+}
+
+int Card::integer(std::size_t i, const Range& range) {
+    return static_cast<int>(in_range(i, number(i, true), range));
+}
+
+int Card::choice(std::string_view name, std::initializer_list<int> known,
+                 std::initializer_list<int> later) {
+    const int value = integer(name);
+    const auto is_in = [&](auto& list) {
+        return std::find(list.begin(), list.end(), value) != list.end();
+    };
+    if (is_in(known)) return value;
+    const std::string expected = fmt::format("{}", fmt::join(known, " or "));
+    fault(name,
+          is_in(later) ? fmt::format("{}: this choice is not acted on yet", expected) : expected);
+    return *known.begin();
+}
+
+Vec3 Card::vector(std::string_view x, std::string_view y, std::string_view z) {
+    const double a = real(x), b = real(y), c = real(z);
+    return {a, b, c};
+}
+
+std::string_view Card::raw(std::size_t i) {
+    read_ |= 1U << i;
+    return field_[i];
+}
+
+std::string Card::text(std::string_view name) {
+    const std::string_view written = raw(at(name));
+    if (written.empty() || written.front() != '&') return std::string(written);
+    const Parameter* parameter =
+        cards_.parameters().find(trim(written.substr(1)), cards_.block().place.file);
+    return parameter != nullptr && parameter->type == 'C' ? parameter->text : std::string(written);
+}
+
+int Card::new_id(std::size_t i, Registry& registry, std::size_t row) {
+    const int id = integer(i, IDS);
+    if (id > 0 && !registry.add(id, static_cast<Index>(row), place()))
+        fault(i, fmt::format("an id that no other {} has, but {} has it", registry.kind(),
+                             cards_.faults().where(registry.find(id)->place)));
+    return id;
+}
+
+Index Card::row(std::size_t i, const Registry& registry) {
+    const Number id = number(i, true);
+    if (!id.is_good && given(i)) return -1;
+    if (const Registry::Entry* entry = registry.find(static_cast<int>(id.value))) return entry->row;
+    fault(i, fmt::format("the id of a {} of the deck", registry.kind()));
+    return -1;
+}
+
+Index Card::row_or_none(std::string_view name, const Registry& registry) {
+    const std::size_t i = at(name);
+    const Number id = number(i, true);
+    return id.value == 0.0 ? -1 : row(i, registry);
+}
+
+void Card::harmless(std::string_view names) {
+    for_each_word(names, [&](std::string_view name) { read_ |= 1U << at(name); });
+}
+
+void Card::noted(std::string_view names, std::string_view why) {
+    for_each_word(names, [&](std::string_view name) {
+        const std::size_t i = at(name);
+        const Number value = number(i, false);
+        if (value.is_good && value.value != 0.0 && value.value != layout_.fields()[i].fallback)
+            warn(name, std::string(why));
+    });
+}
+
+Place Card::place() const {
+    return {cards_.block().place.file, line_.number};
+}
+
+std::string Card::label(std::size_t i) const {
+    const std::string_view value = field_[i];
+    return fmt::format("*{} card {}, field {} ({}) = {}", cards_.block().keyword, card_number_,
+                       i + 1, layout_.fields()[i].name, value.empty() ? "blank" : value);
+}
+
+void Card::fault(std::size_t i, const std::string& expected) {
+    good_ = false;
+    if (!is_missing_)
+        cards_.faults().fault(place(), fmt::format("{}, expected {}", label(i), expected));
+}
+
+void Card::warn(std::string_view name, const std::string& remark) {
+    cards_.faults().warn(place(), fmt::format("{}: {}", label(at(name)), remark));
+}
+
+void Card::complain_of_unread() {
+    const auto fields = layout_.fields();
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        if ((read_ >> i & 1U) != 0 || fields[i].name == "-" || field_[i].empty()) continue;
+        const Number value = number(i, false);
+        const double fallback = fields[i].fallback;
+        if (value.is_good && value.value != 0.0 && value.value != fallback)
+            fault(i, fmt::format("{}: this field is not acted on yet",
+                                 fallback == 0.0 ? "0 or blank" : fmt::format("{}", fallback)));
+    }
+}
+
+void Card::warn_of_rest() {
+    if (rest_.find_first_not_of(" ,0.\t") == std::string_view::npos) return;
+    cards_.faults().warn(place(),
+                         fmt::format("*{} card {}: \"{}\" behind the last field is ignored",
+                                     cards_.block().keyword, card_number_, rest_));
+}
+
+}  // namespace corpuscle::io

@@ -1,0 +1,25 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solver/model.hpp"
+
+namespace corpuscle::io {
+
+/// What the command line adds to a deck.
+struct DeckOptions {
+    std::vector<std::pair<std::string, std::string>> overrides;  ///< -D NAME=VALUE, one for each
+};
+
+/// The scene that an LS-DYNA keyword deck describes, with its includes.
+///
+/// Warnings (what is skipped, assumed, or does not act here) are in Model::warnings.
+/// @throws InputError with every fault of the deck, each with file, line, keyword, card and field.
+Model read_deck(const std::filesystem::path& file, const DeckOptions& options = {});
+
+}  // namespace corpuscle::io

@@ -1,0 +1,45 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "io/registry.hpp"
+#include "solver/model.hpp"
+
+namespace corpuscle::io {
+
+struct Section {
+    double thickness = NaN;
+    int element_form = 0;
+};
+
+/// Which meaning of the cards the deck wants: today's, or that of the 2007 course notes.
+enum class Dialect { TODAY, NOTES_2007 };
+
+/// A model under construction: what keywords refer to each other by, and what the model itself does
+/// not keep.
+struct Draft {
+    explicit Draft(Model& under_construction) : model(under_construction) {}
+
+    Model& model;
+    Dialect dialect = Dialect::TODAY;
+
+    Registry nodes{"*NODE"}, shells{"*ELEMENT_SHELL"}, parts{"*PART"}, materials{"*MAT"},
+        sections{"*SECTION_SHELL"}, curves{"*DEFINE_CURVE"}, vectors{"*DEFINE_VECTOR"};
+    Registry node_sets{"*SET_NODE"}, part_sets{"*SET_PART"}, shell_sets{"*SET_SHELL"},
+        segment_sets{"*SET_SEGMENT"};
+
+    std::vector<Section> section;
+    Points vector;                                               ///< head - tail
+    std::vector<std::vector<Index>> node_set;                    ///< node rows
+    std::vector<std::vector<Index>> part_set;                    ///< part rows
+    std::vector<std::vector<Index>> shell_set;                   ///< shell rows
+    std::vector<std::vector<std::array<Index, 4>>> segment_set;  ///< node rows
+
+    int frame_count = 0;  ///< NPLTC of *DATABASE_BINARY_D3PLOT, which needs the end time
+};
+
+}  // namespace corpuscle::io

@@ -1,0 +1,30 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "gas/bag.hpp"
+#include "io/card.hpp"
+#include "io/draft.hpp"
+
+/// The rows of *AIRBAG_PARTICLE that say which gas comes from where.
+namespace corpuscle::io::keywords {
+
+/// UNIT of *AIRBAG_PARTICLE: what R, the atmosphere and the heat capacities are in the deck's
+/// units.
+struct UnitSystem {
+    const char* name;
+    double energy;    ///< deck units of energy in a joule
+    double pressure;  ///< deck units of pressure in a pascal
+    double mass;      ///< deck units of mass in a kilogram
+};
+inline constexpr UnitSystem UNIT_SYSTEMS[] = {
+    {"kg-mm-ms-K", 1.0, 1e-9, 1.0},  // kg mm^2/ms^2 = J, GPa
+    {"SI", 1.0, 1.0, 1.0},
+    {"ton-mm-s-K", 1e3, 1e-6, 1e-3},  // t mm^2/s^2 = mJ, MPa
+};
+
+gas::InitialAirCard initial_air(Cards& cards, const gas::BagCard& bag, const UnitSystem& unit);
+gas::InflowCard inflow(Cards& cards, const Draft& draft, const UnitSystem& unit);
+gas::OrificeCard orifice(Cards& cards, const Draft& draft);
+
+}  // namespace corpuscle::io::keywords

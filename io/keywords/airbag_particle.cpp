@@ -1,0 +1,219 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/keywords/airbag_gas.hpp"
+#include "io/keywords/keywords.hpp"
+
+namespace corpuscle::io::keywords {
+
+namespace {
+
+constexpr Range COUNT{0.0, 10000.0};  ///< rows of a kind in one keyword
+
+/// Part rows of SID: a part (0) or a part set (1).
+std::vector<Index> parts_of(Card& c, const char* sid, int type, const Draft& draft) {
+    const Index row = c.row(sid, type == 0 ? draft.parts : draft.part_sets);
+    if (row < 0) return {};
+    return type == 0 ? std::vector<Index>{row} : draft.part_set[static_cast<std::size_t>(row)];
+}
+
+/// One *AIRBAG_PARTICLE, card after card as the manual prints them.
+class Reading {
+public:
+    Reading(Cards& cards, Draft& draft) : cards_(cards), draft_(draft) {}
+
+    gas::BagCard read() {
+        bag_.id = static_cast<int>(draft_.model.bags.size()) + 1;
+        if (cards_.has("MPP")) cards_.next("SX SY SZ").harmless("SX SY SZ");
+        if (cards_.has("ID") || cards_.has("TITLE")) name();
+        if (cards_.has("TIME")) cards_.next("BIRTH DEATH");
+        surface();
+        if (cards_.has("SEGMENT")) cards_.next("SEGSID");
+        particles();
+        if (cards_.has("JET")) cards_.next("JNODE");
+        if (cards_.plus()) fine_points();
+        if (cards_.plus()) front_tracking();
+        if (unit_ == 3) cards_.next("- MASS - TIME - LENGTH").harmless_all();
+        counts();
+        rows_of_later_features();
+        gas();
+        return bag_;
+    }
+
+    [[nodiscard]] const char* unit_name() const { return unit().name; }
+
+private:
+    void name() {
+        Card c = cards_.next("ID TITLE:70");
+        bag_.id = c.integer("ID", {1.0});
+        bag_.title = c.text("TITLE");
+    }
+
+    void surface() {
+        const bool notes = draft_.dialect == Dialect::NOTES_2007;
+        Card c = cards_.next(notes ? "SID1 STYPE1 SID2 STYPE2 BLOCK HCONV"
+                                   : "SID1 STYPE1 SID2 STYPE2 BLOCK NPDATA FRIC IRDP");
+        const int type = c.choice("STYPE1", {0, 1});
+        const std::vector<Index> all = parts_of(c, "SID1", type, draft_);
+        const int inner_type = c.choice("STYPE2", {0, 1}, {2});
+        if (c.given("STYPE2") && c.integer("STYPE2") == 2)
+            inner_rows_ = c.integer("SID2", COUNT);
+        else if (c.integer("SID2") != 0)
+            bag_.internal_parts = parts_of(c, "SID2", inner_type, draft_);
+        for (const Index part : all)
+            if (std::find(bag_.internal_parts.begin(), bag_.internal_parts.end(), part) ==
+                bag_.internal_parts.end())
+                bag_.external_parts.push_back(part);
+        if (c.good() && bag_.external_parts.empty())
+            c.fault("SID2", "internal parts that leave some part of SID1 to close the bag");
+        if (notes) return;
+        part_rows_ = later_count(c, "NPDATA");
+        c.noted("IRDP", "particles have no radius here");
+    }
+
+    /// A number of rows that are read over, for nothing acts on them yet.
+    static int later_count(Card& c, const char* field) {
+        const int n = c.integer(field, COUNT);
+        if (n != 0) c.fault(field, "0 or blank: these rows are not acted on yet");
+        return n;
+    }
+
+    void particles() {
+        Card c = cards_.next("NP=200000 UNIT VISFLG TATM=293 PATM NVENT TEND=1e10 TSW=1e10");
+        constexpr double MOST = 1e8;  // some 10 GB
+        bag_.particles = static_cast<std::size_t>(c.integer("NP", within(1.0, MOST)));
+        c.choice("UNIT", {0, 1, 2}, {3});
+        if (const int u = c.integer("UNIT"); u >= 0 && u <= 3) unit_ = u;
+        const int visible = c.choice("VISFLG", {0, 1, 2, 3});
+        const bool blank_shows = draft_.dialect == Dialect::TODAY && !c.given("VISFLG");
+        bag_.show_particles = blank_shows || visible == 1 || visible == 2;
+        bag_.gas_constant = GAS_CONSTANT * unit().energy;
+        bag_.T_atm = c.real("TATM", POSITIVE);
+        bag_.p_atm = c.real("PATM", NON_NEGATIVE);
+        if (bag_.p_atm == 0.0) bag_.p_atm = ATMOSPHERE_PRESSURE * unit().pressure;
+        vent_rows_ = later_count(c, "NVENT");
+        bag_.all_in = c.real("TEND", POSITIVE);
+        if (c.real("TSW", POSITIVE) < draft_.model.end_time)
+            c.fault("TSW", "no time before the end: the switch is not acted on yet");
+    }
+
+    void fine_points() {
+        Card c = cards_.next_plus("TSTOP=1e11 TSMTH OCCUP=0.1 REBL SIDSV PSID1 TSPLIT SFFDC=1");
+        c.harmless("TSMTH");  // ramp of TSTOP
+        c.noted("OCCUP", "particles are points here, collisions need no spheres");
+        bag_.smoothing = c.real("SFFDC", within(0.01, 100.0));
+    }
+
+    void front_tracking() {
+        Card c = cards_.next_plus("SFIAIR4=1 IDFRIC IAIRSTAT DPWR=1 VNDAMP JETLEN JETEND SHLOFF");
+        c.harmless("SFIAIR4 IAIRSTAT DPWR");  // of IAIR = 4
+    }
+
+    void counts() {
+        Card c = cards_.next(draft_.dialect == Dialect::NOTES_2007
+                                 ? "IAIR NGAS NORIF NID1 NID2 NID3"
+                                 : "IAIR NGAS NORIF NID1 NID2 NID3 CHM CD_EXT");
+        gases_ = c.integer("NGAS", COUNT);
+        nozzles_ = c.integer("NORIF", COUNT);
+        if (!c.good()) cards_.abandon();  // nobody can say which row is which
+        has_air_ = c.choice("IAIR", {0, 1}, {-1, 2, 4}) == 1;
+        skips_air_ = !has_air_ && c.integer("IAIR") != 0;
+        if (!c.good()) return;
+        if (gases_ == 0 && !has_air_) c.fault("NGAS", ">= 1, or IAIR = 1: this bag has no gas");
+        if (gases_ > 0 && nozzles_ == 0) c.fault("NORIF", ">= 1, for the gases of NGAS");
+    }
+
+    void rows_of_later_features() {
+        skip(inner_rows_, "SIDUP STYUP PFRAC LINKING");
+        skip(part_rows_, "SIDH STYPEH HCONV PFRIC SDFBLK KP INIP CP");
+        skip(vent_rows_, "SID3 STYPE3 C23 LCTC23 LCPC23 ENH_V PPOP");
+    }
+
+    void skip(int rows, const char* layout) {
+        for (int i = 0; i < rows; ++i) cards_.next(layout).harmless_all();
+    }
+
+    void gas() {
+        if (has_air_) bag_.air = initial_air(cards_, bag_, unit());
+        if (skips_air_) skip(1, "PAIR TAIR XMAIR AAIR BAIR CAIR NPAIR NPRLX");
+        if (cards_.has("MOLEFRACTION")) cards_.next("LCMASS").harmless_all();
+        for (int i = 0; i < gases_; ++i) bag_.inflow.push_back(inflow(cards_, draft_, unit()));
+        for (int i = 0; i < nozzles_; ++i) bag_.orifices.push_back(orifice(cards_, draft_));
+    }
+
+    [[nodiscard]] const UnitSystem& unit() const { return UNIT_SYSTEMS[unit_ == 3 ? 1 : unit_]; }
+
+    Cards& cards_;
+    Draft& draft_;
+    gas::BagCard bag_;
+    int unit_ = 1;
+    int inner_rows_ = 0, part_rows_ = 0, vent_rows_ = 0, gases_ = 0, nozzles_ = 0;
+    bool has_air_ = false, skips_air_ = false;
+};
+
+/// Every gas needs a nozzle of its inflator, and no nozzle stays idle.
+void check_inflators(Cards& cards, const gas::BagCard& bag) {
+    const auto has_orifice = [&](int inflator) {
+        return std::any_of(bag.orifices.begin(), bag.orifices.end(),
+                           [&](const gas::OrificeCard& o) { return o.inflator == inflator; });
+    };
+    const auto has_gas = [&](int inflator) {
+        return std::any_of(bag.inflow.begin(), bag.inflow.end(),
+                           [&](const gas::InflowCard& g) { return g.inflator == inflator; });
+    };
+    for (const gas::InflowCard& gas : bag.inflow)
+        if (!bag.orifices.empty() && !has_orifice(gas.inflator))
+            cards.fault(fmt::format(
+                "has a gas of inflator INFG = {}, expected a nozzle with that INFO", gas.inflator));
+    for (const gas::OrificeCard& nozzle : bag.orifices)
+        if (!bag.inflow.empty() && !has_gas(nozzle.inflator))
+            cards.fault(
+                fmt::format("has a nozzle of inflator INFO = {}, expected a gas with that INFG",
+                            nozzle.inflator));
+}
+
+/// Fabric that would leak is tight for now: the user must know.
+void warn_of_leaks(Cards& cards, const Draft& draft, const gas::BagCard& bag) {
+    std::vector<Index> parts = bag.external_parts;
+    parts.insert(parts.end(), bag.internal_parts.begin(), bag.internal_parts.end());
+    for (const Index row : parts) {
+        const Part& part = draft.model.parts[static_cast<std::size_t>(row)];
+        if (part.material < 0) continue;
+        const auto& material = draft.model.materials[static_cast<std::size_t>(part.material)];
+        const auto* cloth = std::get_if<fabric::FabricCard>(&material.card);
+        if (cloth == nullptr) continue;
+        const bool has_area = cloth->leak_area != 0.0 || cloth->leak_area_curve >= 0;
+        const bool has_velocity = cloth->leak_velocity != 0.0 || cloth->leak_velocity_curve >= 0;
+        if (has_area && has_velocity)
+            cards.warn(
+                fmt::format("part {} \"{}\": its *MAT_FABRIC {} leaks (FLC, FAC), which is not "
+                            "acted on yet: the part is tight",
+                            part.id, part.title, material.id));
+    }
+}
+
+}  // namespace
+
+void airbag_particle(Cards& cards, Draft& draft) {
+    for (const char* suffix : {"MOLEFRACTION", "INFLATION"})
+        if (cards.has(suffix))
+            cards.fault(fmt::format("has _{}, which is not acted on yet", suffix));
+    Reading reading(cards, draft);
+    const gas::BagCard bag = reading.read();
+    check_inflators(cards, bag);
+    warn_of_leaks(cards, draft, bag);
+    for (const gas::BagCard& other : draft.model.bags)
+        if (other.id == bag.id)
+            cards.fault(fmt::format("has id {}, as another airbag has", bag.id));
+    const std::string unit = reading.unit_name();
+    if (!draft.model.bags.empty() && unit != draft.model.unit_system)
+        cards.fault(
+            fmt::format("has units {}, but another airbag has {}", unit, draft.model.unit_system));
+    draft.model.unit_system = unit;
+    draft.model.bags.push_back(bag);
+}
+
+}  // namespace corpuscle::io::keywords

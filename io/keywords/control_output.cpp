@@ -1,0 +1,99 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "io/keywords/keywords.hpp"
+
+namespace corpuscle::io::keywords {
+
+void title(Cards& cards, Draft& draft) {
+    draft.model.title = cards.title();
+}
+
+void control_termination(Cards& cards, Draft& draft) {
+    Card c = cards.next("ENDTIM ENDCYC DTMIN ENDENG ENDMAS NOSOL");
+    draft.model.end_time = c.real("ENDTIM", POSITIVE);
+    c.noted("DTMIN ENDENG ENDMAS NOSOL", "this way to stop early is not watched");
+}
+
+void control_timestep(Cards& cards, Draft& draft) {
+    {
+        Card c = cards.next("DTINIT TSSFAC=0.9 ISDO TSLIMT DT2MS LCTM ERODE MS1ST");
+        draft.model.step_start = c.real("DTINIT", NON_NEGATIVE);
+        draft.model.step_factor = c.real("TSSFAC", {0.0, 1.0, true});
+        draft.model.step_mass_scaled = c.real("DT2MS");
+        c.harmless("ISDO TSLIMT ERODE");
+    }
+    if (cards.more())
+        cards.next("DT2MSF DT2MSLC IMSCL - - RMSCL EMSCL IHDO").harmless("EMSCL IHDO");
+    if (cards.more()) cards.next("RMAVG IGADO DTUSR DTDYNV").harmless("RMAVG IGADO DTDYNV");
+}
+
+namespace {
+
+void interval(Cards& cards, double& interval) {
+    Card c = cards.next("DT BINARY LCUR IOOPT OPTION1 OPTION2 OPTION3 OPTION4");
+    interval = c.real("DT", NON_NEGATIVE);
+    if (interval == 0.0) interval = NaN;  // DT = 0 asks for nothing
+    c.harmless("BINARY IOOPT OPTION1 OPTION2 OPTION3 OPTION4");
+    c.noted("LCUR", "output at the times of a curve is not done, DT counts");
+}
+
+}  // namespace
+
+void database_d3plot(Cards& cards, Draft& draft) {
+    {
+        Card c = cards.next("DT LCDT BEAM NPLTC PSETID CID -");
+        const double dt = c.real("DT", NON_NEGATIVE);
+        draft.frame_count = c.integer("NPLTC", within(0, 1'000'000));
+        draft.model.output.frames = dt > 0.0 ? dt : NaN;
+        c.harmless("BEAM CID");
+        c.noted("LCDT", "output at the times of a curve is not done, DT counts");
+        c.noted("PSETID", "all parts are in the frames");
+    }
+    if (cards.more()) cards.next("IOOPT RATE CUTOFF WINDOW TYPE PSET").harmless_all();
+}
+
+void database_abstat(Cards& cards, Draft& draft) {
+    interval(cards, draft.model.output.abstat);
+}
+void database_glstat(Cards& cards, Draft& draft) {
+    interval(cards, draft.model.output.glstat);
+}
+void database_rcforc(Cards& cards, Draft& draft) {
+    interval(cards, draft.model.output.rcforc);
+}
+void database_rwforc(Cards& cards, Draft& draft) {
+    interval(cards, draft.model.output.rwforc);
+}
+void database_rbdout(Cards& cards, Draft& draft) {
+    interval(cards, draft.model.output.rbdout);
+}
+void database_nodout(Cards& cards, Draft& draft) {
+    interval(cards, draft.model.output.nodout);
+}
+
+void database_history_node(Cards& cards, Draft& draft) {
+    static const Layout ids("NID1 NID2 NID3 NID4 NID5 NID6 NID7 NID8"), named("ID HEADING:70");
+    while (cards.rows()) {
+        Card c = cards.next(cards.has("ID") ? named : ids);
+        if (cards.has("ID")) c.harmless("HEADING");
+        for (std::size_t i = 0; i < (cards.has("ID") ? 1U : 8U); ++i)
+            if (c.given(i) && c.integer(i) != 0)
+                if (const Index row = c.row(i, draft.nodes); row >= 0)
+                    draft.model.history_nodes.push_back(row);
+    }
+}
+
+void database_history_node_set(Cards& cards, Draft& draft) {
+    static const Layout ids("SID1 SID2 SID3 SID4 SID5 SID6 SID7 SID8");
+    while (cards.rows()) {
+        Card c = cards.next(ids);
+        for (std::size_t i = 0; i < 8; ++i) {
+            if (!c.given(i) || c.integer(i) == 0) continue;
+            if (const Index set = c.row(i, draft.node_sets); set >= 0)
+                for (const Index row : draft.node_set[static_cast<std::size_t>(set)])
+                    draft.model.history_nodes.push_back(row);
+        }
+    }
+}
+
+}  // namespace corpuscle::io::keywords

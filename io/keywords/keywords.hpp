@@ -1,0 +1,104 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/card.hpp"
+#include "io/draft.hpp"
+
+/// One reader a keyword, and the table that finds it.
+namespace corpuscle::io::keywords {
+
+/// What a keyword refers to is read before it, wherever it stands in the deck.
+enum class Phase { GROUND, MATERIAL, PART, SHELL, SET, SUM_OF_SETS, SCENE };
+
+using Reader = void (*)(Cards&, Draft&);
+
+struct Keyword {
+    std::string_view names;    ///< the name and its aliases, blanks between
+    std::string_view options;  ///< suffixes that it knows, in any order and number
+    std::string_view later;    ///< suffixes that LS-DYNA has and nothing acts on yet
+    Phase phase = Phase::GROUND;
+    Reader read = nullptr;
+};
+
+/// What the deck's keyword is.
+struct Match {
+    const Keyword* keyword = nullptr;        ///< nullptr: not to be read
+    std::vector<std::string_view> suffixes;  ///< of the matching options
+    bool is_harmless = false;                ///< not read, and cannot change the answer
+    std::string fault;                       ///< not read, and this is why
+};
+Match find(std::string_view keyword);
+
+// nodes_elements.cpp
+void node(Cards&, Draft&);
+void element_shell(Cards&, Draft&);
+// parts_sections.cpp
+void part(Cards&, Draft&);
+void section_shell(Cards&, Draft&);
+// materials.cpp, mat_fabric.cpp
+void mat_elastic(Cards&, Draft&);
+void mat_null(Cards&, Draft&);
+void mat_rigid(Cards&, Draft&);
+void mat_fabric(Cards&, Draft&);
+// curves.cpp
+void define_curve(Cards&, Draft&);
+void define_vector(Cards&, Draft&);
+// sets.cpp, sets_general.cpp
+void set_node(Cards&, Draft&);
+void set_part(Cards&, Draft&);
+void set_shell(Cards&, Draft&);
+void set_segment(Cards&, Draft&);
+void set_node_add(Cards&, Draft&);
+void set_part_add(Cards&, Draft&);
+void set_shell_add(Cards&, Draft&);
+void set_segment_add(Cards&, Draft&);
+void set_node_general(Cards&, Draft&);
+void set_part_general(Cards&, Draft&);
+void set_shell_general(Cards&, Draft&);
+void set_segment_general(Cards&, Draft&);
+// airbag_particle.cpp, reference_geometry.cpp
+void airbag_particle(Cards&, Draft&);
+void airbag_reference_geometry(Cards&, Draft&);
+// boundary.cpp, motion.cpp, initial_velocity.cpp
+void boundary_spc_node(Cards&, Draft&);
+void boundary_spc_set(Cards&, Draft&);
+void motion_node(Cards&, Draft&);
+void motion_set(Cards&, Draft&);
+void motion_rigid(Cards&, Draft&);
+void initial_velocity(Cards&, Draft&);
+void initial_velocity_node(Cards&, Draft&);
+void initial_velocity_rigid_body(Cards&, Draft&);
+void initial_velocity_generation(Cards&, Draft&);
+// loads.cpp
+void load_body_x(Cards&, Draft&);
+void load_body_y(Cards&, Draft&);
+void load_body_z(Cards&, Draft&);
+void load_segment(Cards&, Draft&);
+void load_segment_set(Cards&, Draft&);
+void load_shell_element(Cards&, Draft&);
+void load_shell_set(Cards&, Draft&);
+void damping_global(Cards&, Draft&);
+// contact.cpp, walls.cpp
+void contact_single_surface(Cards&, Draft&);
+void rigidwall_planar(Cards&, Draft&);
+// control_output.cpp
+void title(Cards&, Draft&);
+void control_termination(Cards&, Draft&);
+void control_timestep(Cards&, Draft&);
+void database_d3plot(Cards&, Draft&);
+void database_abstat(Cards&, Draft&);
+void database_glstat(Cards&, Draft&);
+void database_rcforc(Cards&, Draft&);
+void database_rwforc(Cards&, Draft&);
+void database_rbdout(Cards&, Draft&);
+void database_nodout(Cards&, Draft&);
+void database_history_node(Cards&, Draft&);
+void database_history_node_set(Cards&, Draft&);
+
+}  // namespace corpuscle::io::keywords

@@ -1,0 +1,103 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "io/keywords/keywords.hpp"
+
+namespace corpuscle::io::keywords {
+
+namespace {
+
+void body_load(Cards& cards, Draft& draft, int axis) {
+    Card c = cards.next("LCID SF=1 LCIDDR XC YC ZC CID");
+    BodyLoad load;
+    load.axis = axis;
+    load.curve = c.row("LCID", draft.curves);
+    load.scale = c.real("SF");
+    c.harmless("LCIDDR XC YC ZC");  // of dynamic relaxation, and of angular loads
+    draft.model.body_loads.push_back(load);
+}
+
+/// LCID SF AT, wherever they stand in the card.
+PressureLoad pressure(Card& c, const Draft& draft) {
+    PressureLoad load;
+    load.curve = c.row("LCID", draft.curves);
+    load.scale = c.real("SF");
+    load.arrival = c.real("AT", NON_NEGATIVE);
+    return load;
+}
+
+}  // namespace
+
+void load_body_x(Cards& cards, Draft& draft) {
+    body_load(cards, draft, 0);
+}
+void load_body_y(Cards& cards, Draft& draft) {
+    body_load(cards, draft, 1);
+}
+void load_body_z(Cards& cards, Draft& draft) {
+    body_load(cards, draft, 2);
+}
+
+void load_segment(Cards& cards, Draft& draft) {
+    static const Layout layout("LCID SF=1 AT N1 N2 N3 N4 N5");
+    while (cards.rows()) {
+        if (cards.has("ID")) cards.title();
+        Card c = cards.next(layout);
+        PressureLoad load = pressure(c, draft);
+        std::array<Index, 4> facet{c.row("N1", draft.nodes), c.row("N2", draft.nodes),
+                                   c.row("N3", draft.nodes), c.row_or_none("N4", draft.nodes)};
+        if (facet[3] < 0) facet[3] = facet[2];
+        load.facets.push_back(facet);
+        draft.model.pressure_loads.push_back(std::move(load));
+    }
+}
+
+void load_segment_set(Cards& cards, Draft& draft) {
+    static const Layout layout("SSID LCID SF=1 AT DT");
+    while (cards.rows()) {
+        if (cards.has("ID")) cards.title();
+        Card c = cards.next(layout);
+        PressureLoad load = pressure(c, draft);
+        if (const Index set = c.row("SSID", draft.segment_sets); set >= 0)
+            load.facets = draft.segment_set[static_cast<std::size_t>(set)];
+        draft.model.pressure_loads.push_back(std::move(load));
+    }
+}
+
+void load_shell_element(Cards& cards, Draft& draft) {
+    static const Layout layout("EID LCID SF=1 AT");
+    while (cards.rows()) {
+        if (cards.has("ID")) cards.title();
+        Card c = cards.next(layout);
+        PressureLoad load = pressure(c, draft);
+        if (const Index shell = c.row("EID", draft.shells); shell >= 0)
+            load.facets = {draft.model.shells[static_cast<std::size_t>(shell)].nodes};
+        draft.model.pressure_loads.push_back(std::move(load));
+    }
+}
+
+void load_shell_set(Cards& cards, Draft& draft) {
+    static const Layout layout("ESID LCID SF=1 AT");
+    while (cards.rows()) {
+        if (cards.has("ID")) cards.title();
+        Card c = cards.next(layout);
+        PressureLoad load = pressure(c, draft);
+        if (const Index set = c.row("ESID", draft.shell_sets); set >= 0)
+            for (const Index shell : draft.shell_set[static_cast<std::size_t>(set)])
+                load.facets.push_back(draft.model.shells[static_cast<std::size_t>(shell)].nodes);
+        draft.model.pressure_loads.push_back(std::move(load));
+    }
+}
+
+void damping_global(Cards& cards, Draft& draft) {
+    Card c = cards.next("LCID VALDMP STX STY STZ SRX SRY SRZ");
+    draft.model.mass_damping_curve = c.row_or_none("LCID", draft.curves);
+    draft.model.mass_damping = c.real("VALDMP", NON_NEGATIVE);
+    if (draft.model.mass_damping_curve >= 0)
+        draft.model.mass_damping = 0.0;  // the curve goes before
+    const Vec3 by_axis = c.vector("STX", "STY", "STZ");
+    if (by_axis != Vec3::Zero() && by_axis != Vec3::Ones())
+        c.fault("STX", "STX = STY = STZ = 1 or blank: damping by direction is not acted on yet");
+    c.harmless("SRX SRY SRZ");  // nodes do not turn
+}
+
+}  // namespace corpuscle::io::keywords

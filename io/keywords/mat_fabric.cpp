@@ -1,0 +1,109 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "io/keywords/keywords.hpp"
+
+namespace corpuscle::io::keywords {
+
+namespace {
+
+using fabric::FabricCard;
+
+/// EB = 0 means isotropic: G = EA / 2(1 + PRBA).
+void elasticity(Cards& cards, Draft& draft, fabric::Material& material, FabricCard& cloth) {
+    Card c = cards.next("MID RO EA EB EC PRBA PRAB PRCB");
+    material.id = c.new_id("MID", draft.materials, draft.model.materials.size());
+    cloth.density = c.real("RO", POSITIVE);
+    cloth.E_warp = c.real("EA", POSITIVE);
+    cloth.E_weft = c.real("EB", NON_NEGATIVE);
+    cloth.nu_ba = c.real("PRBA", {-1.0, 1.0, true, true});
+    c.harmless("EC PRAB PRCB");  // spare fields of old decks; PRAB follows from symmetry
+    const bool isotropic = cloth.E_weft == 0.0;
+    if (isotropic) cloth.E_weft = cloth.E_warp;
+    if (c.good() && cloth.nu_ba * cloth.nu_ba * cloth.E_warp / cloth.E_weft >= 1.0)
+        c.fault("PRBA", "PRBA^2 EA / EB < 1");
+
+    Card d = cards.next("GAB GBC GCA CSE EL PRL LRATIO DAMP");
+    cloth.G = d.real("GAB", NON_NEGATIVE);
+    if (isotropic)
+        cloth.G = cloth.E_warp / (2.0 * (1.0 + cloth.nu_ba));
+    else if (d.good() && cloth.G == 0.0)
+        d.fault("GAB", "> 0, for EB is given");
+    cloth.no_compression = d.choice("CSE", {0, 1}) == 1;
+    cloth.liner_E = d.real("EL", NON_NEGATIVE);
+    cloth.liner_nu = d.real("PRL", {-1.0, 0.5, true});
+    cloth.liner_ratio = d.real("LRATIO", NON_NEGATIVE);
+    cloth.damping = d.real("DAMP", NON_NEGATIVE);
+    d.harmless("GBC GCA");
+}
+
+/// A value, or below 0 the id of a curve.
+void value_or_curve(Card& c, const char* name, const Registry& curves, double& value,
+                    Index& curve) {
+    value = c.real(name);
+    if (!c.good() || value >= 0.0) return;
+    const double id = -value;
+    value = 0.0;
+    const Registry::Entry* entry = id < 1e9 ? curves.find(static_cast<int>(id)) : nullptr;
+    if (entry == nullptr || id != std::floor(id))
+        return c.fault(name, ">= 0, or minus the id of a *DEFINE_CURVE of the deck");
+    curve = entry->row;
+}
+
+void fabric_form(Card& c, FabricCard& cloth) {
+    cloth.form = c.choice("FORM", {0, 1, 2, 3, 4, 12, 13, 14}, {-14, 24});
+    if (cloth.form > 2)
+        c.warn("FORM", "taken as form 2, linear in the Green-Lagrange strain of warp and weft");
+}
+
+/// @returns FVOPT < 0: there is another card
+bool axes_and_leakage(Cards& cards, Draft& draft, FabricCard& cloth) {
+    Card c = cards.next("AOPT FLC FAC ELA LNRC FORM FVOPT TSRFAC");
+    cloth.axes = c.choice("AOPT", {0, 2, 3}, {1, 4});
+    value_or_curve(c, "FLC", draft.curves, cloth.leak_area, cloth.leak_area_curve);
+    value_or_curve(c, "FAC", draft.curves, cloth.leak_velocity, cloth.leak_velocity_curve);
+    fabric_form(c, cloth);
+    cloth.leak_option = c.integer("FVOPT", within(-8, 8));
+    const bool leaks = cloth.leak_area != 0.0 || cloth.leak_area_curve >= 0 ||
+                       cloth.leak_velocity != 0.0 || cloth.leak_velocity_curve >= 0;
+    if (!leaks) c.harmless("ELA");
+    return cloth.leak_option < 0;
+}
+
+void directions(Cards& cards, FabricCard& cloth) {
+    {
+        Card c = cards.next("- RGBRTH A0REF A1 A2 A3 X0 X1");
+        cloth.a = c.vector("A1", "A2", "A3");
+        if (cloth.axes == 2 && c.good() && cloth.a.isZero(0.0))
+            c.fault("A1", "a vector for AOPT = 2");
+    }
+    Card c = cards.next("V1 V2 V3 D1 D2 D3 BETA ISREFG");
+    cloth.v = c.vector("V1", "V2", "V3");
+    if (cloth.axes == 3 && c.good() && cloth.v.isZero(0.0)) c.fault("V1", "a vector for AOPT = 3");
+    cloth.beta = c.real("BETA") * std::numbers::pi / 180.0;
+    c.harmless("D1 D2 D3");
+}
+
+}  // namespace
+
+void mat_fabric(Cards& cards, Draft& draft) {
+    fabric::Material material;
+    if (cards.has("TITLE")) material.title = cards.title();
+    FabricCard cloth;
+    elasticity(cards, draft, material, cloth);
+    if (axes_and_leakage(cards, draft, cloth)) cards.next("L R C1 C2 C3").harmless("L R C1 C2 C3");
+    directions(cards, cloth);
+    // forms 4 and 14 have their curves here; old decks print the card, empty, for every form
+    if (cards.more())
+        cards.next("LCA LCB LCAB LCUA LCUB LCUAB RL -");
+    else if (cloth.form == 4 || cloth.form == 14)
+        cards.warn("has no load curves: form 4 is taken as form 2");
+    material.card = cloth;
+    draft.model.materials.push_back(material);
+}
+
+}  // namespace corpuscle::io::keywords

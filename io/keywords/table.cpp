@@ -1,0 +1,212 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/keywords/keywords.hpp"
+#include "io/text.hpp"
+
+namespace corpuscle::io::keywords {
+
+namespace {
+
+using P = Phase;
+
+constexpr std::string_view NAMED = "ID TITLE";
+constexpr std::string_view LISTS = "LIST COLUMN GENERATE INCREMENT TITLE";
+constexpr std::string_view LISTS_LATER = "SMOOTH COLLECT";
+
+const Keyword KEYWORDS[] = {
+    {"TITLE", "", "", P::GROUND, title},
+    {"CONTROL_TERMINATION", "", "", P::GROUND, control_termination},
+    {"CONTROL_TIMESTEP", "", "", P::GROUND, control_timestep},
+    {"DATABASE_BINARY_D3PLOT", "", "", P::GROUND, database_d3plot},
+    {"DATABASE_ABSTAT DATABASE_ABSTAT_CPM", "", "", P::GROUND, database_abstat},
+    {"DATABASE_GLSTAT", "", "", P::GROUND, database_glstat},
+    {"DATABASE_RCFORC", "", "", P::GROUND, database_rcforc},
+    {"DATABASE_RWFORC", "", "", P::GROUND, database_rwforc},
+    {"DATABASE_RBDOUT", "", "", P::GROUND, database_rbdout},
+    {"DATABASE_NODOUT", "", "", P::GROUND, database_nodout},
+    {"DATABASE_HISTORY_NODE", "ID", "LOCAL", P::SCENE, database_history_node},
+    {"DATABASE_HISTORY_NODE_SET", "", "LOCAL", P::SCENE, database_history_node_set},
+
+    {"NODE", "", "MERGE RIGID TRANSFORM SCALAR", P::GROUND, node},
+    {"DEFINE_CURVE", "TITLE", "", P::GROUND, define_curve},
+    {"DEFINE_VECTOR", "TITLE", "NODES", P::GROUND, define_vector},
+    {"SECTION_SHELL", "TITLE", "MISC EFG XFEM THERMAL", P::GROUND, section_shell},
+    {"MAT_ELASTIC MAT_001", "TITLE", "FLUID", P::MATERIAL, mat_elastic},
+    {"MAT_NULL MAT_009", "TITLE", "", P::MATERIAL, mat_null},
+    {"MAT_RIGID MAT_020", "TITLE", "DISCRETE", P::MATERIAL, mat_rigid},
+    {"MAT_FABRIC MAT_034", "TITLE", "MAP", P::MATERIAL, mat_fabric},
+    {"PART", "CONTACT", "INERTIA PRINT ATTACHMENT REPOSITION AVERAGED COMPOSITE", P::PART, part},
+    {"ELEMENT_SHELL", "", "THICKNESS BETA MCID OFFSET DOF COMPOSITE", P::SHELL, element_shell},
+
+    {"SET_NODE", LISTS, LISTS_LATER, P::SET, set_node},
+    {"SET_PART", LISTS, LISTS_LATER, P::SET, set_part},
+    {"SET_SHELL", LISTS, LISTS_LATER, P::SET, set_shell},
+    {"SET_SEGMENT", "TITLE", "COLLECT", P::SET, set_segment},
+    {"SET_NODE_ADD", "TITLE", "ADVANCED COLLECT", P::SUM_OF_SETS, set_node_add},
+    {"SET_PART_ADD", "TITLE", "COLLECT", P::SUM_OF_SETS, set_part_add},
+    {"SET_SHELL_ADD", "TITLE", "COLLECT", P::SUM_OF_SETS, set_shell_add},
+    {"SET_SEGMENT_ADD", "TITLE", "COLLECT", P::SUM_OF_SETS, set_segment_add},
+    {"SET_NODE_GENERAL", "TITLE", "COLLECT", P::SUM_OF_SETS, set_node_general},
+    {"SET_PART_GENERAL", "TITLE", "COLLECT", P::SUM_OF_SETS, set_part_general},
+    {"SET_SHELL_GENERAL", "TITLE", "COLLECT", P::SUM_OF_SETS, set_shell_general},
+    {"SET_SEGMENT_GENERAL", "TITLE", "COLLECT", P::SUM_OF_SETS, set_segment_general},
+
+    {"AIRBAG_PARTICLE", "MPP DECOMPOSITION MOLEFRACTION INFLATION JET SEGMENT TIME ID TITLE", "",
+     P::SCENE, airbag_particle},
+    {"AIRBAG_REFERENCE_GEOMETRY", "BIRTH RDT ID", "", P::SCENE, airbag_reference_geometry},
+    {"BOUNDARY_SPC_NODE", "ID", "BIRTH DEATH", P::SCENE, boundary_spc_node},
+    {"BOUNDARY_SPC_SET", "ID", "BIRTH DEATH", P::SCENE, boundary_spc_set},
+    {"BOUNDARY_PRESCRIBED_MOTION_NODE", "ID", "", P::SCENE, motion_node},
+    {"BOUNDARY_PRESCRIBED_MOTION_SET", "ID", "BOX SEGMENT LINE", P::SCENE, motion_set},
+    {"BOUNDARY_PRESCRIBED_MOTION_RIGID", "ID", "LOCAL", P::SCENE, motion_rigid},
+    {"INITIAL_VELOCITY", "", "", P::SCENE, initial_velocity},
+    {"INITIAL_VELOCITY_NODE", "", "", P::SCENE, initial_velocity_node},
+    {"INITIAL_VELOCITY_RIGID_BODY", "", "", P::SCENE, initial_velocity_rigid_body},
+    {"INITIAL_VELOCITY_GENERATION", "", "START TIME", P::SCENE, initial_velocity_generation},
+    {"LOAD_BODY_X", "", "", P::SCENE, load_body_x},
+    {"LOAD_BODY_Y", "", "", P::SCENE, load_body_y},
+    {"LOAD_BODY_Z", "", "", P::SCENE, load_body_z},
+    {"LOAD_SEGMENT", "ID", "NONUNIFORM", P::SCENE, load_segment},
+    {"LOAD_SEGMENT_SET", "ID", "NONUNIFORM ANGLE", P::SCENE, load_segment_set},
+    {"LOAD_SHELL_ELEMENT", "ID", "", P::SCENE, load_shell_element},
+    {"LOAD_SHELL_SET", "ID", "", P::SCENE, load_shell_set},
+    {"DAMPING_GLOBAL", "", "", P::SCENE, damping_global},
+    {"CONTACT_AIRBAG_SINGLE_SURFACE CONTACT_AUTOMATIC_SINGLE_SURFACE", "ID TITLE MPP",
+     "THERMAL FRICTION SMOOTH MORTAR ORTHO", P::SCENE, contact_single_surface},
+    {"RIGIDWALL_PLANAR", NAMED, "FINITE MOVING FORCES ORTHO DISPLAY", P::SCENE, rigidwall_planar},
+};
+
+/// Cannot change the answer here: output, other solvers, and numerics that have no counterpart.
+constexpr std::string_view HARMLESS[] = {
+    "DATABASE_",
+    "CONTROL_ACCURACY",
+    "CONTROL_ACOUSTIC",
+    "CONTROL_ALE",
+    "CONTROL_BULK_VISCOSITY",
+    "CONTROL_CESE",
+    "CONTROL_CONTACT",
+    "CONTROL_COUPLING",
+    "CONTROL_CPU",
+    "CONTROL_DEBUG",
+    "CONTROL_EFG",
+    "CONTROL_ENERGY",
+    "CONTROL_EXPLICIT_THERMAL",
+    "CONTROL_FREQUENCY",
+    "CONTROL_HOURGLASS",
+    "CONTROL_IMPLICIT",
+    "CONTROL_MPP",
+    "CONTROL_OUTPUT",
+    "CONTROL_PARALLEL",
+    "CONTROL_PORE_FLUID",
+    "CONTROL_REMESHING",
+    "CONTROL_SHELL",
+    "CONTROL_SOLID",
+    "CONTROL_SPH",
+    "CONTROL_STRUCTURED",
+    "CONTROL_THERMAL",
+    "CONTROL_UNITS",
+    "COMMENT",
+    "EM_",
+    "ICFD_",
+    "HOURGLASS",
+};
+
+/// Rigid walls of other shapes are known, and told apart from misspellings.
+constexpr std::string_view LATER[] = {
+    "RIGIDWALL_GEOMETRIC",
+    "AIRBAG_SHELL_REFERENCE_GEOMETRY",
+    "DEFINE_CPM_",
+    "CONTROL_CPM",
+    "SENSOR_",
+    "AIRBAG_",
+    "CONTACT_",
+    "DEFINE_BOX",
+    "DEFINE_COORDINATE",
+    "CONSTRAINED_",
+    "ELEMENT_",
+    "SECTION_",
+    "MAT_",
+    "INITIAL_AIRBAG_PARTICLE_POSITION",
+    "RIGIDWALL_",
+};
+
+/// The suffixes after `base` when all of them are in `allowed`; none otherwise.
+std::optional<std::vector<std::string_view>> suffixes(std::string_view keyword,
+                                                      std::string_view base,
+                                                      std::string_view allowed) {
+    std::vector<std::string_view> found;
+    std::string_view rest = keyword.substr(base.size());
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find('_', 1), rest.size());
+        const std::string_view word = rest.substr(1, end - 1);
+        bool is_known = false;
+        for_each_word(allowed, [&](std::string_view option) { is_known |= option == word; });
+        if (!is_known) return {};
+        found.push_back(word);
+        rest.remove_prefix(end);
+    }
+    return found;
+}
+
+bool starts_with_word(std::string_view keyword, std::string_view base) {
+    return keyword.starts_with(base) &&
+           (keyword.size() == base.size() || keyword[base.size()] == '_');
+}
+
+/// The longest name of the table that the keyword begins with.
+std::pair<const Keyword*, std::string_view> longest_base(std::string_view keyword) {
+    std::pair<const Keyword*, std::string_view> best{nullptr, {}};
+    for (const Keyword& entry : KEYWORDS)
+        for_each_word(entry.names, [&](std::string_view name) {
+            if (starts_with_word(keyword, name) && name.size() > best.second.size())
+                best = {&entry, name};
+        });
+    return best;
+}
+
+std::string did_you_mean(std::string_view keyword) {
+    std::vector<std::string_view> names = {"INCLUDE", "PARAMETER", "PARAMETER_EXPRESSION",
+                                           "KEYWORD", "END"};
+    for (const Keyword& entry : KEYWORDS)
+        for_each_word(entry.names, [&](std::string_view name) { names.push_back(name); });
+    for (const std::string_view name : HARMLESS)
+        if (!name.ends_with('_')) names.push_back(name);
+    std::string_view bare = keyword;
+    for (const std::string_view suffix : {"_ID", "_TITLE", "_LIST"})
+        if (bare.ends_with(suffix)) bare.remove_suffix(suffix.size());
+    const std::string_view meant = nearest(bare, names);
+    return std::string(meant);
+}
+
+}  // namespace
+
+Match find(std::string_view keyword) {
+    const auto [entry, base] = longest_base(keyword);
+    if (entry != nullptr) {
+        if (auto found = suffixes(keyword, base, entry->options))
+            return {entry, std::move(*found), false, {}};
+        const std::string all = fmt::format("{} {}", entry->options, entry->later);
+        if (suffixes(keyword, base, all))
+            return {nullptr,
+                    {},
+                    false,
+                    fmt::format("is not acted on yet, expected *{}{}", base,
+                                entry->options.empty()
+                                    ? ""
+                                    : fmt::format(" with no suffix but {}", entry->options))};
+    }
+    for (const std::string_view name : HARMLESS)
+        if (keyword.starts_with(name)) return {nullptr, {}, true, {}};
+    if (const std::string meant = did_you_mean(keyword); !meant.empty())
+        return {
+            nullptr, {}, false, fmt::format("is not a known keyword, did you mean *{}?", meant)};
+    for (const std::string_view name : LATER)
+        if (keyword.starts_with(name)) return {nullptr, {}, false, "is not supported yet"};
+    return {nullptr, {}, false, "is not supported"};
+}
+
+}  // namespace corpuscle::io::keywords
