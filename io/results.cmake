@@ -3,8 +3,12 @@ target_sources(corpuscle_io PRIVATE
     ascii_files.cpp
     ascii_tables.cpp
     atomic_file.cpp
+    deck_writer.cpp
     hdf5.cpp
     history_table.cpp
+    mesh_check.cpp
+    mesh_file.cpp
+    mesh_weld.cpp
     progress.cpp
     results_file.cpp
     units.cpp
