@@ -29,7 +29,8 @@ Particles fill(const Enclosure& enclosure, const Points& x, double reach, std::s
     Particles gas;
     Random draw(7, Stream::INITIAL, 0, 0);
     while (gas.size() < count) {
-        const Vec3 at = reach * Vec3(2 * draw.uniform() - 1, 2 * draw.uniform() - 1, 2 * draw.uniform() - 1);
+        const Vec3 at =
+            reach * Vec3(2 * draw.uniform() - 1, 2 * draw.uniform() - 1, 2 * draw.uniform() - 1);
         if (!enclosure.contains(at, x)) continue;
         gas.add(at, 300.0 * Vec3(draw.normal(), draw.normal(), draw.normal()), 0.0, 0,
                 static_cast<int>(gas.size()));
@@ -37,9 +38,11 @@ Particles fill(const Enclosure& enclosure, const Points& x, double reach, std::s
     return gas;
 }
 
-FacetLists lists_for(const shapes::Shape& shape, const Points& x_0, const Points& x_1, double edge) {
+FacetLists lists_for(const shapes::Shape& shape, const Points& x_0, const Points& x_1,
+                     double edge) {
     FacetLists lists(shape.triangles, shape.x);
-    lists.build(Grid::over(Vec3::Constant(-0.3), Vec3::Constant(0.3), edge, 1000000), x_0, x_1, 0.0);
+    lists.build(Grid::over(Vec3::Constant(-0.3), Vec3::Constant(0.3), edge, 1000000), x_0, x_1,
+                0.0);
     return lists;
 }
 
@@ -101,7 +104,8 @@ TEST_CASE("no particle leaves a closed surface that shakes violently", "[gas][fl
     FlightResult flight;
     std::size_t hits = 0;
     for (int step = 0; step < 150; ++step) {
-        // Nodes jump at random by up to 8 % of the radius a step: facets turn, stretch, nearly invert.
+        // Nodes jump at random by up to 8 % of the radius a step: facets turn, stretch, nearly
+        // invert.
         for (std::size_t n = 0; n < home.size(); ++n) {
             Random draw(3, Stream::WALL, static_cast<std::uint64_t>(step), n);
             x_1[n] = home[n] * (0.9 + 0.15 * draw.uniform()) + 0.004 * draw.direction();
@@ -144,8 +148,8 @@ TEST_CASE("cells of any size find the same hits, on any number of threads", "[ga
         parallel::set_threads(threads);
         Particles gas = start;
         FlightResult flight;
-        fly(lists_for(shape, shape.x, x_1, edge), shape.x, x_1, 1e-4, std::vector<double>{1.0}, {}, gas,
-            flight);
+        fly(lists_for(shape, shape.x, x_1, edge), shape.x, x_1, 1e-4, std::vector<double>{1.0}, {},
+            gas, flight);
         return gas;
     };
     const Particles one = flown(0.02, 1);
@@ -159,7 +163,8 @@ TEST_CASE("cells of any size find the same hits, on any number of threads", "[ga
 
 TEST_CASE("a path through an edge or a corner meets the surface once", "[gas][flight]") {
     const shapes::Shape shape = shapes::box(Vec3(1, 1, 1), 2);
-    // Outward from the centre exactly through nodes, edge middles and facet diagonals, walls at rest.
+    // Outward from the centre exactly through nodes, edge middles and facet diagonals, walls at
+    // rest.
     const Vec3 centre(0.5, 0.5, 0.5);
     for (const Vec3& target : shape.x)
         for (const Vec3& other : shape.x) {
@@ -180,12 +185,14 @@ TEST_CASE("a particle that is born within a step flies for the rest of it", "[ga
     gas.add({0, 0, 0}, {100, 0, 0}, 0.0, 0, 0);
     gas.add({0, 0, 0.01}, {100, 0, 0}, 0.0, 0, 1);
     FlightResult flight;
-    fly(lists, shape.x, shape.x, 1e-4, std::vector<double>{1.0}, std::vector<double>{0.25}, gas, flight);
+    fly(lists, shape.x, shape.x, 1e-4, std::vector<double>{1.0}, std::vector<double>{0.25}, gas,
+        flight);
     CHECK(gas.x[0].x() == Approx(0.01));
     CHECK(gas.x[1].x() == Approx(0.0075));
 }
 
-TEST_CASE("an enclosure knows its volume, mends its normals and finds its holes", "[gas][enclosure]") {
+TEST_CASE("an enclosure knows its volume, mends its normals and finds its holes",
+          "[gas][enclosure]") {
     shapes::Shape shape = shapes::box(Vec3(1, 2, 3), 3);
     for (std::size_t t = 0; t < shape.triangles.size(); t += 3)
         std::swap(shape.triangles[t][0], shape.triangles[t][1]);
@@ -211,5 +218,6 @@ TEST_CASE("an enclosure knows its volume, mends its normals and finds its holes"
         }
 
     shape.triangles.pop_back();
-    CHECK_THROWS_WITH(Enclosure(shape.triangles, shape.x, id, "bag 1"), Catch::Contains("not closed"));
+    CHECK_THROWS_WITH(Enclosure(shape.triangles, shape.x, id, "bag 1"),
+                      Catch::Contains("not closed"));
 }
