@@ -4,19 +4,40 @@
 
 #include <vector>
 
+#include "solver/base/parallel.hpp"
 #include "solver/base/vec.hpp"
 
 namespace corpuscle::fabric {
 
-/// Nodes of the whole scene. Leapfrog: x live at t, v at t - dt/2 before the kick, t + dt/2 after it.
+/// Nodes of the whole scene. Leapfrog: x live at t, v at t - dt/2 before the kick, t + dt/2 after
+/// it.
 struct Nodes {
-    Points x;                   ///< position at t               N × 3    [m]
-    Points x_1;                 ///< position at t + dt          N × 3    [m]
-    Points v;                   ///< velocity                    N × 3    [m/s]
-    Points f;                   ///< force at t                  N × 3    [N]
-    std::vector<double> mass;   ///< lumped                      N        [kg]
+    Points x;                  ///< position at t          N × 3    [m]
+    Points x_1;                ///< position at t + dt     N × 3    [m]
+    Points v;                  ///< velocity               N × 3    [m/s]
+    Points f;                  ///< force at t             N × 3    [N]
+    std::vector<double> mass;  ///< lumped; 0: a place without matter, moves as it started   N [kg]
 
     [[nodiscard]] std::size_t size() const { return x.size(); }
+
+    /// f += more; an empty `more` is no force.
+    void add(const Points& more) {
+        if (!more.empty()) parallel::for_each(size(), [&](std::size_t n) { f[n] += more[n]; });
+    }
+    /// v += span f / m.
+    void kick(double span) {
+        parallel::for_each(size(), [&](std::size_t n) {
+            if (mass[n] > 0.0) v[n] += span / mass[n] * f[n];
+        });
+    }
+    /// x_1 = x + dt v.
+    void drift(double dt) {
+        parallel::for_each(size(), [&](std::size_t n) { x_1[n] = x[n] + dt * v[n]; });
+    }
+    [[nodiscard]] double kinetic_energy() const {  ///< sum of m v² / 2                      [J]
+        return parallel::sum(size(), 0.0,
+                             [&](std::size_t n) { return 0.5 * mass[n] * v[n].squaredNorm(); });
+    }
 };
 
 }  // namespace corpuscle::fabric

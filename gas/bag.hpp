@@ -55,6 +55,7 @@ struct BagCard {
     std::size_t particles = 200000;       ///< NP
     bool show_particles = true;           ///< VISFLG
     double gas_constant = GAS_CONSTANT;   ///< R in deck units (UNIT)                 [J/(mol K)]
+    double second = 1.0;                  ///< one second in the deck's unit of time (UNIT)
     double p_atm = ATMOSPHERE_PRESSURE;   ///< PATM                                   [Pa]
     double T_atm = ATMOSPHERE_TEMPERATURE;///< TATM                                   [K]
     double all_in = 1e10;                 ///< TEND: all particles have entered       [s]

@@ -22,6 +22,14 @@ struct Particles {
 
     [[nodiscard]] std::size_t size() const { return x.size(); }
 
+    void erase(std::size_t row) {
+        const auto at = static_cast<std::ptrdiff_t>(row);
+        x.erase(x.begin() + at);
+        v.erase(v.begin() + at);
+        e.erase(e.begin() + at);
+        species.erase(species.begin() + at);
+        id.erase(id.begin() + at);
+    }
     void add(const Vec3& at, const Vec3& velocity, double internal, std::int32_t kind,
              std::int32_t born) {
         x.push_back(at);

@@ -34,14 +34,14 @@ enum class MotionKind { VELOCITY, ACCELERATION, DISPLACEMENT };  ///< VAD 0, 1, 
 
 /// *BOUNDARY_PRESCRIBED_MOTION of nodes or of one rigid part.
 struct PrescribedMotion {
-    std::vector<Index> nodes;            ///< node rows (empty for a rigid part)
-    Index rigid_part = -1;               ///< part row of a *MAT_RIGID, or -1
+    std::vector<Index> nodes;  ///< node rows (empty for a rigid part)
+    Index rigid_part = -1;     ///< part row of a *MAT_RIGID, or -1
     MotionKind kind = MotionKind::VELOCITY;
-    bool rotation = false;               ///< DOF 5-8: about `axis`, rigid parts only
-    Vec3 axis = Vec3::UnitX();           ///< unit direction of the motion
+    bool rotation = false;      ///< DOF 5-8: about `axis`, rigid parts only
+    Vec3 axis = Vec3::UnitX();  ///< unit direction of the motion
     Index curve = -1;
-    double scale = 1.0;                  ///< SF
-    double birth = 0.0, death = 1e28;    ///< [s]
+    double scale = 1.0;                ///< SF
+    double birth = 0.0, death = 1e28;  ///< [s]
 };
 
 struct RigidVelocity {  ///< initial velocity of a rigid part
@@ -52,8 +52,8 @@ struct RigidVelocity {  ///< initial velocity of a rigid part
 
 /// *LOAD_BODY_X/Y/Z: acceleration of the frame; bodies feel its opposite.
 struct BodyLoad {
-    int axis = 0;         ///< 0 x, 1 y, 2 z
-    Index curve = -1;     ///< base acceleration over time             [m/s^2]
+    int axis = 0;      ///< 0 x, 1 y, 2 z
+    Index curve = -1;  ///< base acceleration over time             [m/s^2]
     double scale = 1.0;
 };
 
@@ -67,19 +67,19 @@ struct PressureLoad {
 
 /// Output intervals; NaN: not asked for.                                                       [s]
 struct OutputIntervals {
-    double frames = NaN;   ///< *DATABASE_BINARY_D3PLOT
+    double frames = NaN;  ///< *DATABASE_BINARY_D3PLOT
     double abstat = NaN, glstat = NaN, rcforc = NaN, rwforc = NaN, rbdout = NaN, nodout = NaN;
 };
 
 /// A scene: pure data, in the deck's units. Built by io from a deck, or by hand in a test.
 struct Model {
     std::string title;
-    std::string deck;               ///< file name, for messages and results
-    std::string unit_system;        ///< "kg-mm-ms-K", "SI", "ton-mm-s-K", or "consistent"
+    std::string deck;         ///< file name, for messages and results
+    std::string unit_system;  ///< "kg-mm-ms-K", "SI", "ton-mm-s-K", or "consistent"
 
     // Mesh
     std::vector<int> node_id;
-    Points x;                       ///< initial (folded) node positions, N × 3        [m]
+    Points x;  ///< initial (folded) node positions, N × 3        [m]
     std::vector<Shell> shells;
     std::vector<Part> parts;
     std::vector<fabric::Material> materials;
@@ -87,7 +87,7 @@ struct Model {
 
     // What acts on it
     std::vector<Curve> curves;
-    Points velocity;                ///< initial node velocities, N × 3                [m/s]
+    Points velocity;  ///< initial node velocities, N × 3                [m/s]
     std::vector<RigidVelocity> rigid_velocity;
     std::vector<Support> supports;
     std::vector<PrescribedMotion> motions;
@@ -103,8 +103,8 @@ struct Model {
     double end_time = NaN;          ///< *CONTROL_TERMINATION ENDTIM                   [s]
     double step_factor = 0.9;       ///< TSSFAC                                        [-]
     double step_start = 0.0;        ///< DTINIT, 0: stable step                        [s]
-    double step_mass_scaled = 0.0;  ///< DT2MS < 0: mass is added where the step would be below |DT2MS|;
-                                    ///< > 0: everywhere to that step; 0: none         [s]
+    double step_mass_scaled = 0.0;  ///< DT2MS < 0: mass is added where the step would be below
+                                    ///< |DT2MS|; > 0: everywhere to that step; 0: none         [s]
     OutputIntervals output;
     std::vector<Index> history_nodes;  ///< node rows of *DATABASE_HISTORY_NODE
 

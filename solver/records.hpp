@@ -10,37 +10,38 @@
 
 #include "solver/base/vec.hpp"
 
-/// What a run hands to its results: plain numbers in deck units. io writes them, nothing reads them back.
+/// What a run hands to its results: plain numbers in deck units. io writes them, nothing reads them
+/// back.
 namespace corpuscle {
 
 /// Who the entries of a Sample and a Frame are; fixed for the whole run.
 struct RecordLayout {
     struct Airbag {
         int id = 0;
-        bool has_initial_air = false;          ///< species 0 is the initial air
-        std::vector<int> species;              ///< numbers K of /species/K, in Sample order
-        std::vector<int> parts;                ///< part ids of /part/PID, in Sample order
+        bool has_initial_air = false;  ///< species 0 is the initial air
+        std::vector<int> species;      ///< numbers K of /species/K, in Sample order
+        std::vector<int> parts;        ///< part ids of /part/PID, in Sample order
     };
     std::vector<Airbag> airbags;
-    std::vector<int> parts;                    ///< part ids
-    std::vector<int> rigid_bodies;             ///< part ids of the rigid bodies
-    std::vector<int> walls, contacts;          ///< ids
-    Points wall_normals;                       ///< of the walls, unit; nodes live on this side
-    std::vector<int> history_nodes;            ///< node ids
+    std::vector<int> parts;            ///< part ids
+    std::vector<int> rigid_bodies;     ///< part ids of the rigid bodies
+    std::vector<int> walls, contacts;  ///< ids
+    Points wall_normals;               ///< of the walls, unit; nodes live on this side
+    std::vector<int> history_nodes;    ///< node ids
     std::vector<Index> history_node_rows;
 
     // mesh
-    std::vector<int> node_id;                  ///< N
-    Points coordinates;                        ///< N × 3, initial
-    std::vector<int> shell_id, shell_part;     ///< E (part ids)
+    std::vector<int> node_id;                       ///< N
+    Points coordinates;                             ///< N × 3, initial
+    std::vector<int> shell_id, shell_part;          ///< E (part ids)
     std::vector<std::array<Index, 4>> shell_nodes;  ///< E × 4 rows
 };
 
 /// The ledger at one instant.                                                                  [J]
 struct EnergyBooks {
     double kinetic = 0, strain = 0, gas = 0, contact = 0, friction = 0, damping = 0;
-    double smoothing = 0; ///< given by particles to the wall, not yet passed on to the fabric
-    double ambient = 0;   ///< p_atm · (V - V at the start)
+    double smoothing = 0;  ///< given by particles to the wall, not yet passed on to the fabric
+    double ambient = 0;    ///< p_atm · (V - V at the start)
     double inflow = 0, outflow = 0, external = 0;
     double total = 0;     ///< what is there now and what was spent
     double residual = 0;  ///< total - (start + inflow + external)
@@ -52,8 +53,12 @@ struct AirbagSample {
     double particles = 0, particles_out = 0;
     double energy = 0, translational_energy = 0;
     double mass_rate_in = 0, mass_rate_out = 0, surface_area = 0;  ///< for abstat
-    struct Species { double mass = 0, temperature = 0, energy = 0; };
-    struct Part { double pressure = 0, area = 0, mass_out = 0; };
+    struct Species {
+        double mass = 0, temperature = 0, energy = 0;
+    };
+    struct Part {
+        double pressure = 0, area = 0, mass_out = 0;
+    };
     std::vector<Species> species;
     std::vector<Part> parts;
 };
@@ -65,34 +70,40 @@ struct Sample {
     std::int64_t step = 0;
     EnergyBooks energy;
     std::vector<AirbagSample> airbags;
-    struct Part { double kinetic_energy = 0, strain_energy = 0; Vec3 momentum = Vec3::Zero(); };
+    struct Part {
+        double kinetic_energy = 0, strain_energy = 0;
+        Vec3 momentum = Vec3::Zero();
+    };
     std::vector<Part> parts;
     struct Rigid {
         Vec3 position = Vec3::Zero(), velocity = Vec3::Zero(), acceleration = Vec3::Zero();
-        Vec3 force = Vec3::Zero();             ///< contact + gas
+        Vec3 force = Vec3::Zero();  ///< contact + gas
     };
     std::vector<Rigid> rigid_bodies;
     std::vector<Vec3> wall_force;
-    struct Contact { Vec3 force = Vec3::Zero(); double energy = 0; };
+    struct Contact {
+        Vec3 force = Vec3::Zero();
+        double energy = 0;
+    };
     std::vector<Contact> contacts;
-    Points node_coordinates, node_velocity;    ///< of the history nodes
+    Points node_coordinates, node_velocity;  ///< of the history nodes
 };
 
 /// One state for pictures.
 struct Frame {
     double time = 0;
-    Points coordinates, velocity;                          ///< N × 3
-    std::vector<float> shell_pressure;                     ///< E, gauge                     [Pa]
-    std::vector<std::array<float, 3>> shell_stress;        ///< E × 3, warp weft shear       [Pa]
-    std::vector<std::array<float, 3>> shell_strain;        ///< E × 3                        [-]
-    std::vector<std::uint8_t> shell_active;                ///< E, 1 alive
+    Points coordinates, velocity;                    ///< N × 3
+    std::vector<float> shell_pressure;               ///< E, gauge                     [Pa]
+    std::vector<std::array<float, 3>> shell_stress;  ///< E × 3, warp weft shear       [Pa]
+    std::vector<std::array<float, 3>> shell_strain;  ///< E × 3                        [-]
+    std::vector<std::uint8_t> shell_active;          ///< E, 1 alive
     struct Particles {
         std::vector<std::int64_t> id;
         std::vector<std::int32_t> species;
         Points position, velocity;
         std::vector<double> internal_energy, mass;
     };
-    std::optional<Particles> particles;                    ///< absent when no bag shows particles
+    std::optional<Particles> particles;  ///< absent when no bag shows particles
 };
 
 }  // namespace corpuscle

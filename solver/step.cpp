@@ -1,2 +1,114 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
+//
+// One time step. Leapfrog (central differences): positions x live at t, velocities v at t - dt/2.
+
+#include "solver/simulation.hpp"
+
+namespace corpuscle {
+
+/// Advances fabric, gas, rigid bodies and their contacts from t to t + dt.
+///
+/// What the gas gives to the fabric during [t, t + dt] loads it from the following step on, so each
+/// phase reads only finished data.
+StepReport Simulation::step(const Observer& observe) {
+    Stopwatch lap(timings_);
+    const StepLimit limit = stable_step();
+    const double t = clock_.t, dt = limit.dt;
+    const double span = clock_.kick_span(dt);  // half the last step, half this one
+
+    // 1. Forces at t
+    find_forces(dt, span, lap);
+
+    // 2. v(t - dt/2) -> v(t + dt/2); between the two, at t, the books balance
+    kick(dt, span);
+    book_forces(span);
+    stop_at_obstacles(dt);
+    lap("motion");
+    observe(*this);
+    lap("output");
+
+    // 3. x(t) -> x(t + dt)
+    drift(dt);
+    lap("motion");
+
+    // 4. Gas, t -> t + dt, against the fabric that moves from x to x_1
+    for (gas::BagGas& bag : bags_) {
+        bag.prepare(nodes_.x, nodes_.x_1);
+        lap("facet lists");
+        bag.inject(t, dt, nodes_.x, nodes_.x_1);
+        lap("inflators");
+        bag.collide(t, dt, nodes_.x);
+        lap("collisions");
+        bag.fly(t, dt, nodes_.x, nodes_.x_1);
+        lap("flight");
+    }
+
+    // 5. Page and clock
+    ledger_.turn_page();
+    nodes_.x.swap(nodes_.x_1);
+    clock_.advance(dt);
+    if (limit.who == StepLimit::Who::END) clock_.t = model_.end_time;
+    return {t, dt, limit};
+}
+
+/// Forces of everything that acts on nodes at t.
+void Simulation::find_forces(double dt, double span, Stopwatch& lap) {
+    std::fill(nodes_.f.begin(), nodes_.f.end(), Vec3::Zero());
+    for (fabric::Membranes& fabric : fabric_) {
+        const Index broken = fabric.add_force(nodes_.x, nodes_.v, nodes_.f);
+        lap("membranes");
+        if (broken >= 0) stop_for(broken);
+    }
+    for (gas::BagGas& bag : bags_) {
+        bag.add_load(nodes_.x, span, nodes_.f);
+        lap("gas load");
+    }
+    for (contact::SelfContact& contact : contacts_) {
+        contact.find(nodes_.x, nodes_.v, clock_.t, dt);
+        lap("contact search");
+        contact.add_force(nodes_.x, nodes_.v, dt, contact_force_.f);
+        lap("contact force");
+    }
+    loads_.find_force(clock_.t, nodes_.x, nodes_.mass, load_force_.f);
+    add_mass_damping();
+    lap("loads");
+}
+
+/// f = -d m v, *DAMPING_GLOBAL.
+void Simulation::add_mass_damping() {
+    if (damping_force_.f.empty()) return;
+    const double d = model_.mass_damping_curve >= 0
+                         ? model_.curves[model_.mass_damping_curve](clock_.t)
+                         : model_.mass_damping;
+    for (std::size_t n = 0; n < nodes_.size(); ++n)
+        damping_force_.f[n] = -d * nodes_.mass[n] * nodes_.v[n];
+}
+
+/// v += span f / m; rigid bodies move as one; held directions do as they are told.
+void Simulation::kick(double dt, double span) {
+    v_before_ = nodes_.v;
+    nodes_.add(load_force_.f);
+    nodes_.add(damping_force_.f);
+    nodes_.add(contact_force_.f);
+    nodes_.kick(span);
+    for (RigidBody& body : bodies_) body.advance(clock_.t, dt, span, nodes_);
+    supports_.hold(clock_.t, dt, span, nodes_);
+}
+
+void Simulation::drift(double dt) {
+    nodes_.drift(dt);
+}
+
+/// Walls and touching fabric take away the velocity that would carry a node through them.
+void Simulation::stop_at_obstacles(double dt) {
+    const double kinetic = nodes_.kinetic_energy();
+    for (contact::PlanarWall& wall : walls_)
+        wall.hold(nodes_.x, nodes_.mass, clock_.t, dt, nodes_.v);
+    for (contact::SelfContact& contact : contacts_) contact.filter(nodes_.x, dt, nodes_.v);
+    ledger_.after.kinetic = nodes_.kinetic_energy();
+    ledger_.after.contact += kinetic - ledger_.after.kinetic;
+    check_finite();
+}
+
+}  // namespace corpuscle

@@ -1,3 +1,86 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-int main() { return 1; }
+//
+// The command line: corpuscle run | check | mesh. Exit status 0 normal, 2 bad input, 3 the physics
+// broke, 1 anything else.
+
+#include <fmt/core.h>
+#include <CLI/CLI.hpp>
+
+#include <new>
+
+#include "solver/base/error.hpp"
+#include "tools/commands.hpp"
+
+namespace {
+
+using namespace corpuscle;
+
+/// Common to all commands that read a deck.
+void add_deck_options(CLI::App& command, tools::DeckArguments& deck) {
+    command.add_option("DECK", deck.file, "LS-DYNA keyword deck")->required();
+    command.add_option("-D", deck.definitions, "NAME=VALUE, overrides a *PARAMETER of the deck")
+        ->allow_extra_args(false)
+        ->take_all();
+    command.add_option("--seed", deck.seed, "seed of the random numbers")->capture_default_str();
+    command.add_option("--until", deck.until, "end time instead of ENDTIM, in the deck's unit");
+    command.add_option("-j,--threads", deck.threads, "threads; default: one a core")
+        ->check(CLI::PositiveNumber);
+}
+
+int run(int argc, char** argv) {
+    CLI::App app{
+        "corpuscle deploys airbags: membrane finite elements, gas by the corpuscular method and "
+        "contact, from LS-DYNA keyword decks."};
+    app.set_version_flag("--version", std::string(tools::VERSION));
+    app.require_subcommand(1);
+    app.footer(
+        "Examples:\n"
+        "  corpuscle run driver_bag_flat.k -D NP=20000\n"
+        "  corpuscle check driver_bag_flat.k\n"
+        "  corpuscle mesh head.stl -o head.k");
+
+    tools::RunArguments to_run;
+    CLI::App* run = app.add_subcommand("run", "run a deck; results go to DECK.out/results.h5");
+    add_deck_options(*run, to_run.deck);
+    run->add_option("-o,--output", to_run.folder, "folder for the results; default: DECK.out");
+    run->add_flag("-q,--quiet", to_run.quiet, "no progress, no summary");
+
+    tools::DeckArguments to_check;
+    CLI::App* check = app.add_subcommand(
+        "check",
+        "say what a deck holds, needs and leaves out, with an estimate of the cost; run nothing");
+    add_deck_options(*check, to_check);
+
+    tools::MeshArguments to_mesh;
+    CLI::App* mesh = app.add_subcommand(
+        "mesh", "turn a surface mesh (STL, OBJ, PLY, ...) into a welded, checked deck");
+    mesh->add_option("IN", to_mesh.input, "mesh file")->required();
+    mesh->add_option("-o,--output", to_mesh.output, "deck to write")->required();
+
+    CLI11_PARSE(app, argc, argv);
+    if (*run) return tools::run(to_run);
+    if (*check) return tools::check(to_check);
+    return tools::mesh(to_mesh);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const InputError& error) {
+        for (const std::string& fault : error.faults) fmt::print(stderr, "{}\n", fault);
+        fmt::print(stderr, "corpuscle: {} fault{} in the input\n", error.faults.size(),
+                   error.faults.size() == 1 ? "" : "s");
+        return 2;
+    } catch (const PhysicsError& error) {
+        fmt::print(stderr, "corpuscle: the physics broke {}\n", error.what());
+        return 3;
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "corpuscle: out of memory\n");
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "corpuscle: {}\n", error.what());
+    }
+    return 1;
+}

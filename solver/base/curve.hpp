@@ -10,7 +10,8 @@ namespace corpuscle {
 
 /// Piecewise linear curve y(x) of *DEFINE_CURVE, offset and scaled already.
 ///
-/// Abscissae never decrease; two equal ones are a jump. Outside its range a curve keeps its end value.
+/// Abscissae never decrease; two equal ones are a jump. Outside its range a curve keeps its end
+/// value.
 struct Curve {
     int id = 0;             ///< the deck's LCID
     std::vector<double> x;  ///< abscissa, ascending
@@ -34,7 +35,8 @@ struct Curve {
         for (auto next = std::upper_bound(x.begin(), x.end(), from); at < to; ++next) {
             const double end = next == x.end() ? to : std::min(to, *next);
             const bool at_knot = next != x.end() && end == *next;
-            const double y_end = at_knot ? y[static_cast<std::size_t>(next - x.begin())] : (*this)(end);
+            const double y_end =
+                at_knot ? y[static_cast<std::size_t>(next - x.begin())] : (*this)(end);
             sum += 0.5 * (y_at + y_end) * (end - at);
             at = end;
             y_at = at_knot ? after(static_cast<std::size_t>(next - x.begin())) : y_end;

@@ -20,7 +20,8 @@ struct InputError : std::runtime_error {
     std::vector<std::string> faults;
 };
 
-/// The physics broke (an inverted element, a NaN, a particle that left a closed bag). Exit status 3.
+/// The physics broke (an inverted element, a NaN, a particle that left a closed bag). Exit
+/// status 3.
 struct PhysicsError : std::runtime_error {
     PhysicsError(double at_time, const std::string& where_and_why)
         : std::runtime_error(fmt::format("at time {:.6g}: {}", at_time, where_and_why)),

@@ -12,11 +12,12 @@
 
 /// The only place that knows about threads.
 ///
-/// Work is cut into chunks whose borders do not depend on the number of threads, and whatever chunks
-/// produce is combined in chunk order: the same bits on 1 or 64 threads.
+/// Work is cut into chunks whose borders do not depend on the number of threads, and whatever
+/// chunks produce is combined in chunk order: the same bits on 1 or 64 threads.
 namespace corpuscle::parallel {
 
-inline constexpr std::size_t CHUNK = 1024;  ///< items a chunk; smaller spreads better, costs more calls
+inline constexpr std::size_t CHUNK =
+    1024;  ///< items a chunk; smaller spreads better, costs more calls
 
 inline void set_threads([[maybe_unused]] int n) {
 #ifdef _OPENMP

@@ -12,7 +12,8 @@ namespace corpuscle {
 
 namespace exact {
 
-/// Sum of doubles held without rounding: non-overlapping parts, smallest first [Shewchuk 1997, Fig. 6].
+/// Sum of doubles held without rounding: non-overlapping parts, smallest first [Shewchuk 1997, Fig.
+/// 6].
 template <int CAPACITY>
 class Expansion {
 public:
@@ -42,9 +43,7 @@ public:
         add_product(std::fma(a, b, -high), c);
         add_product(high, c);
     }
-    [[nodiscard]] int sign() const {
-        return size_ == 0 ? 0 : (part_[size_ - 1] > 0.0 ? 1 : -1);
-    }
+    [[nodiscard]] int sign() const { return size_ == 0 ? 0 : (part_[size_ - 1] > 0.0 ? 1 : -1); }
 
 private:
     std::array<double, CAPACITY> part_{};

@@ -16,16 +16,23 @@ namespace corpuscle {
 /// thread, nor of how many were drawn before. Philox-4x32-10 [Salmon 2011].
 ///
 ///     Random draw(seed, Stream::COLLISION, step, cell);  double u = draw.uniform();
-enum class Stream : std::uint32_t { INFLOW = 1, COLLISION = 2, VENT = 3, POROSITY = 4, INITIAL = 5, WALL = 6 };
+enum class Stream : std::uint32_t {
+    INFLOW = 1,
+    COLLISION = 2,
+    VENT = 3,
+    POROSITY = 4,
+    INITIAL = 5,
+    WALL = 6
+};
 
 class Random {
 public:
     Random(std::uint64_t seed, Stream stream, std::uint64_t step, std::uint64_t id)
-        : key_{{static_cast<std::uint32_t>(seed),
-                static_cast<std::uint32_t>(seed >> 32) ^ (static_cast<std::uint32_t>(stream) << 24)}},
-          counter_{{0U, static_cast<std::uint32_t>(step),
-                    static_cast<std::uint32_t>(id),
-                    static_cast<std::uint32_t>(id >> 32) ^ static_cast<std::uint32_t>(step >> 32)}} {}
+        : key_{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32) ^
+                                                      (static_cast<std::uint32_t>(stream) << 24)}},
+          counter_{
+              {0U, static_cast<std::uint32_t>(step), static_cast<std::uint32_t>(id),
+               static_cast<std::uint32_t>(id >> 32) ^ static_cast<std::uint32_t>(step >> 32)}} {}
 
     /// 32 random bits.
     std::uint32_t bits() {

@@ -1,0 +1,211 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "gas/bag_gas.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/base/error.hpp"
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle::gas {
+namespace {
+
+/// Impulse is released over this time at SFFDC = 1. Shorter: prompter and noisier. [s]
+constexpr double RELEASE_TIME = 50e-6;
+
+/// Particles wanted in an occupied cell. Fewer: noisy temperatures; more: blurred waves.
+constexpr double PARTICLES_PER_CELL = 20.0;
+
+/// Share of a cell that fabric may move before facet lists are made anew.
+constexpr double MARGIN = 0.15;
+
+/// Shares of a cell that a particle of thermal speed crosses in a step that the gas limits, and
+/// between collisions. More: blurred waves; less: dearer.
+constexpr double FLIGHT_SHARE = 0.5;
+constexpr double COLLISION_SHARE = 0.25;
+
+constexpr std::size_t MOST_CELLS = 2'000'000;
+
+std::string name_of(const BagCard& card) {
+    return fmt::format("*AIRBAG_PARTICLE {}", card.id);
+}
+
+std::vector<Triangle> closing(const BagWalls& walls) {
+    return {walls.triangles.begin(),
+            walls.triangles.begin() + static_cast<std::ptrdiff_t>(walls.closing)};
+}
+
+/// All triangles, the closing ones as the enclosure has turned them.
+std::vector<Triangle> turned(const Enclosure& enclosure, const BagWalls& walls) {
+    std::vector<Triangle> all = walls.triangles;
+    std::copy(enclosure.triangles().begin(), enclosure.triangles().end(), all.begin());
+    return all;
+}
+
+std::vector<double> particle_masses(const Inflators& inflators) {
+    std::vector<double> mass;
+    for (const Species& species : inflators.species())
+        mass.push_back(inflators.moles_each() * species.molar_mass());
+    return mass;
+}
+
+}  // namespace
+
+BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curves,
+               std::span<const int> node_id, const Points& x, std::uint64_t seed)
+    : card_(card),
+      walls_(std::move(walls)),
+      enclosure_(closing(walls_), x, node_id, name_of(card)),
+      inflators_(card, curves, seed),
+      mass_(particle_masses(inflators_)),
+      lists_(turned(enclosure_, walls_), x),
+      store_(x.size(), lists_.nodes(), RELEASE_TIME * card.second * card.smoothing),
+      collider_(inflators_.species(), inflators_.moles_each(), seed),
+      orifices_(card.orifices, lists_.triangles(), walls_.triangles, walls_.shell),
+      area_(x.size(), Vec3::Zero()),
+      part_impulse_(walls_.part_ids.size(), 0.0),
+      triangle_impulse_(walls_.triangles.size(), 0.0) {
+    volume_ = enclosure_.volume(x);
+    if (!(volume_ > 0.0))
+        throw InputError(name_of(card) +
+                         ": the bag encloses no volume at the start, expected some: "
+                         "particles have no place to enter");
+    if (card.air) air_.emplace(*card.air, card.gas_constant, volume_);
+    if (enclosure_.turned() > 0)
+        warnings_.push_back(
+            fmt::format("{}: the normals of {} facets were turned to agree with their "
+                        "neighbours",
+                        name_of(card), enclosure_.turned()));
+    std::vector<std::string> faults;
+    for (std::size_t o = 0; o < orifices_.size(); ++o)
+        if (const Vec3 at = orifices_.place(o, x); !enclosure_.contains(at, x))
+            faults.push_back(
+                fmt::format("{}: orifice {} at ({:g}, {:g}, {:g}) lies outside the bag",
+                            name_of(card), o + 1, at[0], at[1], at[2]));
+    if (!faults.empty()) throw InputError(std::move(faults));
+
+    double lightest = INF;
+    for (const Species& species : inflators_.species())
+        lightest = std::min(lightest, species.molar_mass());
+    speed_ = std::sqrt(card.gas_constant * inflators_.highest_temperature() / lightest);
+    cell_ = std::cbrt(PARTICLES_PER_CELL * volume_ / static_cast<double>(card.particles));
+}
+
+// ---- the load on the fabric
+// -----------------------------------------------------------------------
+
+void BagGas::add_load(const Points& x, double span, Points& f) {
+    store_.release(span, f);
+    volume_ = enclosure_.volume(x);
+    enclosure_.node_areas(x, area_);
+    const double gauge = air_pressure() - card_.p_atm;
+    for (const Index n : enclosure_.nodes()) f[n] += gauge * area_[n];
+}
+
+void BagGas::book_load(const Points& v_mid, double span) {
+    given_ += store_.work(v_mid, span);
+    const auto nodes = enclosure_.nodes();
+    const double swept = span * parallel::sum(nodes.size(), 0.0, [&](std::size_t i) {
+                             return area_[nodes[i]].dot(v_mid[nodes[i]]);
+                         });
+    ambient_work_ += card_.p_atm * swept;
+    part_air_ += air_pressure() * span;
+    triangle_air_ += (air_pressure() - card_.p_atm) * span;
+    if (air_) air_->add(-air_pressure() * swept);
+}
+
+// ---- the gas itself
+// -------------------------------------------------------------------------------
+
+void BagGas::prepare(const Points& x_0, const Points& x_1) {
+    const double edge = lists_.grid().edge;
+    const bool fits = cell_ < 1.2 * edge && edge < 1.2 * cell_;
+    if (lists_.builds() == 0 || !fits || !lists_.hold_for(x_1)) build_lists(x_0, x_1);
+}
+
+void BagGas::build_lists(const Points& x_0, const Points& x_1) {
+    Vec3 low = Vec3::Constant(INF), high = Vec3::Constant(-INF);
+    for (const Index n : lists_.nodes()) {
+        low = low.cwiseMin(x_0[n]).cwiseMin(x_1[n]);
+        high = high.cwiseMax(x_0[n]).cwiseMax(x_1[n]);
+    }
+    // Cells neither finer than an eightieth of the bag, which only costs, nor coarser than a
+    // quarter of it.
+    const double size = (high - low).maxCoeff();
+    cell_ = std::clamp(cell_, size / 80.0, size / 4.0);
+    const double margin = MARGIN * cell_;
+    lists_.build(
+        Grid::over(low - Vec3::Constant(margin), high + Vec3::Constant(margin), cell_, MOST_CELLS),
+        x_0, x_1, margin);
+    cell_ = lists_.grid().edge;
+}
+
+void BagGas::inject(double t, double dt, const Points& x_0, const Points& x_1) {
+    entries_.clear();
+    born_.clear();
+    if (const int passed = orifices_.passed_by_fabric(lists_, x_0, x_1); passed >= 0) {
+        const Vec3 at = orifices_.place(static_cast<std::size_t>(passed), x_1);
+        throw PhysicsError(t, fmt::format("{}: fabric passes over orifice {} at ({:g}, {:g}, {:g})",
+                                          name_of(card_), passed + 1, at[0], at[1], at[2]));
+    }
+    orifices_.axes(x_0, axes_);
+    inflators_.entering(t + dt, axes_, entries_);
+    for (const Entry& entry : entries_) {
+        const auto orifice = static_cast<std::size_t>(entry.orifice);
+        const Vec3 from = orifices_.place(orifice, x_0), to = orifices_.place(orifice, x_1);
+        const double share = std::clamp((entry.time - t) / dt, 0.0, 1.0);
+        const Vec3 v = entry.velocity + (to - from) / dt;
+        const double mass = mass_[entry.inflow];
+        born_.push_back(share);
+        particles_.add(from + share * (to - from), v, entry.internal, entry.inflow, entry.id);
+        inflow_energy_ += 0.5 * mass * v.squaredNorm() + entry.internal;
+        mass_in_ += mass;
+    }
+}
+
+void BagGas::fly(double t, double dt, const Points& x_0, const Points& x_1) {
+    gas::fly(lists_, x_0, x_1, dt, mass_, born_, particles_, flight_);
+    flights_ += particles_.size();
+    since_collision_ += dt;
+    store_.receive(flight_, lists_.triangles());
+    record_hits(x_1);
+    if (!flight_.lost.empty()) remove_lost(t);
+}
+
+/// Adds up what hits give to triangles and parts: outward on the closing ones, along the normal
+/// inside.
+void BagGas::record_hits(const Points& x_1) {
+    for (const auto& hits : flight_.hits)
+        for (const Hit& hit : hits) {
+            const auto& [a, b, c] = lists_.triangles()[hit.facet];
+            const bool closes = static_cast<std::size_t>(hit.facet) < walls_.closing;
+            const double push =
+                closes ? hit.impulse.norm()
+                       : hit.impulse.dot(vector_area(x_1[a], x_1[b], x_1[c]).normalized());
+            triangle_impulse_[hit.facet] += push;
+            part_impulse_[walls_.part[hit.facet]] += push;
+            taken_ += hit.energy;
+            ++hits_;
+        }
+}
+
+void BagGas::remove_lost(double t) {
+    for (auto lost = flight_.lost.rbegin(); lost != flight_.lost.rend(); ++lost) {
+        const std::size_t i = lost->particle;
+        lost_energy_ +=
+            0.5 * mass_[particles_.species[i]] * particles_.v[i].squaredNorm() + particles_.e[i];
+        warnings_.push_back(fmt::format(
+            "{}: particle {} was lost at time {:g} near ({:g}, {:g}, {:g}), "
+            "caught between closing facets",
+            name_of(card_), particles_.id[i], t, lost->at[0], lost->at[1], lost->at[2]));
+        particles_.erase(i);
+    }
+    lost_ += flight_.lost.size();
+}
+
+double BagGas::stable_step() const {
+    return FLIGHT_SHARE * cell_ / speed_;
+}
+
+}  // namespace corpuscle::gas

@@ -1,0 +1,154 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gas/bag.hpp"
+#include "gas/cell_grid.hpp"
+#include "gas/collide.hpp"
+#include "gas/enclosure.hpp"
+#include "gas/facet_lists.hpp"
+#include "gas/flight.hpp"
+#include "gas/impulse_store.hpp"
+#include "gas/inflator.hpp"
+#include "gas/initial_air.hpp"
+#include "gas/orifices.hpp"
+#include "gas/particles.hpp"
+#include "gas/species.hpp"
+#include "solver/base/curve.hpp"
+
+namespace corpuscle::gas {
+
+/// The fabric of one bag as the gas sees it.
+struct BagWalls {
+    std::vector<Triangle> triangles;  ///< the closing ones first, then the internal ones
+    std::vector<Index> shell;         ///< a shell row a triangle
+    std::vector<Index> part;          ///< a row in part_ids a triangle
+    std::size_t closing = 0;          ///< how many close the bag
+    std::vector<int> part_ids;
+};
+
+/// A snapshot of the gas in one bag.
+struct GasState {
+    double volume = 0, pressure = 0, temperature = 0, area = 0;
+    double mass = 0, mass_in = 0;
+    double energy = 0;         ///< all that the gas inside holds
+    double translational = 0;  ///< of which makes pressure, p = 2/3 translational / volume
+    struct Share {
+        double mass = 0, temperature = 0, energy = 0;
+    };
+    std::vector<Share> species;  ///< initial air first, if any
+};
+
+/// What the gas does to each part.
+struct PartState {
+    std::vector<double> pressure;  ///< absolute, mean since the last look   [Pa]
+    std::vector<double> area;      ///< now                                  [m^2]
+};
+
+/// The gas of one bag: particles, inflators, initial air, and what they do to the walls.
+class BagGas {
+public:
+    BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curves,
+           std::span<const int> node_id, const Points& x, std::uint64_t seed);
+
+    /// f += impulse released over `span`, air pressure inside, atmosphere outside, at t.
+    void add_load(const Points& x, double span, Points& f);
+    /// Books the work that the load has just done on nodes that moved at v_mid.
+    void book_load(const Points& v_mid, double span);
+
+    /// All that the gas and the atmosphere do to a node at t.                                 [N]
+    [[nodiscard]] Vec3 force(Index node) const {
+        return store_.force(node) + (air_pressure() - card_.p_atm) * area_[node];
+    }
+
+    void prepare(const Points& x_0, const Points& x_1);  ///< facet lists for the step
+    void inject(double t, double dt, const Points& x_0, const Points& x_1);
+    void collide(double t, double dt, const Points& x);
+    void fly(double t, double dt, const Points& x_0, const Points& x_1);
+
+    /// Step in which a typical particle crosses half a cell: longer ones blur waves. [s]
+    [[nodiscard]] double stable_step() const;
+
+    [[nodiscard]] GasState state(const Points& x) const;
+    [[nodiscard]] double energy() const;  ///< particles and initial air         [J]
+    [[nodiscard]] double inflow_energy() const { return inflow_energy_; }
+    [[nodiscard]] double lost_energy() const { return lost_energy_; }
+    [[nodiscard]] double smoothing_taken() const {
+        return taken_;
+    }  ///< by hits, less what came back
+    [[nodiscard]] double smoothing_given() const { return given_; }  ///< to the fabric
+    [[nodiscard]] double ambient_work() const { return ambient_work_; }
+
+    /// Mean pressure on each part over the time `since` the last call: impulse as delivered, and
+    /// the air's.
+    [[nodiscard]] PartState part_state(const Points& x, double since);
+    /// Mean mass flow in since the last call.                                              [kg/s]
+    [[nodiscard]] double mass_rate_in(double since);
+    /// Adds to each shell's `force` the mean gauge pressure since the last call times its area, and
+    /// the area to `area`.                                                              E [N], E
+    /// [m^2]
+    void add_shell_load(const Points& x, double since, std::span<double> force,
+                        std::span<double> area);
+
+    [[nodiscard]] const BagCard& card() const { return card_; }
+    [[nodiscard]] const BagWalls& walls() const { return walls_; }
+    [[nodiscard]] const Enclosure& enclosure() const { return enclosure_; }
+    [[nodiscard]] const Particles& particles() const { return particles_; }
+    [[nodiscard]] std::span<const double> particle_mass() const { return mass_; }
+    [[nodiscard]] std::size_t lost() const { return lost_; }
+    [[nodiscard]] std::size_t hits() const { return hits_; }
+    [[nodiscard]] std::size_t flights() const { return flights_; }
+    [[nodiscard]] std::size_t list_builds() const { return lists_.builds(); }
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+    [[nodiscard]] Vec3 owed_impulse() const { return store_.owed(); }  ///< [N s]
+    [[nodiscard]] double expected_share_in(double end_time) const;
+
+private:
+    struct Holding;
+    [[nodiscard]] Holding holding(std::int32_t species) const;
+    void build_lists(const Points& x_0, const Points& x_1);
+    void fit_cells(std::size_t occupied);
+    void share_heat(double dt);
+    void record_hits(const Points& x_1);
+    void remove_lost(double t);
+    [[nodiscard]] double air_pressure() const { return air_ ? air_->pressure(volume_) : 0.0; }
+
+    BagCard card_;
+    BagWalls walls_;
+    Enclosure enclosure_;
+    Inflators inflators_;
+    std::vector<double> mass_;  ///< of one particle of each gas                 [kg]
+    std::optional<InitialAir> air_;
+    FacetLists lists_;
+    ImpulseStore store_;
+    Collider collider_;
+
+    Orifices orifices_;
+    Particles particles_;
+    std::vector<Vec3> axes_;      ///< of the orifices
+    std::vector<Entry> entries_;  ///< of this step
+    std::vector<double> born_;    ///< shares of the step at which they enter
+    FlightResult flight_;
+    Points area_;                   ///< N × 3, node areas at t                      [m^2]
+    double volume_ = 0.0;           ///< at t                                        [m^3]
+    double cell_ = 0.0;             ///< wanted edge of the cells                    [m]
+    double speed_ = 0.0;            ///< thermal, sqrt(R T / M) of the gas as a whole  [m/s]
+    double since_collision_ = 0.0;  ///< [s]
+    std::uint64_t collisions_ = 0;  ///< collision steps so far
+
+    std::vector<double> part_impulse_, triangle_impulse_;  ///< since the last look   [N s]
+    double part_air_ = 0.0, triangle_air_ = 0.0;           ///< integral of air pressure [Pa s]
+
+    double taken_ = 0.0, given_ = 0.0;  ///< smoothing account                           [J]
+    double ambient_work_ = 0.0, inflow_energy_ = 0.0, lost_energy_ = 0.0;  ///<           [J]
+    double mass_in_ = 0.0, mass_in_seen_ = 0.0;                            ///<           [kg]
+    std::size_t lost_ = 0, hits_ = 0, flights_ = 0;
+    std::vector<std::string> warnings_;
+};
+
+}  // namespace corpuscle::gas

@@ -1,0 +1,116 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// What the gas of a bag looks like from outside.
+
+#include <algorithm>
+#include <cmath>
+
+#include "gas/bag_gas.hpp"
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle::gas {
+
+/// Translational and internal energy of particles.                                             [J]
+struct BagGas::Holding {
+    double translational = 0, internal = 0;
+    Holding& operator+=(const Holding& o) {
+        translational += o.translational;
+        internal += o.internal;
+        return *this;
+    }
+    [[nodiscard]] double all() const { return translational + internal; }
+};
+
+/// What the particles of one gas hold, or those of all (-1).
+BagGas::Holding BagGas::holding(std::int32_t species) const {
+    return parallel::sum(particles_.size(), Holding{}, [&](std::size_t i) {
+        const std::int32_t s = particles_.species[i];
+        if (species >= 0 && s != species) return Holding{};
+        return Holding{0.5 * mass_[s] * particles_.v[i].squaredNorm(), particles_.e[i]};
+    });
+}
+
+double BagGas::energy() const {
+    return holding(-1).all() + (air_ ? air_->energy() : 0.0);
+}
+
+GasState BagGas::state(const Points& x) const {
+    GasState now;
+    now.volume = enclosure_.volume(x);
+    now.area = enclosure_.area(x);
+    now.mass_in = mass_in_;
+    EnergyPolynomial content;
+    const auto include = [&](double mass, double energy, double translational,
+                             const EnergyPolynomial& of_gas) {
+        now.species.push_back({mass, mass > 0.0 ? of_gas.temperature(energy) : 0.0, energy});
+        now.mass += mass;
+        now.energy += energy;
+        now.translational += translational;
+        content += of_gas;
+    };
+    if (air_) include(air_->mass(), air_->energy(), air_->translational(), air_->content());
+    for (std::size_t s = 0; s < mass_.size(); ++s) {
+        const auto kind = static_cast<std::int32_t>(s);
+        const auto count = static_cast<double>(
+            std::count(particles_.species.begin(), particles_.species.end(), kind));
+        const Holding holds = holding(kind);
+        include(count * mass_[s], holds.all(), holds.translational,
+                count * inflators_.moles_each() * inflators_.species()[s].molar_energy());
+    }
+    now.pressure = 2.0 / 3.0 * now.translational / now.volume;
+    now.temperature = now.mass > 0.0 ? content.temperature(now.energy) : 0.0;
+    return now;
+}
+
+PartState BagGas::part_state(const Points& x, double since) {
+    PartState parts{std::vector<double>(part_impulse_.size(), 0.0),
+                    std::vector<double>(part_impulse_.size(), 0.0)};
+    std::vector<char> closes(part_impulse_.size(), 0);
+    for (std::size_t t = 0; t < walls_.triangles.size(); ++t) {
+        const auto& [a, b, c] = walls_.triangles[t];
+        parts.area[walls_.part[t]] += vector_area(x[a], x[b], x[c]).norm();
+        closes[walls_.part[t]] = t < walls_.closing;
+    }
+    for (std::size_t p = 0; p < parts.area.size(); ++p) {
+        // The initial air presses on both sides of an internal part.
+        const double air = closes[p] ? (since > 0.0 ? part_air_ / since : air_pressure()) : 0.0;
+        const double particles = since > 0.0 ? part_impulse_[p] / (parts.area[p] * since) : 0.0;
+        parts.pressure[p] = air + particles;
+        part_impulse_[p] = 0.0;
+    }
+    part_air_ = 0.0;
+    return parts;
+}
+
+double BagGas::mass_rate_in(double since) {
+    const double rate = since > 0.0 ? (mass_in_ - mass_in_seen_) / since : 0.0;
+    mass_in_seen_ = mass_in_;
+    return rate;
+}
+
+void BagGas::add_shell_load(const Points& x, double since, std::span<double> force,
+                            std::span<double> area) {
+    const double gauge = since > 0.0 ? triangle_air_ / since : air_pressure() - card_.p_atm;
+    for (std::size_t t = 0; t < walls_.triangles.size(); ++t) {
+        const auto& [a, b, c] = walls_.triangles[t];
+        const double size = vector_area(x[a], x[b], x[c]).norm();
+        const Index shell = walls_.shell[t];
+        area[shell] += size;
+        if (t < walls_.closing) force[shell] += gauge * size;
+        if (since > 0.0) force[shell] += triangle_impulse_[t] / since;
+        triangle_impulse_[t] = 0.0;
+    }
+    triangle_air_ = 0.0;
+}
+
+double BagGas::expected_share_in(double end_time) const {
+    double now = 0.0, all = 0.0;
+    for (std::size_t s = 0; s < mass_.size(); ++s) {
+        now += inflators_.mass_until(s, std::min(end_time, inflators_.ends()));
+        all += inflators_.mass_until(s, inflators_.ends());
+    }
+    return all > 0.0 ? now / all : 1.0;
+}
+
+}  // namespace corpuscle::gas

@@ -1,0 +1,92 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// What forces have done, and what there is at t.
+
+#include <cmath>
+
+#include "solver/base/error.hpp"
+#include "solver/simulation.hpp"
+
+namespace corpuscle {
+
+double ForceShare::work(const Points& v_mid, double span) const {
+    return span * parallel::sum(f.size(), 0.0, [&](std::size_t n) { return f[n].dot(v_mid[n]); });
+}
+
+/// Books the work of this kick's forces, sum of f · v_mid · span, v_mid = (v_before + v) / 2:
+/// exactly the change of kinetic energy, so what held nodes gain beyond it came from their
+/// supports.
+void Simulation::book_forces(double span) {
+    parallel::for_each(nodes_.size(),
+                       [&](std::size_t n) { v_mid_[n] = 0.5 * (v_before_[n] + nodes_.v[n]); });
+
+    const auto gain = [&](Index n) {
+        return 0.5 * nodes_.mass[n] * (nodes_.v[n].squaredNorm() - v_before_[n].squaredNorm()) -
+               span * nodes_.f[n].dot(v_mid_[n]);
+    };
+    Moved& moved = ledger_.after;
+    for (const Index n : supports_.nodes()) moved.external += gain(n);
+    for (const RigidBody& body : bodies_)
+        if (body.is_driven())
+            for (const Index n : body.nodes()) moved.external += gain(n);
+    moved.external += load_force_.work(v_mid_, span);
+
+    moved.damping -= damping_force_.work(v_mid_, span);
+    for (fabric::Membranes& fabric : fabric_)
+        moved.damping += fabric.damping_energy(v_before_, nodes_.v, span);
+
+    double friction = 0.0;
+    for (const contact::SelfContact& contact : contacts_) friction += contact.friction_energy();
+    for (const contact::PlanarWall& wall : walls_) friction += wall.friction_energy();
+    moved.contact += -contact_force_.work(v_mid_, span) - (friction - moved.friction);
+    moved.friction = friction;
+
+    moved.ambient = moved.smoothing = 0.0;
+    for (gas::BagGas& bag : bags_) {
+        bag.book_load(v_mid_, span);
+        moved.ambient += bag.ambient_work();
+        moved.smoothing += bag.smoothing_given();
+    }
+    if (clock_.step == 0) ledger_.open(books());
+}
+
+EnergyBooks Simulation::books() const {
+    EnergyBooks instant;
+    for (const fabric::Membranes& fabric : fabric_) instant.strain += fabric.strain_energy();
+    for (const gas::BagGas& bag : bags_) {
+        instant.gas += bag.energy();
+        instant.smoothing += bag.smoothing_taken();
+        instant.inflow += bag.inflow_energy();
+        instant.outflow += bag.lost_energy();
+    }
+    return ledger_.balance(instant);
+}
+
+Vec3 Simulation::contact_and_gas_force(Index node) const {
+    Vec3 force = contact_force_.f.empty() ? Vec3(Vec3::Zero()) : contact_force_.f[node];
+    for (const gas::BagGas& bag : bags_) force += bag.force(node);
+    return force;
+}
+
+void Simulation::stop_for(Index broken_shell) const {
+    const Shell& shell = model_.shells[broken_shell];
+    const Vec3& at = nodes_.x[shell.nodes[0]];
+    throw PhysicsError(
+        clock_.t, fmt::format("shell {} of part {} near ({:.6g}, {:.6g}, {:.6g}) has no finite "
+                              "strain: the fabric became unstable",
+                              shell.id, model_.parts[shell.part].id, at[0], at[1], at[2]));
+}
+
+void Simulation::check_finite() const {
+    if (std::isfinite(ledger_.after.kinetic)) return;
+    for (std::size_t n = 0; n < nodes_.size(); ++n)
+        if (!nodes_.v[n].allFinite())
+            throw PhysicsError(clock_.t, fmt::format("node {} near ({:.6g}, {:.6g}, {:.6g}) has no "
+                                                     "finite velocity: the fabric became unstable",
+                                                     model_.node_id[n], nodes_.x[n][0],
+                                                     nodes_.x[n][1], nodes_.x[n][2]));
+    throw PhysicsError(clock_.t, "the kinetic energy overflows: the fabric became unstable");
+}
+
+}  // namespace corpuscle

@@ -1,0 +1,25 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace corpuscle {
+
+/// Time of the leapfrog: positions live at t, velocities at t - dt_last / 2.
+struct Clock {
+    double t = 0.0;        ///< [s]
+    double dt_last = 0.0;  ///< step that led to t; 0 at the start, where velocities live at t   [s]
+    std::int64_t step = 0;
+
+    /// The span that a force at t acts for: half the last step and half the next.
+    [[nodiscard]] double kick_span(double dt) const { return 0.5 * (dt_last + dt); }
+
+    void advance(double dt) {
+        t += dt;
+        dt_last = dt;
+        ++step;
+    }
+};
+
+}  // namespace corpuscle

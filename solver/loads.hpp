@@ -1,0 +1,41 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "fabric/nodes.hpp"
+#include "solver/model.hpp"
+
+namespace corpuscle {
+
+/// Loads that the deck prescribes: base acceleration and pressure on facets.
+class Loads {
+public:
+    explicit Loads(const Model& model);
+
+    [[nodiscard]] bool empty() const { return body_.empty() && pressure_.empty(); }
+
+    /// f = loads at t.
+    ///
+    ///     body: -m a(t) (a frame that accelerates upward pulls bodies down)
+    ///     pressure: -p(t) A n / 3 a corner, so positive pressure presses against the facet's
+    ///     normal
+    void find_force(double t, const Points& x, const std::vector<double>& mass, Points& f) const;
+
+private:
+    struct Body {
+        int axis;
+        double scale;
+        Curve curve;
+    };
+    struct Pressure {
+        std::vector<std::array<Index, 3>> triangles;
+        double scale, arrival;
+        Curve curve;  ///< empty: constant 1
+    };
+    std::vector<Body> body_;
+    std::vector<Pressure> pressure_;
+};
+
+}  // namespace corpuscle

@@ -1,0 +1,144 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// What a run hands to its results.
+
+#include "solver/simulation.hpp"
+
+namespace corpuscle {
+namespace {
+
+AirbagSample sample_of(gas::BagGas& bag, const Points& x, double since) {
+    const gas::GasState state = bag.state(x);
+    AirbagSample row;
+    row.volume = state.volume;
+    row.pressure = state.pressure;
+    row.temperature = state.temperature;
+    row.mass = state.mass;
+    row.mass_in = state.mass_in;
+    row.particles = static_cast<double>(bag.particles().size());
+    row.energy = state.energy;
+    row.translational_energy = state.translational;
+    row.mass_rate_in = bag.mass_rate_in(since);
+    row.surface_area = state.area;
+    for (const auto& share : state.species)
+        row.species.push_back({share.mass, share.temperature, share.energy});
+    const gas::PartState parts = bag.part_state(x, since);
+    for (std::size_t p = 0; p < parts.pressure.size(); ++p)
+        row.parts.push_back({parts.pressure[p], parts.area[p], 0.0});
+    return row;
+}
+
+}  // namespace
+
+RecordLayout Simulation::layout() const {
+    RecordLayout layout;
+    for (const gas::BagGas& bag : bags_) {
+        RecordLayout::Airbag entry;
+        entry.id = bag.card().id;
+        entry.has_initial_air = bag.card().air.has_value();
+        if (entry.has_initial_air) entry.species.push_back(0);
+        for (std::size_t s = 0; s < bag.card().inflow.size(); ++s)
+            entry.species.push_back(static_cast<int>(s) + 1);
+        entry.parts = bag.walls().part_ids;
+        layout.airbags.push_back(std::move(entry));
+    }
+    for (const Part& part : model_.parts) layout.parts.push_back(part.id);
+    for (const RigidBody& body : bodies_)
+        layout.rigid_bodies.push_back(model_.parts[body.part()].id);
+    for (const auto& wall : model_.walls) layout.walls.push_back(wall.id);
+    for (const auto& contact : model_.contacts) layout.contacts.push_back(contact.id);
+    for (const Index node : model_.history_nodes) {
+        layout.history_nodes.push_back(model_.node_id[node]);
+        layout.history_node_rows.push_back(node);
+    }
+    layout.node_id = model_.node_id;
+    layout.coordinates = model_.x;
+    for (const Shell& shell : model_.shells) {
+        layout.shell_id.push_back(shell.id);
+        layout.shell_part.push_back(model_.parts[shell.part].id);
+        layout.shell_nodes.push_back(shell.nodes);
+    }
+    return layout;
+}
+
+Sample Simulation::sample() {
+    Sample row;
+    row.time = clock_.t;
+    row.dt = clock_.dt_last;
+    row.step = clock_.step;
+    row.energy = books();
+    const double since = clock_.t - last_sample_;
+    last_sample_ = clock_.t;
+    for (gas::BagGas& bag : bags_) row.airbags.push_back(sample_of(bag, nodes_.x, since));
+
+    row.parts.resize(model_.parts.size());
+    for (std::size_t s = 0; s < model_.shells.size(); ++s) {
+        const Shell& shell = model_.shells[s];
+        const int corners = shell.is_triangle() ? 3 : 4;
+        for (int c = 0; c < corners; ++c) {
+            const Vec3& v = v_mid_[shell.nodes[c]];
+            const double mass = shell_mass_[s] / corners;
+            row.parts[shell.part].kinetic_energy += 0.5 * mass * v.squaredNorm();
+            row.parts[shell.part].momentum += mass * v;
+        }
+    }
+    for (const fabric::Membranes& fabric : fabric_) {
+        const std::span<const double> strain = fabric.part_strain_energy();
+        for (std::size_t p = 0; p < strain.size(); ++p) row.parts[p].strain_energy += strain[p];
+    }
+    for (const RigidBody& body : bodies_) {
+        Sample::Rigid state{body.position(), body.velocity(), body.acceleration(), Vec3::Zero()};
+        for (const Index n : body.nodes()) state.force += contact_and_gas_force(n);
+        row.rigid_bodies.push_back(state);
+    }
+    for (const auto& wall : walls_) row.wall_force.push_back(wall.force());
+    for (const auto& contact : contacts_)
+        row.contacts.push_back({contact.force(), contact.energy()});
+    for (const Index node : model_.history_nodes) {
+        row.node_coordinates.push_back(nodes_.x[node]);
+        row.node_velocity.push_back(v_mid_[node]);
+    }
+    return row;
+}
+
+Frame Simulation::frame() {
+    Frame state;
+    state.time = clock_.t;
+    state.coordinates = nodes_.x;
+    state.velocity = v_mid_;
+    const std::size_t shells = model_.shells.size();
+    state.shell_active.assign(shells, 1);
+    state.shell_stress.assign(shells, {0.0F, 0.0F, 0.0F});
+    state.shell_strain.assign(shells, {0.0F, 0.0F, 0.0F});
+    for (const fabric::Membranes& fabric : fabric_)
+        fabric.stress_strain(nodes_.x, state.shell_stress, state.shell_strain);
+
+    std::vector<double> force(shells, 0.0), area(shells, 0.0);
+    const double since = clock_.t - last_frame_;
+    last_frame_ = clock_.t;
+    for (gas::BagGas& bag : bags_) bag.add_shell_load(nodes_.x, since, force, area);
+    state.shell_pressure.resize(shells);
+    for (std::size_t s = 0; s < shells; ++s)
+        state.shell_pressure[s] = area[s] > 0.0 ? static_cast<float>(force[s] / area[s]) : 0.0F;
+
+    for (const gas::BagGas& bag : bags_) {
+        if (!bag.card().show_particles) continue;
+        if (!state.particles) state.particles.emplace();
+        const gas::Particles& from = bag.particles();
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            state.particles->id.push_back(from.id[i]);
+            state.particles->species.push_back(from.species[i] + 1);
+            state.particles->mass.push_back(bag.particle_mass()[from.species[i]]);
+        }
+        const auto append = [](auto& to, const auto& more) {
+            to.insert(to.end(), more.begin(), more.end());
+        };
+        append(state.particles->position, from.x);
+        append(state.particles->velocity, from.v);
+        append(state.particles->internal_energy, from.e);
+    }
+    return state;
+}
+
+}  // namespace corpuscle

@@ -1,0 +1,209 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// What a scene needs, worked out once.
+
+#include "solver/simulation.hpp"
+
+#include <algorithm>
+
+#include "solver/base/error.hpp"
+#include "solver/scene_surface.hpp"
+
+namespace corpuscle {
+namespace {
+
+std::vector<bool> marked(const std::vector<Index>& parts, std::size_t count) {
+    std::vector<bool> mark(count, false);
+    for (const Index part : parts) mark[part] = true;
+    return mark;
+}
+
+bool is_rigid(const Model& model, Index part) {
+    return std::holds_alternative<fabric::RigidCard>(
+        model.materials[model.parts[part].material].card);
+}
+
+bool is_null(const Model& model, Index part) {
+    return std::holds_alternative<fabric::NullCard>(
+        model.materials[model.parts[part].material].card);
+}
+
+/// Shells that are strained: neither rigid nor of null material, and with a node that is free to
+/// move.
+std::vector<std::uint8_t> strained_shells(const Model& model, const Constraints& supports) {
+    std::vector<std::uint8_t> active(model.shells.size(), 0);
+    for (std::size_t s = 0; s < active.size(); ++s) {
+        const Shell& shell = model.shells[s];
+        if (is_rigid(model, shell.part) || is_null(model, shell.part)) continue;
+        active[s] = std::any_of(shell.nodes.begin(), shell.nodes.end(),
+                                [&](Index n) { return supports.held()[n] != 7; });
+    }
+    return active;
+}
+
+/// Stress-free corners of every shell: the reference geometry where all nodes of a shell have one.
+std::vector<std::array<Vec3, 4>> reference_corners(const Model& model) {
+    Points place = model.x;
+    std::vector<bool> listed(model.x.size(), false);
+    for (const ReferenceGeometry& reference : model.references)
+        for (const auto& [node, at] : reference.nodes) {
+            place[node] = at;
+            listed[node] = true;
+        }
+    std::vector<std::array<Vec3, 4>> corners(model.shells.size());
+    for (std::size_t s = 0; s < corners.size(); ++s) {
+        const auto& nodes = model.shells[s].nodes;
+        const bool all =
+            std::all_of(nodes.begin(), nodes.end(), [&](Index n) { return listed[n]; });
+        for (int c = 0; c < 4; ++c) corners[s][c] = all ? place[nodes[c]] : model.x[nodes[c]];
+    }
+    return corners;
+}
+
+gas::BagWalls bag_walls(const Model& model, const gas::BagCard& card) {
+    const std::size_t count = model.parts.size();
+    gas::BagWalls walls;
+    SceneTriangles closing = triangles_of(model, marked(card.external_parts, count));
+    const SceneTriangles internal = triangles_of(model, marked(card.internal_parts, count));
+    walls.closing = closing.triangles.size();
+    walls.triangles = std::move(closing.triangles);
+    walls.shell = std::move(closing.shell);
+    walls.triangles.insert(walls.triangles.end(), internal.triangles.begin(),
+                           internal.triangles.end());
+    walls.shell.insert(walls.shell.end(), internal.shell.begin(), internal.shell.end());
+
+    std::vector<Index> row(count, -1);
+    for (const auto* parts : {&card.external_parts, &card.internal_parts})
+        for (const Index part : *parts) {
+            row[part] = static_cast<Index>(walls.part_ids.size());
+            walls.part_ids.push_back(model.parts[part].id);
+        }
+    for (const Index shell : walls.shell) walls.part.push_back(row[model.shells[shell].part]);
+    return walls;
+}
+
+}  // namespace
+
+Simulation::Simulation(Model model, std::uint64_t seed)
+    : model_(std::move(model)), supports_(model_), loads_(model_) {
+    const std::size_t count = model_.x.size();
+    if (model_.velocity.empty()) model_.velocity.assign(count, Vec3::Zero());
+    nodes_ = {model_.x, model_.x, model_.velocity, Points(count, Vec3::Zero()), {}};
+    v_before_ = v_mid_ = nodes_.v;
+
+    build_fabric();
+    build_bags(seed);
+    build_contacts();
+    if (!loads_.empty()) load_force_.f.assign(count, Vec3::Zero());
+    if (model_.mass_damping != 0.0 || model_.mass_damping_curve >= 0)
+        damping_force_.f.assign(count, Vec3::Zero());
+    ledger_.before.kinetic = ledger_.after.kinetic = nodes_.kinetic_energy();
+}
+
+void Simulation::build_fabric() {
+    active_ = strained_shells(model_, supports_);
+    reference_ = reference_corners(model_);
+    const fabric::MembraneSetup setup{model_.shells, model_.parts, model_.materials,
+                                      reference_,    active_,      model_.x.size()};
+    nodes_.mass = fabric::lumped_mass(setup);
+    shell_mass_ = fabric::shell_mass(setup);
+    active_shells_ = static_cast<std::size_t>(std::count(active_.begin(), active_.end(), 1));
+    if (active_shells_ > 0) fabric_.emplace_back(setup);
+    using Scaling = fabric::Membranes::Scaling;
+    for (fabric::Membranes& fabric : fabric_) {
+        if (model_.step_mass_scaled == 0.0) break;
+        const auto added = fabric.scale_mass(
+            std::abs(model_.step_mass_scaled),
+            model_.step_mass_scaled < 0.0 ? Scaling::WHERE_NEEDED : Scaling::EVERYWHERE);
+        for (std::size_t n = 0; n < nodes_.size(); ++n) nodes_.mass[n] += added.node[n];
+        added_mass_ = added.total;
+    }
+
+    for (std::size_t part = 0; part < model_.parts.size(); ++part) {
+        const bool used =
+            std::any_of(model_.shells.begin(), model_.shells.end(),
+                        [&](const Shell& s) { return s.part == static_cast<Index>(part); });
+        if (used && is_rigid(model_, static_cast<Index>(part)))
+            bodies_.emplace_back(model_, static_cast<Index>(part), nodes_.mass);
+    }
+}
+
+void Simulation::build_bags(std::uint64_t seed) {
+    std::vector<std::string> faults;
+    for (const gas::BagCard& card : model_.bags) {
+        try {
+            bags_.emplace_back(card, bag_walls(model_, card), model_.curves, model_.node_id,
+                               model_.x, seed);
+            const auto& found = bags_.back().warnings();
+            model_.warnings.insert(model_.warnings.end(), found.begin(), found.end());
+        } catch (const InputError& error) {
+            faults.insert(faults.end(), error.faults.begin(), error.faults.end());
+        }
+    }
+    if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+void Simulation::build_contacts() {
+    std::vector<std::uint8_t> held(model_.x.size(), 0);
+    for (std::size_t n = 0; n < held.size(); ++n) held[n] = supports_.held()[n] == 7;
+    for (const RigidBody& body : bodies_)
+        for (const Index node : body.nodes()) held[node] = 1;
+
+    for (const contact::SelfContactCard& card : model_.contacts) {
+        SceneTriangles facets = triangles_of(model_, marked(card.parts, model_.parts.size()));
+        std::vector<double> thickness;
+        for (const Index shell : facets.shell)
+            thickness.push_back(model_.parts[model_.shells[shell].part].thickness);
+        Points reference = model_.x;
+        for (std::size_t s = 0; s < reference_.size(); ++s)
+            for (int c = 0; c < 4; ++c) reference[model_.shells[s].nodes[c]] = reference_[s][c];
+        contacts_.emplace_back(contact::SelfContactSetup{
+            card, std::move(facets.triangles), std::move(thickness), nodes_.mass, reference,
+            model_.x, card.thickness_curve >= 0 ? &model_.curves[card.thickness_curve] : nullptr,
+            held});
+    }
+    if (!contacts_.empty()) contact_force_.f.assign(model_.x.size(), Vec3::Zero());
+    for (contact::PlanarWallCard card : model_.walls) {
+        std::erase_if(card.nodes, [&](Index n) { return held[n] || !(nodes_.mass[n] > 0.0); });
+        walls_.emplace_back(card);
+    }
+}
+
+std::size_t Simulation::particles() const {
+    std::size_t count = 0;
+    for (const gas::BagGas& bag : bags_) count += bag.particles().size();
+    return count;
+}
+
+StepLimit Simulation::stable_step() const {
+    StepLimit limit;
+    for (const fabric::Membranes& fabric : fabric_) {
+        const auto [dt, shell] = fabric.stable_step();
+        if (shell >= 0)
+            limit.tighten(model_.step_factor * dt, StepLimit::Who::SHELL, model_.shells[shell].id);
+    }
+    for (const gas::BagGas& bag : bags_)
+        limit.tighten(bag.stable_step(), StepLimit::Who::GAS, bag.card().id);
+    for (std::size_t c = 0; c < contacts_.size(); ++c)
+        limit.tighten(contacts_[c].stable_step(nodes_.v), StepLimit::Who::CONTACT,
+                      model_.contacts[c].id);
+    if (limit.who == StepLimit::Who::NOTHING) limit.dt = model_.end_time / 1000.0;
+    if (clock_.step == 0 && model_.step_start > 0.0)
+        limit.tighten(model_.step_start, StepLimit::Who::START, 0);
+    const double rest = model_.end_time - clock_.t;
+    if (limit.dt >= rest * (1.0 - 1e-9)) limit = {rest, StepLimit::Who::END, 0};
+    return limit;
+}
+
+void Simulation::close(const Observer& observe) {
+    Stopwatch lap(timings_);
+    const double dt = clock_.dt_last;
+    find_forces(dt, dt, lap);
+    kick(dt, dt);
+    book_forces(dt);
+    stop_at_obstacles(dt);
+    observe(*this);
+}
+
+}  // namespace corpuscle

@@ -1,0 +1,116 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "contact/planar_wall.hpp"
+#include "contact/self_contact.hpp"
+#include "fabric/membranes.hpp"
+#include "fabric/nodes.hpp"
+#include "gas/bag_gas.hpp"
+#include "solver/base/stopwatch.hpp"
+#include "solver/clock.hpp"
+#include "solver/constraints.hpp"
+#include "solver/ledger.hpp"
+#include "solver/loads.hpp"
+#include "solver/model.hpp"
+#include "solver/records.hpp"
+#include "solver/rigid_body.hpp"
+#include "solver/stable_step.hpp"
+
+namespace corpuscle {
+
+struct StepReport {
+    double t, dt;  ///< of the step that was made: from t, by dt                [s]
+    StepLimit limit;
+};
+
+/// A force on every node, kept apart from the others so that its work can be booked.
+struct ForceShare {
+    Points f;  ///< N × 3, or empty: this scene has none                        [N]
+
+    [[nodiscard]] double work(const Points& v_mid, double span) const;
+};
+
+/// A scene in motion: owns the state, built from a model. What the scene does not need is not
+/// built: no contact keyword, no contact; all nodes of a part held, no strains. Absence is
+/// emptiness, not a flag.
+class Simulation {
+public:
+    /// Errors: InputError for what only the whole scene shows (a bag that is not closed, a shell
+    /// without area, ...), every fault at once.
+    explicit Simulation(Model model, std::uint64_t seed = 1);
+
+    /// Called in every step when positions, forces and books are those of t.
+    using Observer = std::function<void(Simulation&)>;
+
+    /// Advances everything from t to t + dt (step.cpp: the page to read first).
+    StepReport step(const Observer& observe);
+
+    /// Brings forces and books to the end time, for the last observation.
+    void close(const Observer& observe);
+
+    [[nodiscard]] bool is_over() const { return clock_.t >= model_.end_time; }
+    [[nodiscard]] double time() const { return clock_.t; }
+    [[nodiscard]] std::int64_t steps() const { return clock_.step; }
+    [[nodiscard]] std::size_t particles() const;
+    [[nodiscard]] const Model& model() const { return model_; }
+    [[nodiscard]] const fabric::Nodes& nodes() const { return nodes_; }
+    [[nodiscard]] const std::vector<gas::BagGas>& bags() const { return bags_; }
+    [[nodiscard]] const std::vector<contact::SelfContact>& contacts() const { return contacts_; }
+    [[nodiscard]] const Timings& timings() const { return timings_; }
+    [[nodiscard]] std::size_t active_shells() const { return active_shells_; }
+    [[nodiscard]] double added_mass() const { return added_mass_; }
+
+    /// The next step and who limits it.
+    [[nodiscard]] StepLimit stable_step() const;
+
+    [[nodiscard]] EnergyBooks books() const;  ///< at t, inside an observer
+    [[nodiscard]] RecordLayout layout() const;
+    [[nodiscard]] Sample sample();  ///< at t, inside an observer
+    [[nodiscard]] Frame frame();    ///< at t, inside an observer
+
+private:
+    void build_fabric();
+    void build_bags(std::uint64_t seed);
+    void build_contacts();
+
+    void find_forces(double dt, double span, Stopwatch& lap);
+    void add_mass_damping();
+    void kick(double dt, double span);
+    void drift(double dt);
+    void stop_at_obstacles(double dt);
+    void book_forces(double span);
+    void check_finite() const;
+    [[noreturn]] void stop_for(Index broken_shell) const;
+    [[nodiscard]] Vec3 contact_and_gas_force(Index node) const;
+
+    Model model_;
+    Clock clock_;
+    fabric::Nodes nodes_;
+    std::vector<std::uint8_t> active_;  ///< E: strains are computed
+    std::size_t active_shells_ = 0;
+    double added_mass_ = 0.0;         ///< by DT2MS                                   [kg]
+    std::vector<double> shell_mass_;  ///< E                                          [kg]
+    std::vector<std::array<Vec3, 4>> reference_;  ///< E × 4, stress-free corners           [m]
+    std::vector<fabric::Membranes> fabric_;       ///< one, or none
+    std::vector<gas::BagGas> bags_;
+    std::vector<contact::SelfContact> contacts_;
+    std::vector<contact::PlanarWall> walls_;
+    std::vector<RigidBody> bodies_;
+    Constraints supports_;
+    Loads loads_;
+
+    Points v_before_;  ///< v(t - dt/2)                                [m/s]
+    Points v_mid_;     ///< mean of v before and after the kick        [m/s]
+    ForceShare load_force_, damping_force_, contact_force_;
+    Ledger ledger_;
+    Timings timings_;
+    double last_sample_ = 0.0, last_frame_ = 0.0;  ///< when they were last taken           [s]
+};
+
+}  // namespace corpuscle

@@ -1,0 +1,109 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "solver/rigid_body.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace corpuscle;
+
+namespace {
+
+/// A brick of four masses with three different principal moments.
+Model brick(const Vec3& velocity, const Vec3& spin) {
+    Model model;
+    model.x = {{0.3, 0, 0}, {-0.3, 0, 0}, {0, 0.2, 0.05}, {0, -0.2, -0.05}};
+    model.velocity.assign(4, Vec3::Zero());
+    model.node_id = {1, 2, 3, 4};
+    model.shells = {{1, 0, {0, 2, 1, 3}}};
+    model.parts.resize(1);
+    model.parts[0].id = 7;
+    model.parts[0].material = 0;
+    fabric::RigidCard card;
+    card.density = 1000;
+    model.materials = {{1, "", card}};
+    model.rigid_velocity = {{0, velocity, spin}};
+    model.end_time = 1.0;
+    return model;
+}
+
+struct Motion {
+    fabric::Nodes nodes;
+    RigidBody body;
+    explicit Motion(const Model& model, const std::vector<double>& mass = {1.0, 2.0, 1.5, 0.5})
+        : nodes{model.x, model.x, model.velocity, Points(4, Vec3::Zero()), mass},
+          body(model, 0, mass) {}
+
+    void step(double t, double dt, double span) {
+        body.advance(t, dt, span, nodes);
+        nodes.drift(dt);
+        nodes.x.swap(nodes.x_1);
+    }
+    Vec3 angular_momentum() const {
+        Vec3 centre = Vec3::Zero(), sum = Vec3::Zero();
+        double all = 0.0;
+        for (std::size_t n = 0; n < 4; ++n) {
+            centre += nodes.mass[n] * nodes.x[n];
+            all += nodes.mass[n];
+        }
+        centre /= all;
+        for (std::size_t n = 0; n < 4; ++n)
+            sum += nodes.mass[n] * (nodes.x[n] - centre).cross(nodes.v[n]);
+        return sum;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a rigid body keeps its shape, momentum and angular momentum when nothing acts on it",
+          "[solver][rigid]") {
+    Motion motion(brick({1, 2, 3}, {0.1, 12.0, 0.2}));
+    const Points start = motion.nodes.x;
+    const Vec3 momentum = motion.body.angular_momentum();
+    const double dt = 1e-4;
+    for (int step = 0; step < 5000; ++step) motion.step(step * dt, dt, dt);
+    CHECK((motion.body.angular_momentum() - momentum).norm() == 0.0);
+    for (std::size_t a = 0; a < 4; ++a)
+        for (std::size_t b = 0; b < a; ++b)
+            CHECK((motion.nodes.x[a] - motion.nodes.x[b]).norm() ==
+                  Approx((start[a] - start[b]).norm()).epsilon(1e-12));
+    CHECK((motion.angular_momentum() - momentum).norm() < 1e-5 * momentum.norm());
+    CHECK(motion.body.velocity() == Vec3(1, 2, 3));
+}
+
+TEST_CASE("a force through the centre pushes, a couple turns", "[solver][rigid]") {
+    Motion motion(brick(Vec3::Zero(), Vec3::Zero()), {1, 1, 1, 1});
+    for (Vec3& f : motion.nodes.f) f = Vec3(0, 0, 2.0);
+    motion.step(0.0, 1e-3, 1e-3);
+    CHECK((motion.body.velocity() - Vec3(0, 0, 2e-3)).norm() < 1e-15);
+    CHECK(motion.body.angular_momentum().norm() < 1e-15);
+    CHECK((motion.body.acceleration() - Vec3(0, 0, 2.0)).norm() < 1e-12);
+
+    for (Vec3& f : motion.nodes.f) f.setZero();
+    motion.nodes.f[0] = Vec3(0, 5, 0);
+    motion.nodes.f[1] = Vec3(0, -5, 0);
+    motion.step(1e-3, 1e-3, 1e-3);
+    CHECK((motion.body.angular_momentum() - Vec3(0, 0, 3e-3)).norm() < 1e-15);
+    CHECK((motion.body.velocity() - Vec3(0, 0, 2e-3)).norm() < 1e-15);
+}
+
+TEST_CASE("prescribed and fixed motions of a rigid body hold exactly", "[solver][rigid]") {
+    Model model = brick(Vec3::Zero(), Vec3::Zero());
+    std::get<fabric::RigidCard>(model.materials[0].card).fixed_moves = 0b110;
+    std::get<fabric::RigidCard>(model.materials[0].card).fixed_turns = 0b111;
+    model.curves = {Curve{1, {0.0, 0.5, 1.0}, {0.0, 4.0, 0.0}}};
+    PrescribedMotion push;
+    push.rigid_part = 0;
+    push.curve = 0;
+    push.axis = Vec3::UnitX();
+    model.motions = {push};
+    Motion motion(model);
+    const double start = motion.nodes.x[0].x();
+    const double dt = 1e-2;
+    for (int step = 0; step < 100; ++step) {
+        for (Vec3& f : motion.nodes.f) f = Vec3(100, 50, -20);
+        motion.step(step * dt, dt, dt);
+    }
+    CHECK(motion.nodes.x[0].x() - start == Approx(2.0).epsilon(1e-12));
+    CHECK(motion.nodes.x[0].y() == Approx(0.0).margin(1e-12));
+    CHECK(motion.nodes.x[0].z() == Approx(0.0).margin(1e-12));
+}

@@ -1,0 +1,149 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "solver/simulation.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include "solver/base/error.hpp"
+#include "solver/base/parallel.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace corpuscle;
+
+namespace {
+
+const auto nothing = [](Simulation&) {};
+
+/// A closed bag of cloth in the open, with hot air blown into it.
+Model flying_bag(std::size_t particles) {
+    Model model = scenes::of(shapes::sphere(0.1, 3), scenes::cloth(), 3e-4);
+    scenes::fill(model, scenes::air(), 5e-4, 1e-3, 600.0, {0.01, 0.02, -0.01}, particles);
+    model.velocity.assign(model.x.size(), Vec3(3.0, 0.0, -1.0));
+    return model;
+}
+
+struct Momentum {
+    Vec3 fabric = Vec3::Zero(), gas = Vec3::Zero(), owed = Vec3::Zero();
+    [[nodiscard]] Vec3 all() const { return fabric + gas + owed; }
+};
+Momentum momentum(const Simulation& simulation) {
+    Momentum sum;
+    const auto& nodes = simulation.nodes();
+    for (std::size_t n = 0; n < nodes.size(); ++n) sum.fabric += nodes.mass[n] * nodes.v[n];
+    for (const gas::BagGas& bag : simulation.bags()) {
+        const auto& gas = bag.particles();
+        for (std::size_t i = 0; i < gas.size(); ++i)
+            sum.gas += bag.particle_mass()[gas.species[i]] * gas.v[i];
+        sum.owed += bag.owed_impulse();
+    }
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("free fall is exact", "[solver]") {
+    Model model = scenes::of(shapes::sphere(0.1, 1), scenes::cloth(), 3e-4);
+    model.curves = {Curve{1, {0.0, 1.0}, {9.81, 9.81}}};
+    model.body_loads = {{2, 0, 1.0}};
+    model.end_time = 2e-3;
+    Simulation simulation(model);
+    while (!simulation.is_over()) simulation.step(nothing);
+    for (std::size_t n = 0; n < model.x.size(); ++n)
+        CHECK(simulation.nodes().x[n].z() - model.x[n].z() ==
+              Approx(-0.5 * 9.81 * 2e-3 * 2e-3).epsilon(1e-9));
+    CHECK(simulation.time() == 2e-3);
+}
+
+TEST_CASE("a pressed membrane keeps its energy books", "[solver][ledger]") {
+    Model model = scenes::of(shapes::sphere(0.1, 2), scenes::cloth(), 3e-4);
+    PressureLoad load;
+    load.scale = -20e3;  // outward: against the sign of a pressure on the outer face
+    for (const Shell& shell : model.shells) load.facets.push_back(shell.nodes);
+    model.pressure_loads = {load};
+    model.end_time = 2e-3;
+    Simulation simulation(model);
+    double worst = 0.0, brought = 0.0;
+    const auto watch = [&](Simulation& at_t) {
+        worst = std::max(worst, std::abs(at_t.books().residual));
+        brought = std::max(brought, at_t.books().external);
+    };
+    while (!simulation.is_over()) simulation.step(watch);
+    simulation.close(watch);
+    CHECK(brought > 1.0);
+    CHECK(worst < 2e-3 * brought);
+}
+
+TEST_CASE("prescribed motion carries nodes by the curve's integral", "[solver]") {
+    Model model = scenes::of(shapes::box({1, 1, 1}, 1), scenes::null_material(), 1e-3);
+    model.curves = {Curve{1, {0.0, 1e-3, 2e-3}, {0.0, 10.0, 0.0}}};
+    PrescribedMotion motion;
+    motion.nodes = {0, 1};
+    motion.axis = Vec3::UnitY();
+    motion.curve = 0;
+    model.motions = {motion};
+    model.end_time = 2e-3;
+    Simulation simulation(model);
+    while (!simulation.is_over()) simulation.step(nothing);
+    CHECK(simulation.nodes().x[0].y() - model.x[0].y() == Approx(0.01).epsilon(1e-12));
+    CHECK(simulation.nodes().x[2] == model.x[2]);
+    CHECK(simulation.active_shells() == 0);
+}
+
+TEST_CASE("a flying bag and its gas keep their momentum and energy", "[solver][gas]") {
+    Model model = flying_bag(2000);
+    model.end_time = 3e-3;
+    Simulation simulation(model);
+    Vec3 brought = Vec3::Zero();
+    while (simulation.time() < 1.1e-3) simulation.step(nothing);  // all gas is in
+    brought = momentum(simulation).all();
+    double worst = 0.0, inflow = 0.0;
+    const auto watch = [&](Simulation& at_t) {
+        worst = std::max(worst, std::abs(at_t.books().residual));
+        inflow = at_t.books().inflow;
+    };
+    while (!simulation.is_over()) simulation.step(watch);
+    CHECK((momentum(simulation).all() - brought).norm() <
+          1e-9 * momentum(simulation).fabric.norm());
+    CHECK(inflow > 100.0);
+    CHECK(worst < 1e-3 * inflow);
+    CHECK(simulation.bags()[0].lost() == 0);
+    for (const Vec3& x : simulation.bags()[0].particles().x)
+        REQUIRE(simulation.bags()[0].enclosure().contains(x, simulation.nodes().x));
+}
+
+TEST_CASE("any number of threads gives the same bits", "[solver][threads]") {
+    const auto run = [](int threads) {
+        parallel::set_threads(threads);
+        Model model = flying_bag(3000);
+        model.end_time = 1.5e-3;
+        Simulation simulation(model, 5);
+        while (!simulation.is_over()) simulation.step(nothing);
+        return simulation;
+    };
+    const Simulation one = run(1), two = run(2);
+    CHECK(one.nodes().x == two.nodes().x);
+    CHECK(one.bags()[0].particles().x == two.bags()[0].particles().x);
+    CHECK(one.bags()[0].particles().v == two.bags()[0].particles().v);
+    CHECK(one.bags()[0].particles().e == two.bags()[0].particles().e);
+}
+
+TEST_CASE("an unstable step ends with the time and the element", "[solver]") {
+    Model model = scenes::of(shapes::sphere(0.1, 2), scenes::cloth(), 3e-4);
+    model.velocity[0] = Vec3(0, 0, 20.0);
+    model.step_factor = 1.3;
+    model.end_time = 1.0;
+    Simulation simulation(model);
+    CHECK_THROWS_AS(
+        [&] {
+            while (!simulation.is_over()) simulation.step(nothing);
+        }(),
+        PhysicsError);
+}
+
+TEST_CASE("a bag that is not closed is refused with its free edges", "[solver][gas]") {
+    Model model = flying_bag(100);
+    model.shells.pop_back();
+    CHECK_THROWS_AS(Simulation(model), InputError);
+}

@@ -1,0 +1,95 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "solver/base/parallel.hpp"
+#include "solver/simulation.hpp"
+#include "tools/commands.hpp"
+
+namespace corpuscle::tools {
+namespace {
+
+// Rough costs of one core of a server of 2023, from the benchmarks: they only serve the estimate.
+constexpr double SECONDS_PER_PARTICLE_STEP = 60e-9;
+constexpr double SECONDS_PER_ELEMENT_STEP = 60e-9;
+constexpr double SECONDS_PER_CONTACT_FACET_STEP = 100e-9;
+
+void print_scene(const Simulation& simulation) {
+    const Model& model = simulation.model();
+    fmt::print("{}: {}\n", model.deck, model.title.empty() ? "(no title)" : model.title);
+    fmt::print("  units: {}\n", model.unit_system);
+    fmt::print("  {} nodes, {} shells in {} parts, end time {:g}\n", model.x.size(),
+               model.shells.size(), model.parts.size(), model.end_time);
+    for (const gas::BagGas& bag : simulation.bags()) {
+        const gas::BagCard& card = bag.card();
+        fmt::print(
+            "  airbag {}: {} facets close {:.6g} of volume, {} internal; {} gases, {} orifices, "
+            "{} particles\n",
+            card.id, bag.walls().closing, bag.enclosure().volume(model.x),
+            bag.walls().triangles.size() - bag.walls().closing, card.inflow.size(),
+            card.orifices.size(), card.particles);
+        const double share = bag.expected_share_in(model.end_time);
+        if (share < 0.999)
+            fmt::print("    {:.1f} % of the gas enters before the end time\n", 100.0 * share);
+    }
+}
+
+void print_needs(const Simulation& simulation) {
+    const Model& model = simulation.model();
+    fmt::print("needed:\n");
+    const auto line = [](bool needed, const std::string& what) {
+        if (needed) fmt::print("  {}\n", what);
+    };
+    line(simulation.active_shells() > 0,
+         fmt::format("strains of {} shells", simulation.active_shells()));
+    line(!model.bags.empty(),
+         "gas: inflow, collisions, flight, pressure on the fabric, atmosphere");
+    line(!model.contacts.empty(), fmt::format("fabric contact ({})", model.contacts.size()));
+    line(!model.walls.empty(), fmt::format("rigid walls ({})", model.walls.size()));
+    line(!model.motions.empty(), fmt::format("prescribed motions ({})", model.motions.size()));
+    line(!model.body_loads.empty() || !model.pressure_loads.empty(), "loads");
+    fmt::print("left out:\n");
+    const std::size_t unstrained = model.shells.size() - simulation.active_shells();
+    line(unstrained > 0,
+         fmt::format("strains of {} shells (rigid, null, or all nodes held)", unstrained));
+    line(model.contacts.empty(), "contact between fabrics (no *CONTACT_)");
+    line(model.walls.empty(), "rigid walls");
+    line(model.bags.empty(), "gas (no *AIRBAG_PARTICLE)");
+    line(std::isnan(model.output.frames),
+         "frames (no *DATABASE_BINARY_D3PLOT): only the last state");
+}
+
+void print_estimate(const Simulation& simulation) {
+    const Model& model = simulation.model();
+    const StepLimit limit = simulation.stable_step();
+    const double steps = std::ceil(model.end_time / limit.dt);
+    double seconds = static_cast<double>(simulation.active_shells()) * SECONDS_PER_ELEMENT_STEP;
+    for (const gas::BagCard& bag : model.bags)
+        seconds += static_cast<double>(bag.particles) * SECONDS_PER_PARTICLE_STEP;
+    if (!model.contacts.empty())
+        seconds += 2.0 * static_cast<double>(model.shells.size()) * SECONDS_PER_CONTACT_FACET_STEP;
+    seconds *= steps / parallel::threads();
+    fmt::print(
+        "estimate: first step {:.4g} (set by {}), {:.3g} steps if it stays, some {:.2g} s on {} "
+        "threads\n",
+        limit.dt, limit.text(), steps, seconds, parallel::threads());
+}
+
+}  // namespace
+
+int check(const DeckArguments& arguments) {
+    const Simulation simulation(load(arguments), arguments.seed);
+    print_scene(simulation);
+    print_needs(simulation);
+    if (simulation.added_mass() > 0.0)
+        fmt::print("mass added by DT2MS: {:.4g}\n", simulation.added_mass());
+    print_estimate(simulation);
+    for (const std::string& warning : simulation.model().warnings)
+        fmt::print("warning: {}\n", warning);
+    return 0;
+}
+
+}  // namespace corpuscle::tools

@@ -1,0 +1,43 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/model.hpp"
+
+/// The commands behind `corpuscle COMMAND`; each returns the program's exit status or throws.
+namespace corpuscle::tools {
+
+inline constexpr std::string_view VERSION = CORPUSCLE_VERSION;
+
+struct DeckArguments {
+    std::string file;
+    std::vector<std::string> definitions;  ///< NAME=VALUE
+    std::uint64_t seed = 1;
+    std::optional<double> until;  ///< end time        [s]
+    int threads = 0;              ///< 0: one a core
+};
+
+struct RunArguments {
+    DeckArguments deck;
+    std::string folder;  ///< empty: the deck's name without its suffix + ".out"
+    bool quiet = false;
+};
+
+struct MeshArguments {
+    std::string input, output;
+};
+
+int run(const RunArguments& arguments);
+int check(const DeckArguments& arguments);
+int mesh(const MeshArguments& arguments);
+
+/// Reads the deck with its -D values and --until, and sets the number of threads.
+Model load(const DeckArguments& arguments);
+
+}  // namespace corpuscle::tools

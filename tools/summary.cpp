@@ -1,0 +1,74 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "tools/summary.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <numeric>
+
+namespace corpuscle::tools {
+namespace {
+
+void print_phases(const Timings& timings, double wall) {
+    fmt::print("\n  phase              wall [s]   share\n");
+    double known = 0.0;
+    for (const auto& [phase, seconds] : timings.phases()) {
+        known += seconds;
+        if (seconds > 0.0005 * wall)
+            fmt::print("  {:<16} {:>10.3f}  {:>5.1f} %\n", phase, seconds, 100.0 * seconds / wall);
+    }
+    fmt::print("  {:<16} {:>10.3f}\n", "all", wall);
+}
+
+void print_bag(const gas::BagGas& bag, const Points& x) {
+    const gas::GasState gas = bag.state(x);
+    fmt::print(
+        "\n  airbag {}: volume {:.6g}, pressure {:.6g} ({:+.6g} to the atmosphere), temperature "
+        "{:.5g}\n",
+        bag.card().id, gas.volume, gas.pressure, gas.pressure - bag.card().p_atm, gas.temperature);
+    fmt::print(
+        "    gas {:.6g} in of {:.6g} inside, {} particles, {} wall hits, {} facet list builds\n",
+        gas.mass_in, gas.mass, bag.particles().size(), bag.hits(), bag.list_builds());
+    fmt::print("    lost particles: {}\n", bag.lost());
+}
+
+void print_ledger(const EnergyBooks& e, double worst) {
+    const double brought = e.inflow + std::abs(e.external);
+    fmt::print("\n  energy: inflow {:.6g}, external {:.6g}\n", e.inflow, e.external);
+    fmt::print(
+        "    kinetic {:.6g}, strain {:.6g}, gas {:.6g}, ambient {:.6g}, contact {:.6g}, friction "
+        "{:.6g}, damping {:.6g}, in transit to the fabric {:.6g}\n",
+        e.kinetic, e.strain, e.gas, e.ambient, e.contact, e.friction, e.damping, e.smoothing);
+    fmt::print("    residual {:.3g} at the end, {:.3g} at worst", e.residual, worst);
+    if (brought > 0.0) fmt::print(" ({:.2g} % of what was brought in)", 100.0 * worst / brought);
+    fmt::print("\n");
+}
+
+}  // namespace
+
+void Summary::print(Simulation& simulation, const std::string& folder,
+                    double worst_residual) const {
+    const double wall =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    std::size_t flights = 0;
+    for (const gas::BagGas& bag : simulation.bags()) flights += bag.flights();
+    const double elements =
+        static_cast<double>(simulation.active_shells()) * static_cast<double>(simulation.steps());
+
+    fmt::print("\nnormal termination at t = {:.6g} after {} steps\n", simulation.time(),
+               simulation.steps());
+    print_phases(simulation.timings(), wall);
+    fmt::print(
+        "\n  {:.3g} particle-steps ({:.3g} a second), {:.3g} element-steps ({:.3g} a second)\n",
+        static_cast<double>(flights), static_cast<double>(flights) / wall, elements,
+        elements / wall);
+    for (const gas::BagGas& bag : simulation.bags()) print_bag(bag, simulation.nodes().x);
+    for (std::size_t c = 0; c < simulation.contacts().size(); ++c)
+        fmt::print("\n  contact {}: {}\n", simulation.model().contacts[c].id,
+                   simulation.contacts()[c].statistics());
+    print_ledger(simulation.books(), worst_residual);
+    fmt::print("\nresults: {0}/results.h5, {0}/results.xdmf (ParaView)\n", folder);
+}
+
+}  // namespace corpuscle::tools

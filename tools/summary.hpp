@@ -1,0 +1,21 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "solver/simulation.hpp"
+
+namespace corpuscle::tools {
+
+/// What a run ends with: wall time by phase, speeds, ledger, what was left out.
+class Summary {
+public:
+    void print(Simulation& simulation, const std::string& folder, double worst_residual) const;
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace corpuscle::tools
