@@ -34,11 +34,19 @@ bool origin_is_outside_box(const Corners& r) {
     return false;
 }
 
-/// Faces of the three tetrahedra; vertices in ascending order, so that neighbours compute the same number.
+/// Faces of the three tetrahedra; vertices in ascending order, so that neighbours compute the same
+/// number.
 enum Face { F012, F015, F025, F125, F014, F045, F145, F034, F035, F345, FACES };
-constexpr std::array<std::array<int, 3>, FACES> FACE_CORNERS = {
-    {{0, 1, 2}, {0, 1, 5}, {0, 2, 5}, {1, 2, 5}, {0, 1, 4}, {0, 4, 5}, {1, 4, 5}, {0, 3, 4}, {0, 3, 5},
-     {3, 4, 5}}};
+constexpr std::array<std::array<int, 3>, FACES> FACE_CORNERS = {{{0, 1, 2},
+                                                                 {0, 1, 5},
+                                                                 {0, 2, 5},
+                                                                 {1, 2, 5},
+                                                                 {0, 1, 4},
+                                                                 {0, 4, 5},
+                                                                 {1, 4, 5},
+                                                                 {0, 3, 4},
+                                                                 {0, 3, 5},
+                                                                 {3, 4, 5}}};
 
 struct Piece {
     std::array<int, 4> corner;  ///< vertices
@@ -64,7 +72,8 @@ std::optional<Crossing> cross(const Path& path, const Triangle& triangle, const 
     if (origin_is_outside_box(r)) return std::nullopt;
 
     std::array<double, FACES> value;
-    std::array<bool, FACES> positive;  // an exact zero counts as positive, on both sides of the face
+    std::array<bool, FACES>
+        positive;  // an exact zero counts as positive, on both sides of the face
     for (int f = 0; f < FACES; ++f) {
         const auto& c = FACE_CORNERS[f];
         const Determinant d = determinant(r[c[0]], r[c[1]], r[c[2]]);

@@ -17,24 +17,25 @@ struct Path {
 
 /// Where a path passes through a moving triangle.
 struct Crossing {
-    double tau;               ///< share of the step, 0 at t, 1 at t + dt                    [-]
-    std::array<double, 3> at; ///< barycentric coordinates, in the order of the triangle      [-]
-    int piece;                ///< which tetrahedron of the swept triangle, 0-2
+    double tau;                ///< share of the step, 0 at t, 1 at t + dt                    [-]
+    std::array<double, 3> at;  ///< barycentric coordinates, in the order of the triangle      [-]
+    int piece;                 ///< which tetrahedron of the swept triangle, 0-2
 };
 
 /// Watertight crossing of a path and a triangle whose nodes move from x_0 to x_1.
 ///
-/// In space and time (4-D) the triangle sweeps a prism, cut into three tetrahedra whose vertices are nodes
-/// at t or t + dt. Side walls are cut along the diagonal from the lower node row at t to the higher one at
-/// t + dt, so two triangles that share an edge share the walls' pieces, and the swept surface is one closed
-/// piecewise-linear manifold. Seen from the particle (positions minus the particle's at the same instant)
-/// the path is the origin, and it crosses a piece where the origin lies in that tetrahedron. The signs of
-/// the four face determinants decide; a face is always evaluated in the same order of its vertices and its
-/// sign is exact, so that neighbours agree: a path never slips through an edge or a corner.
+/// In space and time (4-D) the triangle sweeps a prism, cut into three tetrahedra whose vertices
+/// are nodes at t or t + dt. Side walls are cut along the diagonal from the lower node row at t to
+/// the higher one at t + dt, so two triangles that share an edge share the walls' pieces, and the
+/// swept surface is one closed piecewise-linear manifold. Seen from the particle (positions minus
+/// the particle's at the same instant) the path is the origin, and it crosses a piece where the
+/// origin lies in that tetrahedron. The signs of the four face determinants decide; a face is
+/// always evaluated in the same order of its vertices and its sign is exact, so that neighbours
+/// agree: a path never slips through an edge or a corner.
 ///
-/// Returns the earliest crossing later than `after`, not counting piece `ignored` (that the path has just
-/// been reflected by: a straight path meets a plane once).
-/// Cost: a box test; then ten determinants.
+/// Returns the earliest crossing later than `after`, not counting piece `ignored` (that the path
+/// has just been reflected by: a straight path meets a plane once). Cost: a box test; then ten
+/// determinants.
 std::optional<Crossing> cross(const Path& path, const Triangle& triangle, const Vec3* x_0,
                               const Vec3* x_1, double after = -1.0, int ignored = -1);
 

@@ -14,9 +14,9 @@ namespace corpuscle::gas {
 namespace {
 
 struct Edge {
-    Index low, high;    ///< node rows
+    Index low, high;  ///< node rows
     Index triangle;
-    bool runs_up;       ///< the triangle passes it from low to high
+    bool runs_up;  ///< the triangle passes it from low to high
 };
 
 std::vector<Edge> sorted_edges(const std::vector<Triangle>& triangles) {
@@ -40,21 +40,22 @@ void check_closed(const std::vector<Edge>& edges, std::span<const int> node_id,
     std::size_t bad = 0;
     for (std::size_t e = 0; e < edges.size();) {
         std::size_t end = e + 1;
-        while (end < edges.size() && edges[end].low == edges[e].low && edges[end].high == edges[e].high)
+        while (end < edges.size() && edges[end].low == edges[e].low &&
+               edges[end].high == edges[e].high)
             ++end;
         if (end - e != 2 && ++bad <= 5)
-            faults.push_back(fmt::format("{}: edge {}-{} belongs to {} facet{}, expected 2: the bag is {}",
-                                         bag, node_id[edges[e].low], node_id[edges[e].high], end - e,
-                                         end - e == 1 ? "" : "s",
-                                         end - e == 1 ? "not closed" : "not a simple surface"));
+            faults.push_back(fmt::format(
+                "{}: edge {}-{} belongs to {} facet{}, expected 2: the bag is {}", bag,
+                node_id[edges[e].low], node_id[edges[e].high], end - e, end - e == 1 ? "" : "s",
+                end - e == 1 ? "not closed" : "not a simple surface"));
         e = end;
     }
     if (bad > 5) faults.push_back(fmt::format("{}: ... and {} more such edges", bag, bad - 5));
     if (bad > 0) throw InputError(std::move(faults));
 }
 
-/// Turns triangles so that neighbours pass their common edge in opposite directions, and shells of the
-/// surface enclose positive volume. Returns how many were turned.
+/// Turns triangles so that neighbours pass their common edge in opposite directions, and shells of
+/// the surface enclose positive volume. Returns how many were turned.
 std::size_t orient(std::vector<Triangle>& triangles, const std::vector<Edge>& edges,
                    std::span<const Vec3> x, const std::string& bag) {
     std::vector<std::vector<std::pair<Index, bool>>> next(triangles.size());  // neighbour, agrees
@@ -74,9 +75,9 @@ std::size_t orient(std::vector<Triangle>& triangles, const std::vector<Edge>& ed
         for (std::size_t i = 0; i < piece.size(); ++i) {
             const Index t = piece[i];
             const auto& c = triangles[t];
-            const double part = signed_volume(x[c[0]] - x[triangles[seed][0]],
-                                              x[c[1]] - x[triangles[seed][0]],
-                                              x[c[2]] - x[triangles[seed][0]]);
+            const double part =
+                signed_volume(x[c[0]] - x[triangles[seed][0]], x[c[1]] - x[triangles[seed][0]],
+                              x[c[2]] - x[triangles[seed][0]]);
             volume += turn[t] ? -part : part;
             for (const auto& [other, agrees] : next[t]) {
                 const int wanted = agrees ? turn[t] : 1 - turn[t];

@@ -10,19 +10,20 @@
 
 namespace corpuscle::gas {
 
-/// The closed surface that holds a bag's gas: every edge belongs to two triangles, normals point outward.
+/// The closed surface that holds a bag's gas: every edge belongs to two triangles, normals point
+/// outward.
 class Enclosure {
 public:
     /// Mends the orientation where triangles disagree, by walking from neighbour to neighbour.
     /// Errors: InputError when an edge is free or shared by more than two triangles, naming nodes.
-    Enclosure(std::vector<Triangle> triangles, std::span<const Vec3> x, std::span<const int> node_id,
-              const std::string& bag_name);
+    Enclosure(std::vector<Triangle> triangles, std::span<const Vec3> x,
+              std::span<const int> node_id, const std::string& bag_name);
 
-    /// Enclosed volume, V = sum x0·(x1 × x2) / 6.                                              [m^3]
+    /// Enclosed volume, V = sum x0·(x1 × x2) / 6. [m^3]
     [[nodiscard]] double volume(std::span<const Vec3> x) const;
     [[nodiscard]] double area(std::span<const Vec3> x) const;  ///< [m^2]
 
-    /// area[n] = dV/dx_n: the vector area that a node carries, outward.                 N × 3  [m^2]
+    /// area[n] = dV/dx_n: the vector area that a node carries, outward.                 N × 3 [m^2]
     /// Only rows in nodes() are written.
     void node_areas(std::span<const Vec3> x, std::span<Vec3> area) const;
 
@@ -32,12 +33,14 @@ public:
 
     [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
     [[nodiscard]] std::span<const Index> nodes() const { return nodes_; }
-    [[nodiscard]] std::size_t turned() const { return turned_; }  ///< triangles whose normal was mended
+    [[nodiscard]] std::size_t turned() const {
+        return turned_;
+    }  ///< triangles whose normal was mended
 
 private:
     std::vector<Triangle> triangles_;
     std::vector<Index> nodes_;
-    std::vector<Index> start_;   ///< node (place in nodes_) -> its triangles, compressed rows
+    std::vector<Index> start_;  ///< node (place in nodes_) -> its triangles, compressed rows
     std::vector<Index> around_;
     std::size_t turned_ = 0;
 };

@@ -7,7 +7,8 @@
 namespace corpuscle::gas {
 namespace {
 
-constexpr int BLOCK = 8;  ///< cells along a block's edge; smaller: tighter pairs, more boxes for FCL
+constexpr int BLOCK =
+    8;  ///< cells along a block's edge; smaller: tighter pairs, more boxes for FCL
 
 std::vector<Index> nodes_of(const std::vector<Triangle>& triangles) {
     std::vector<Index> nodes;
@@ -82,8 +83,8 @@ void FacetLists::for_each_entry(Enter&& enter) const {
             std::array<int, 3> from, to;
             for (int a = 0; a < 3; ++a) {
                 from[a] = std::max(grid_.along(a, facet_box_[facet].low[a]), at[a] * BLOCK);
-                to[a] = std::min({grid_.along(a, facet_box_[facet].high[a]), at[a] * BLOCK + BLOCK - 1,
-                                  grid_.count[a] - 1});
+                to[a] = std::min({grid_.along(a, facet_box_[facet].high[a]),
+                                  at[a] * BLOCK + BLOCK - 1, grid_.count[a] - 1});
             }
             for (int k = from[2]; k <= to[2]; ++k)
                 for (int j = from[1]; j <= to[1]; ++j)

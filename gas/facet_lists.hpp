@@ -13,15 +13,16 @@ namespace corpuscle::gas {
 
 /// Which facets a particle may meet in each grid cell.
 ///
-/// Patches of facets and blocks of 8 × 8 × 8 cells are paired by FCL; facets are then entered into the
-/// cells that their boxes overlap. Boxes are inflated by `margin`, so the lists serve until a node has moved
-/// that far: a rebuild every ten steps or so, whatever the number of particles.
+/// Patches of facets and blocks of 8 × 8 × 8 cells are paired by FCL; facets are then entered into
+/// the cells that their boxes overlap. Boxes are inflated by `margin`, so the lists serve until a
+/// node has moved that far: a rebuild every ten steps or so, whatever the number of particles.
 class FacetLists {
 public:
     FacetLists(std::vector<Triangle> triangles, std::span<const Vec3> x);
 
     /// Enters every facet, as it moves from x_0 to x_1 and up to `margin` farther.
-    void build(const Grid& grid, std::span<const Vec3> x_0, std::span<const Vec3> x_1, double margin);
+    void build(const Grid& grid, std::span<const Vec3> x_0, std::span<const Vec3> x_1,
+               double margin);
 
     /// True while no node, at x_1, has left the margin that the lists were built with.
     [[nodiscard]] bool hold_for(std::span<const Vec3> x_1) const;
@@ -32,7 +33,8 @@ public:
 
     /// Facets entered in a cell.
     [[nodiscard]] std::span<const Index> in(std::size_t cell) const {
-        return {facet_.data() + start_[cell], static_cast<std::size_t>(start_[cell + 1] - start_[cell])};
+        return {facet_.data() + start_[cell],
+                static_cast<std::size_t>(start_[cell + 1] - start_[cell])};
     }
     [[nodiscard]] std::span<const Index> starts() const { return start_; }
     [[nodiscard]] std::span<const Index> facets() const { return facet_; }
@@ -44,14 +46,14 @@ private:
     void for_each_entry(Enter&& enter) const;
 
     std::vector<Triangle> triangles_;
-    std::vector<Index> nodes_;            ///< rows of the facets' nodes, ascending
+    std::vector<Index> nodes_;  ///< rows of the facets' nodes, ascending
     contact::Patches patches_;
     contact::BroadPhase patch_tree_, block_tree_;
 
     Grid grid_, blocks_;
-    double margin_ = -1.0;                ///< negative: never built
+    double margin_ = -1.0;  ///< negative: never built
     std::size_t builds_ = 0;
-    Points built_at_;                     ///< x_1 of the build, for nodes_
+    Points built_at_;  ///< x_1 of the build, for nodes_
     std::vector<contact::Box> facet_box_, box_;
     std::vector<std::pair<Index, Index>> pairs_;  ///< patch, block
     std::vector<Index> start_, fill_, facet_;     ///< cells -> facets, compressed rows

@@ -11,8 +11,8 @@
 namespace corpuscle::gas {
 namespace {
 
-/// Share of the step by which a particle stops short of a facet, so that it stays on its side whatever the
-/// rounding: far above the error of tau (some 1e-13), far below anything that matters.
+/// Share of the step by which a particle stops short of a facet, so that it stays on its side
+/// whatever the rounding: far above the error of tau (some 1e-13), far below anything that matters.
 constexpr double SHORT_OF = 1e-7;
 
 /// More bounces than this in one step: the particle is caught between closing facets.
@@ -47,10 +47,10 @@ Meeting first_meeting(const Scene& scene, const Path& path, const Vec3& from, do
             for (int i = c0[0]; i <= c1[0]; ++i)
                 for (const Index facet : scene.lists.in(grid.row(i, j, k))) {
                     if (facet == first.facet) continue;  // entered in several cells
-                    const auto hit =
-                        cross(path, scene.triangles[facet], scene.x_0, scene.x_1, after,
-                              facet == last.facet ? last.where.piece : -1);
-                    if (hit && (first.facet < 0 || hit->tau < first.where.tau)) first = {facet, *hit};
+                    const auto hit = cross(path, scene.triangles[facet], scene.x_0, scene.x_1,
+                                           after, facet == last.facet ? last.where.piece : -1);
+                    if (hit && (first.facet < 0 || hit->tau < first.where.tau))
+                        first = {facet, *hit};
                 }
     return first;
 }
@@ -74,12 +74,14 @@ Vec3 reflect(const Scene& scene, const Meeting& meeting, const Vec3& v) {
         const double after = plane.normal.dot(away) - plane.speed / scene.dt;
         if (approach * after < 0.0) return away;
     }
-    // Grazing, on a facet that turns or shrinks within the step: the plane of the swept piece decides.
+    // Grazing, on a facet that turns or shrinks within the step: the plane of the swept piece
+    // decides.
     return v - 2.0 * approach / plane.normal.squaredNorm() * plane.normal;
 }
 
 /// Flies one particle to the end of the step; false when it is caught.
-bool fly_one(const Scene& scene, double mass, double born, Vec3& x, Vec3& v, std::vector<Hit>& hits) {
+bool fly_one(const Scene& scene, double mass, double born, Vec3& x, Vec3& v,
+             std::vector<Hit>& hits) {
     Vec3 from = x;
     double now = born;
     Path path{from - now * scene.dt * v, from + (1.0 - now) * scene.dt * v};

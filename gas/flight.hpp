@@ -32,10 +32,11 @@ struct FlightResult {
 
 /// Free flight through one step, t -> t + dt, with specular reflection off the moving facets.
 ///
-///     v' = v - 2 ((v - v_w)·n) n                                          [notes, p. "elastic impact"]
+///     v' = v - 2 ((v - v_w)·n) n                                          [notes, p. "elastic
+///     impact"]
 ///
-/// Facets move linearly; positions, normals and velocities v_w are those of the instant and the point of
-/// the hit. Any number of hits in a step; no facet is ever passed (see crossing.hpp).
+/// Facets move linearly; positions, normals and velocities v_w are those of the instant and the
+/// point of the hit. Any number of hits in a step; no facet is ever passed (see crossing.hpp).
 /// `born[i]`: for the last born.size() particles, the share of the step at which they start.
 /// `mass[s]`: of a particle of species s.
 void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec3> x_1, double dt,

@@ -13,9 +13,9 @@ namespace corpuscle::gas {
 
 /// Uniform cubic cells over a box. Points outside belong to the nearest cell.
 struct Grid {
-    Vec3 low = Vec3::Zero();           ///< corner of cell (0, 0, 0)            [m]
-    double edge = 1.0;                 ///< of a cell                           [m]
-    std::array<int, 3> count{1, 1, 1}; ///< cells along x, y, z
+    Vec3 low = Vec3::Zero();            ///< corner of cell (0, 0, 0)            [m]
+    double edge = 1.0;                  ///< of a cell                           [m]
+    std::array<int, 3> count{1, 1, 1};  ///< cells along x, y, z
 
     [[nodiscard]] std::size_t size() const {
         return static_cast<std::size_t>(count[0]) * count[1] * count[2];
@@ -32,7 +32,8 @@ struct Grid {
         return row(along(0, x[0]), along(1, x[1]), along(2, x[2]));
     }
 
-    /// Cells of at least `edge` that cover the box [from, to], grown until there are at most `most`.
+    /// Cells of at least `edge` that cover the box [from, to], grown until there are at most
+    /// `most`.
     static Grid over(const Vec3& from, const Vec3& to, double edge, std::size_t most) {
         Grid grid;
         grid.edge = edge;
@@ -40,7 +41,10 @@ struct Grid {
             std::size_t cells = 1;
             for (int a = 0; a < 3; ++a) {
                 const double n = std::floor((to[a] - from[a]) / grid.edge) + 1.0;
-                if (!(n <= static_cast<double>(most))) { cells = most + 1; break; }
+                if (!(n <= static_cast<double>(most))) {
+                    cells = most + 1;
+                    break;
+                }
                 grid.count[a] = static_cast<int>(n);
                 cells *= static_cast<std::size_t>(n);
                 if (cells > most) break;

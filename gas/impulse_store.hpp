@@ -11,9 +11,9 @@ namespace corpuscle::gas {
 
 /// Impulse on its way from particles to fabric.
 ///
-/// One hit on a light facet is a kick of tens of m/s, so what hits bring is owed to the nodes and released
-/// at the rate owed / time: dP = owed (1 - exp(-dt / time)). Nothing is lost: what is owed goes to the node
-/// in the end. Each hit is shared among its facet's nodes by barycentric weight.
+/// One hit on a light facet is a kick of tens of m/s, so what hits bring is owed to the nodes and
+/// released at the rate owed / time: dP = owed (1 - exp(-dt / time)). Nothing is lost: what is owed
+/// goes to the node in the end. Each hit is shared among its facet's nodes by barycentric weight.
 class ImpulseStore {
 public:
     ImpulseStore(std::size_t node_count, std::span<const Index> nodes, double time);
@@ -27,15 +27,18 @@ public:
     /// Work that the last release did: sum of force · v_mid · span.                           [J]
     [[nodiscard]] double work(std::span<const Vec3> v_mid, double span) const;
 
+    /// Force of the last release on a node.                                                   [N]
+    [[nodiscard]] const Vec3& force(Index node) const { return force_[node]; }
+
     /// Impulse still owed, all nodes.                                                         [N s]
     [[nodiscard]] Vec3 owed() const;
     [[nodiscard]] double time() const { return time_; }
 
 private:
     std::vector<Index> nodes_;
-    double time_;                 ///< [s]
-    std::vector<Vec3> owed_;      ///< N × 3   [N s]
-    std::vector<Vec3> force_;     ///< N × 3, of the last release  [N]
+    double time_;              ///< [s]
+    std::vector<Vec3> owed_;   ///< N × 3   [N s]
+    std::vector<Vec3> force_;  ///< N × 3, of the last release  [N]
 };
 
 }  // namespace corpuscle::gas

@@ -9,8 +9,8 @@ namespace corpuscle::gas {
 
 /// Air in the bag at the start (IAIR = 1): a control volume at uniform pressure p = n R T / V.
 ///
-/// It works on the fabric, E -= p dV, and shares heat with the particles so that both stay at one mean
-/// temperature [notes, "Initial air"].
+/// It works on the fabric, E -= p dV, and shares heat with the particles so that both stay at one
+/// mean temperature [notes, "Initial air"].
 class InitialAir {
 public:
     /// n = p V / (R T) moles at the card's pressure and temperature.
@@ -23,9 +23,9 @@ public:
     [[nodiscard]] double pressure(double volume) const {  ///< [Pa]
         return moles_ * species_.gas_constant() * temperature_ / volume;
     }
-    [[nodiscard]] double temperature() const { return temperature_; }                ///< [K]
-    [[nodiscard]] double energy() const { return energy_; }                          ///< [J]
-    [[nodiscard]] double mass() const { return moles_ * species_.molar_mass(); }     ///< [kg]
+    [[nodiscard]] double temperature() const { return temperature_; }             ///< [K]
+    [[nodiscard]] double energy() const { return energy_; }                       ///< [J]
+    [[nodiscard]] double mass() const { return moles_ * species_.molar_mass(); }  ///< [kg]
     [[nodiscard]] double moles() const { return moles_; }
     [[nodiscard]] double translational() const {  ///< (3/2) n R T                      [J]
         return 1.5 * moles_ * species_.gas_constant() * temperature_;

@@ -3,8 +3,11 @@
 //
 // One time step. Leapfrog (central differences): positions x live at t, velocities v at t - dt/2.
 
+#include <algorithm>
+
 #include "solver/simulation.hpp"
 
+// clang-format off: laps stand in a column of their own
 namespace corpuscle {
 
 /// Advances fabric, gas, rigid bodies and their contacts from t to t + dt.
@@ -23,25 +26,18 @@ StepReport Simulation::step(const Observer& observe) {
     // 2. v(t - dt/2) -> v(t + dt/2); between the two, at t, the books balance
     kick(dt, span);
     book_forces(span);
-    stop_at_obstacles(dt);
-    lap("motion");
-    observe(*this);
-    lap("output");
+    stop_at_obstacles(dt);                                                      lap("motion");
+    observe(*this);                                                             lap("output");
 
     // 3. x(t) -> x(t + dt)
-    drift(dt);
-    lap("motion");
+    drift(dt);                                                                  lap("motion");
 
     // 4. Gas, t -> t + dt, against the fabric that moves from x to x_1
     for (gas::BagGas& bag : bags_) {
-        bag.prepare(nodes_.x, nodes_.x_1);
-        lap("facet lists");
-        bag.inject(t, dt, nodes_.x, nodes_.x_1);
-        lap("inflators");
-        bag.collide(t, dt, nodes_.x);
-        lap("collisions");
-        bag.fly(t, dt, nodes_.x, nodes_.x_1);
-        lap("flight");
+        bag.prepare(nodes_.x, nodes_.x_1);                                      lap("facet lists");
+        bag.inject(t, dt, nodes_.x, nodes_.x_1);                                lap("inflators");
+        bag.collide(t, dt, nodes_.x);                                           lap("collisions");
+        bag.fly(t, dt, nodes_.x, nodes_.x_1);                                   lap("flight");
     }
 
     // 5. Page and clock
@@ -56,23 +52,19 @@ StepReport Simulation::step(const Observer& observe) {
 void Simulation::find_forces(double dt, double span, Stopwatch& lap) {
     std::fill(nodes_.f.begin(), nodes_.f.end(), Vec3::Zero());
     for (fabric::Membranes& fabric : fabric_) {
-        const Index broken = fabric.add_force(nodes_.x, nodes_.v, nodes_.f);
-        lap("membranes");
+        const Index broken = fabric.add_force(nodes_.x, nodes_.v, nodes_.f);    lap("membranes");
         if (broken >= 0) stop_for(broken);
     }
     for (gas::BagGas& bag : bags_) {
-        bag.add_load(nodes_.x, span, nodes_.f);
-        lap("gas load");
+        bag.add_load(nodes_.x, span, nodes_.f);                                 lap("gas load");
     }
+    std::fill(contact_force_.f.begin(), contact_force_.f.end(), Vec3::Zero());
     for (contact::SelfContact& contact : contacts_) {
-        contact.find(nodes_.x, nodes_.v, clock_.t, dt);
-        lap("contact search");
-        contact.add_force(nodes_.x, nodes_.v, dt, contact_force_.f);
-        lap("contact force");
+        contact.find(nodes_.x, nodes_.v, clock_.t, dt);                         lap("contact search");
+        contact.add_force(nodes_.x, nodes_.v, dt, contact_force_.f);            lap("contact force");
     }
     loads_.find_force(clock_.t, nodes_.x, nodes_.mass, load_force_.f);
-    add_mass_damping();
-    lap("loads");
+    add_mass_damping();                                                         lap("loads");
 }
 
 /// f = -d m v, *DAMPING_GLOBAL.
