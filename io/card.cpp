@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <limits>
 
 #include "io/text.hpp"
 
@@ -14,7 +13,8 @@ namespace corpuscle::io {
 
 namespace {
 constexpr std::size_t CARD_END = 80, LONG_CARD_END = 160;  ///< columns beyond are remarks
-constexpr Range IDS{1.0, std::numeric_limits<int>::max()};
+constexpr std::size_t LONGEST_SHOWN = 60;                  ///< characters of a field in a message
+constexpr Range IDS{1.0};
 }  // namespace
 
 bool Range::holds(double value) const {
@@ -237,7 +237,8 @@ Place Card::place() const {
 std::string Card::label(std::size_t i) const {
     const std::string_view value = field_[i];
     return fmt::format("*{} card {}, field {} ({}) = {}", cards_.block().keyword, card_number_,
-                       i + 1, layout_.fields()[i].name, value.empty() ? "blank" : value);
+                       i + 1, layout_.fields()[i].name,
+                       value.empty() ? "blank" : value.substr(0, LONGEST_SHOWN));
 }
 
 void Card::fault(std::size_t i, const std::string& expected) {
@@ -264,9 +265,9 @@ void Card::complain_of_unread() {
 
 void Card::warn_of_rest() {
     if (rest_.find_first_not_of(" ,0.\t") == std::string_view::npos) return;
-    cards_.faults().warn(place(),
-                         fmt::format("*{} card {}: \"{}\" behind the last field is ignored",
-                                     cards_.block().keyword, card_number_, rest_));
+    cards_.faults().warn(
+        place(), fmt::format("*{} card {}: \"{}\" behind the last field is ignored",
+                             cards_.block().keyword, card_number_, rest_.substr(0, LONGEST_SHOWN)));
 }
 
 }  // namespace corpuscle::io

@@ -81,7 +81,7 @@ void Cards::finish() {
     const Line& line = block_.lines[next_];
     faults_.fault({block_.place.file, line.number},
                   fmt::format("*{} card {} = {}, expected no more cards", block_.keyword, next_ + 1,
-                              trim(line.text)));
+                              trim(line.text).substr(0, 60)));
 }
 
 }  // namespace corpuscle::io

@@ -45,10 +45,11 @@ std::vector<Task> sort_out(const DeckText& text, Faults& faults) {
         if (match.keyword != nullptr)
             tasks.push_back({&block, std::move(match)});
         else if (match.is_harmless)
-            faults.warn(block.place,
-                        fmt::format("*{} is not read, it cannot change the answer", block.keyword));
+            faults.warn(block.place, fmt::format("*{} is not read, it cannot change the answer",
+                                                 block.keyword.substr(0, 80)));
         else
-            faults.fault(block.place, fmt::format("*{} {}", block.keyword, match.fault));
+            faults.fault(block.place,
+                         fmt::format("*{} {}", block.keyword.substr(0, 80), match.fault));
     }
     std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) {
         return a.match.keyword->phase < b.match.keyword->phase;

@@ -65,8 +65,8 @@ public:
         text_.end = {file, 1};
         if (const std::string why = load(deck_); !why.empty())
             faults_.fault(text_.end, why);
-        else if (read_file(file, deck_, Columns::STANDARD); !text_.files.empty())
-            text_.end.line = std::max(text_.end.line, last_line_);
+        else
+            read_file(file, deck_, Columns::STANDARD);
         return std::move(text_);
     }
 
@@ -94,30 +94,28 @@ private:
         return {};
     }
 
-    /// Every keyword of the file loaded last; false when *END was met.
-    bool read_file(std::uint32_t file, const fs::path& path, Columns columns) {
-        open_files_.push_back(fs::weakly_canonical(path));
+    /// Every keyword of the file loaded last. *END ends this file: one that includes it goes on.
+    void read_file(std::uint32_t file, const fs::path& path, Columns columns) {
+        open_files_.push_back(canonical(path));
         const std::span<const Line> lines = text_.files.back().lines;
-        bool goes_on = true;
         std::size_t i = skip_to_keyword(lines, 0);
         if (i > 0 && !trim(lines[0].text).empty())
             faults_.fault({file, lines[0].number}, fmt::format("expected a *KEYWORD before \"{}\"",
                                                                trim(lines[0].text).substr(0, 60)));
-        while (goes_on && i < lines.size()) {
+        while (i < lines.size()) {
             const std::size_t end = skip_to_keyword(lines, i + 1);
             const Head head = parse_head(lines[i].text);
-            if (file == 0) last_line_ = lines[i].number;
+            if (file == 0) text_.end.line = lines[i].number;
+            if (head.name == "END") break;
             if (head.name.starts_with("KEYWORD")) columns = keyword_columns(head.rest, columns);
             const Block block{head.name,
                               {file, lines[i].number},
                               head.columns.value_or(columns),
                               lines.subspan(i + 1, end - i - 1)};
-            goes_on = take(block, path, columns);
-            if (file == 0 && goes_on) last_line_ = lines[end - 1].number;
+            take(block, path, columns);
             i = end;
         }
         open_files_.pop_back();
-        return goes_on;
     }
 
     static std::size_t skip_to_keyword(std::span<const Line> lines, std::size_t i) {
@@ -125,18 +123,16 @@ private:
         return i;
     }
 
-    /// False for *END.
-    bool take(const Block& block, const fs::path& path, Columns columns) {
+    void take(const Block& block, const fs::path& path, Columns columns) {
         const std::string& name = block.keyword;
-        if (name == "END") return false;
-        if (name == "INCLUDE") return include(block, path, columns);
-        if (name == "INCLUDE_PATH" || name == "INCLUDE_PATH_RELATIVE")
+        if (name == "INCLUDE")
+            include(block, path, columns);
+        else if (name == "INCLUDE_PATH" || name == "INCLUDE_PATH_RELATIVE")
             add_path(block, path);
         else if (is_parameter_keyword(name))
             read_parameters(block, parameters_, faults_);
         else if (!name.starts_with("KEYWORD"))
             text_.blocks.push_back(block);
-        return true;
     }
 
     /// A name may go on over lines that end in " +"; every further line is a further file.
@@ -159,31 +155,29 @@ private:
         return names;
     }
 
-    bool include(const Block& block, const fs::path& path, Columns columns) {
+    void include(const Block& block, const fs::path& path, Columns columns) {
         const auto names = file_names(block);
         if (names.empty()) faults_.fault(block.place, "*INCLUDE, expected the name of a file");
-        for (std::size_t i = 0; i < names.size(); ++i)
-            if (!include_one(names[i].first, {block.place.file, names[i].second.number}, path,
-                             columns))
-                return false;
-        return true;
+        for (const auto& [name, line] : names)
+            include_one(name, {block.place.file, line.number}, path, columns);
     }
 
-    bool include_one(const std::string& name, Place at, const fs::path& path, Columns columns) {
+    void include_one(const std::string& name, Place at, const fs::path& path, Columns columns) {
         const auto complain = [&](const std::string& expected) {
             faults_.fault(at, fmt::format("*INCLUDE field 1 (FILENAME) = {}, {}", name, expected));
         };
         const fs::path found = look_for(name, path);
-        if (const fs::path real = fs::weakly_canonical(found);
-            std::find(open_files_.begin(), open_files_.end(), real) != open_files_.end()) {
-            complain("expected no file that includes itself: " + cycle(real));
-            return true;
-        }
-        if (const std::string why = load(found); !why.empty()) {
-            complain(why);
-            return true;
-        }
-        return read_file(open(found, at.file), found, columns);
+        const fs::path real = canonical(found);
+        if (std::find(open_files_.begin(), open_files_.end(), real) != open_files_.end())
+            return complain("expected no file that includes itself: " + cycle(real));
+        if (const std::string why = load(found); !why.empty()) return complain(why);
+        read_file(open(found, at.file), found, columns);
+    }
+
+    static fs::path canonical(const fs::path& path) {
+        std::error_code error;
+        const fs::path real = fs::weakly_canonical(path, error);
+        return error ? path : real;
     }
 
     fs::path look_for(const std::string& name, const fs::path& including) const {
@@ -218,7 +212,6 @@ private:
     std::vector<fs::path> open_files_;  ///< canonical, the deck first
     std::vector<fs::path> paths_;
     std::uintmax_t total_ = 0;
-    std::uint32_t last_line_ = 1;
 };
 
 }  // namespace

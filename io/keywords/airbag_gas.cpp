@@ -66,23 +66,24 @@ gas::InflowCard inflow(Cards& cards, const Draft& draft, const UnitSystem& unit)
 namespace {
 
 /// CA is the half angle of the cone: in degrees and only with IANG = 1 today, in radians in 2007.
-double cone(Card& c, Dialect dialect) {
+/// What is assumed of it is said once a bag, at the first orifice.
+double cone(Card& c, Dialect dialect, bool is_first) {
     constexpr double USUAL = 30.0;
-    const bool is_given = c.given("CA") && c.real("CA") != 0.0;
-    if (dialect == Dialect::NOTES_2007) {
-        if (!is_given) return USUAL * DEGREE;
-        c.warn("CA", "read in radians, as the half angle of the cone (DIALECT = 2007)");
-        return c.real("CA", {0.0, std::numbers::pi, true});
-    }
-    const bool is_used = c.choice("IANG", {0, 1}) == 1;
-    const double degrees = is_given ? c.real("CA", {0.0, 180.0, true}) : USUAL;
-    if (is_given && degrees <= std::numbers::pi)
-        c.warn("CA", "read in degrees but looks like radians, which are for -D DIALECT=2007");
+    const bool radians = dialect == Dialect::NOTES_2007;
+    const double written = c.real("CA", within(0.0, radians ? std::numbers::pi : 180.0));
+    const bool is_used = radians || c.choice("IANG", {0, 1}) == 1;
+    const auto say = [&](const char* remark) {
+        if (is_first) c.warn("CA", remark);
+    };
+    if (written == 0.0) return USUAL * DEGREE;
+    if (radians) return say("read in radians, as the cone's half angle (DIALECT = 2007)"), written;
+    if (written <= std::numbers::pi)
+        say("read in degrees but looks like radians, which are for -D DIALECT=2007");
     else if (is_used)
-        c.warn("CA", "read in degrees, as the half angle of the cone");
-    if (is_given && !is_used && degrees != USUAL)
-        c.warn("CA", "does not count without IANG = 1: the half angle is 30 degrees");
-    return (is_used ? degrees : USUAL) * DEGREE;
+        say("read in degrees, as the cone's half angle");
+    if (!is_used && written != USUAL)
+        say("does not count without IANG = 1: the half angle is 30 degrees");
+    return (is_used ? written : USUAL) * DEGREE;
 }
 
 /// VD: 0 every direction, > 0 a vector, -1 and -2 (-3 and -4 with another card) along a shell's
@@ -100,16 +101,18 @@ void direction(Card& c, const Draft& draft, gas::OrificeCard& nozzle, int vd) {
 
 }  // namespace
 
-gas::OrificeCard orifice(Cards& cards, const Draft& draft) {
+gas::OrificeCard orifice(Cards& cards, const Draft& draft, bool is_first) {
     gas::OrificeCard nozzle;
     int vd = 0;
     {
-        Card c = cards.next("NID AN VD CA=30 INFO=1 IMOM IANG CHM_ID");
+        Card c = cards.next(draft.dialect == Dialect::NOTES_2007
+                                ? "NID AN VD CA INFO=1"
+                                : "NID AN VD CA INFO=1 IMOM IANG CHM_ID");
         vd = c.integer("VD", {-4.0});
         direction(c, draft, nozzle, vd);
         nozzle.weight = c.real("AN", POSITIVE);
         nozzle.inflator = c.integer("INFO", {1.0});
-        nozzle.cone = cone(c, draft.dialect);
+        nozzle.cone = cone(c, draft.dialect, is_first);
     }
     if (vd <= -3) cards.next("XOFF");
     return nozzle;

@@ -25,6 +25,6 @@ inline constexpr UnitSystem UNIT_SYSTEMS[] = {
 
 gas::InitialAirCard initial_air(Cards& cards, const gas::BagCard& bag, const UnitSystem& unit);
 gas::InflowCard inflow(Cards& cards, const Draft& draft, const UnitSystem& unit);
-gas::OrificeCard orifice(Cards& cards, const Draft& draft);
+gas::OrificeCard orifice(Cards& cards, const Draft& draft, bool is_first);
 
 }  // namespace corpuscle::io::keywords

@@ -141,7 +141,7 @@ private:
         if (skips_air_) skip(1, "PAIR TAIR XMAIR AAIR BAIR CAIR NPAIR NPRLX");
         if (cards_.has("MOLEFRACTION")) cards_.next("LCMASS").harmless_all();
         for (int i = 0; i < gases_; ++i) bag_.inflow.push_back(inflow(cards_, draft_, unit()));
-        for (int i = 0; i < nozzles_; ++i) bag_.orifices.push_back(orifice(cards_, draft_));
+        for (int i = 0; i < nozzles_; ++i) bag_.orifices.push_back(orifice(cards_, draft_, i == 0));
     }
 
     [[nodiscard]] const UnitSystem& unit() const { return UNIT_SYSTEMS[unit_ == 3 ? 1 : unit_]; }
