@@ -1,2 +1,136 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
+#include <cassert>
+#include <cmath>
+
+#include "fabric/membrane_block.hpp"
+#include "fabric/membranes.hpp"
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle::fabric {
+
+namespace {
+
+constexpr std::size_t GATHER_NODES = 512;  // a chunk
+
+Vec3 gathered(const std::vector<std::uint32_t>& places, std::uint32_t begin, std::uint32_t end,
+              const double* corner) {
+    double x = 0.0, y = 0.0, z = 0.0;
+    for (std::uint32_t k = begin; k < end; ++k) {
+        const double* at = corner + places[k];
+        x += at[0];
+        y += at[LANES];
+        z += at[2 * LANES];
+    }
+    return {x, y, z};
+}
+
+}  // namespace
+
+std::size_t Membranes::gather_chunks() const {
+    return parallel::chunk_count(gather_.nodes.size(), GATHER_NODES);
+}
+
+Index Membranes::add_force(const Points& x, const Points& v, Points& f) {
+    assert(x.size() == f.size() && v.size() == f.size());
+    // 1. Every element writes the forces of its corners
+    parallel::for_chunks(
+        tasks_.size(),
+        [&](std::size_t i, std::size_t, std::size_t) {
+            const Task& task = tasks_[i];
+            const MembraneBlock::Result r = blocks_[task.block]->force(
+                task.begin, task.end, x, v, corner_force_.data() + block_start_[task.block],
+                corner_damping_.data() + damped_start_[task.block]);
+            found_[i] = {r.energy, r.rate, r.shell};
+        },
+        /*chunk=*/1);
+
+    // 2. Every node gathers them
+    parallel::for_chunks(
+        gather_.nodes.size(),
+        [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+            Vec3 total = Vec3::Zero();
+            for (std::size_t i = begin; i < end; ++i) {
+                const Vec3 sum = gathered(gather_.places, gather_.starts[i], gather_.starts[i + 1],
+                                          corner_force_.data());
+                f[static_cast<std::size_t>(gather_.nodes[i])] += sum;
+                total += sum;
+            }
+            gather_check_[chunk] = total.sum();
+        },
+        GATHER_NODES);
+    gather_damping(f);
+    reduce();
+    return all_finite() ? -1 : first_broken(x);
+}
+
+void Membranes::gather_damping(Points& f) {
+    parallel::for_chunks(
+        damping_gather_.nodes.size(),
+        [&](std::size_t begin, std::size_t end, std::size_t) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto node = static_cast<std::size_t>(damping_gather_.nodes[i]);
+                damping_force_[node] =
+                    gathered(damping_gather_.places, damping_gather_.starts[i],
+                             damping_gather_.starts[i + 1], corner_damping_.data());
+                f[node] += damping_force_[node];
+            }
+        },
+        GATHER_NODES);
+}
+
+/// What the tasks found, in their order.
+void Membranes::reduce() {
+    std::fill(part_energy_.begin(), part_energy_.end(), 0.0);
+    double rate = 0.0;
+    Index shell = -1;
+    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+        part_energy_[static_cast<std::size_t>(blocks_[tasks_[i].block]->part)] += found_[i].energy;
+        if (found_[i].rate > rate) {
+            rate = found_[i].rate;
+            shell = found_[i].shell;
+        }
+    }
+    step_ = rate > 0.0 ? Step{2.0 / std::sqrt(rate), shell} : Step{INF, -1};
+}
+
+double Membranes::strain_energy() const {
+    double total = 0.0;
+    for (const double energy : part_energy_) total += energy;
+    return total;
+}
+
+double Membranes::damping_energy(const Points& v_0, const Points& v_1, double dt) const {
+    const std::vector<Index>& nodes = damping_gather_.nodes;
+    return parallel::sum(nodes.size(), 0.0, [&](std::size_t i) {
+        const auto n = static_cast<std::size_t>(nodes[i]);
+        return -0.5 * dt * damping_force_[n].dot(v_0[n] + v_1[n]);
+    });
+}
+
+bool Membranes::all_finite() const {
+    double sum = strain_energy();
+    for (const double check : gather_check_) sum += check;
+    for (const Index node : damping_gather_.nodes)
+        sum += damping_force_[static_cast<std::size_t>(node)].sum();
+    return std::isfinite(sum);
+}
+
+Index Membranes::first_broken(const Points& x) const {
+    Index first = -1;
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+        const Index broken = blocks_[b]->first_broken(x, corner_force_.data() + block_start_[b],
+                                                      corner_damping_.data() + damped_start_[b]);
+        if (broken >= 0 && (first < 0 || broken < first)) first = broken;
+    }
+    return first;
+}
+
+void Membranes::stress_strain(const Points& x, std::span<std::array<float, 3>> stress,
+                              std::span<std::array<float, 3>> strain) const {
+    std::fill(stress.begin(), stress.end(), std::array<float, 3>{});
+    std::fill(strain.begin(), strain.end(), std::array<float, 3>{});
+    for (const auto& block : blocks_) block->stress_strain(x, stress, strain);
+}
+
+}  // namespace corpuscle::fabric

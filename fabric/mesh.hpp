@@ -23,7 +23,7 @@ struct Part {
     int id = 0;
     std::string title;
     Index material = -1;     ///< row among the materials
-    double thickness = NaN;  ///< mean of T1-T4                                                   [m]
+    double thickness = NaN;  ///< mean of T1-T4 [m]
     int element_form = 5;    ///< ELFORM: 9 fully integrated quads, any other: one-point quads
 };
 

@@ -11,26 +11,26 @@ namespace corpuscle::fabric {
 
 /// Orthotropic woven fabric, *MAT_FABRIC (034): the card as the user means it, defaults resolved.
 struct FabricCard {
-    double density = NaN;          ///< RO                                                    [kg/m^3]
-    double E_warp = NaN;           ///< EA                                                    [Pa]
-    double E_weft = NaN;           ///< EB; the reader sets EB = EA, GAB = EA/2(1+PRBA) when EB = 0 [Pa]
-    double nu_ba = 0.0;            ///< PRBA: strain along a from stress along b; nu_ab = nu_ba·EA/EB [-]
-    double G = NaN;                ///< GAB                                                   [Pa]
-    bool no_compression = false;   ///< CSE = 1: the smaller principal stress is never negative
-    double liner_E = 0.0;          ///< EL                                                    [Pa]
-    double liner_nu = 0.0;         ///< PRL                                                   [-]
-    double liner_ratio = 0.0;      ///< LRATIO: liner thickness / fabric thickness            [-]
-    double damping = 0.0;          ///< DAMP: share of critical, on the strain rate           [-]
-    int axes = 0;                  ///< AOPT: 0 nodes 1-2 (+ BETA), 2 vector A, 3 V × normal
-    Vec3 a = Vec3::UnitX();        ///< A1-A3, for AOPT 2
-    Vec3 v = Vec3::UnitZ();        ///< V1-V3, for AOPT 3
-    double beta = 0.0;             ///< BETA, turns the axes about the normal                 [rad]
-    int form = 0;                  ///< FORM
-    double leak_area = 0.0;        ///< FLC > 0                                               [-]
-    double leak_velocity = 0.0;    ///< FAC > 0 (FVOPT 7/8), coefficient otherwise            [m/s]
-    Index leak_area_curve = -1;    ///< FLC < 0: row in Model::curves
-    Index leak_velocity_curve = -1;///< FAC < 0: row in Model::curves
-    int leak_option = 0;           ///< FVOPT
+    double density = NaN;  ///< RO                                                    [kg/m^3]
+    double E_warp = NaN;   ///< EA                                                    [Pa]
+    double E_weft = NaN;   ///< EB; the reader sets EB = EA, GAB = EA/2(1+PRBA) when EB = 0 [Pa]
+    double nu_ba = 0.0;    ///< PRBA: strain along a from stress along b; nu_ab = nu_ba·EA/EB [-]
+    double G = NaN;        ///< GAB                                                   [Pa]
+    bool no_compression = false;  ///< CSE = 1: the smaller principal stress is never negative
+    double liner_E = 0.0;         ///< EL                                                    [Pa]
+    double liner_nu = 0.0;        ///< PRL                                                   [-]
+    double liner_ratio = 0.0;     ///< LRATIO: liner thickness / fabric thickness            [-]
+    double damping = 0.0;         ///< DAMP: share of critical, on the strain rate           [-]
+    int axes = 0;                 ///< AOPT: 0 nodes 1-2 (+ BETA), 2 vector A, 3 V × normal
+    Vec3 a = Vec3::UnitX();       ///< A1-A3, for AOPT 2
+    Vec3 v = Vec3::UnitZ();       ///< V1-V3, for AOPT 3
+    double beta = 0.0;            ///< BETA, turns the axes about the normal                 [rad]
+    int form = 0;                 ///< FORM
+    double leak_area = 0.0;       ///< FLC > 0                                               [-]
+    double leak_velocity = 0.0;   ///< FAC > 0 (FVOPT 7/8), coefficient otherwise            [m/s]
+    Index leak_area_curve = -1;   ///< FLC < 0: row in Model::curves
+    Index leak_velocity_curve = -1;  ///< FAC < 0: row in Model::curves
+    int leak_option = 0;             ///< FVOPT
 };
 
 /// Isotropic linear elastic membrane, *MAT_ELASTIC (001).
@@ -47,17 +47,17 @@ struct NullCard {
 
 /// Undeformable, *MAT_RIGID (020).
 struct RigidCard {
-    double density = NaN;        ///< RO [kg/m^3]
-    double E = NaN;              ///< E, for contact stiffness only [Pa]
-    double nu = 0.0;             ///< PR [-]
-    unsigned fixed_moves = 0;    ///< CMO = 1, CON1: bit 0 x, 1 y, 2 z of the centre of mass held
-    unsigned fixed_turns = 0;    ///< CMO = 1, CON2: bit 0 x, 1 y, 2 z rotation held
+    double density = NaN;      ///< RO [kg/m^3]
+    double E = NaN;            ///< E, for contact stiffness only [Pa]
+    double nu = 0.0;           ///< PR [-]
+    unsigned fixed_moves = 0;  ///< CMO = 1, CON1: bit 0 x, 1 y, 2 z of the centre of mass held
+    unsigned fixed_turns = 0;  ///< CMO = 1, CON2: bit 0 x, 1 y, 2 z rotation held
 };
 
 using MaterialCard = std::variant<FabricCard, ElasticCard, NullCard, RigidCard>;
 
 struct Material {
-    int id = 0;         ///< MID
+    int id = 0;  ///< MID
     std::string title;
     MaterialCard card;
 };

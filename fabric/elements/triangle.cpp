@@ -1,0 +1,13 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "fabric/elements/triangle.hpp"
+
+#include "fabric/membrane_block_of.hpp"
+
+namespace corpuscle::fabric {
+
+std::unique_ptr<MembraneBlock> make_triangles(const BlockInput& in) {
+    return make_block<Triangle>(in, make_triangle);
+}
+
+}  // namespace corpuscle::fabric

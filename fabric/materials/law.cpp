@@ -1,0 +1,80 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "fabric/materials/law.hpp"
+
+#include "solver/base/error.hpp"
+
+namespace corpuscle::fabric {
+
+namespace {
+
+using Faults = std::vector<std::string>;
+
+void require(Faults& faults, bool holds, const Material& material, const char* what, double value,
+             const char* expected) {
+    if (!holds)
+        faults.push_back(
+            fmt::format("material {}: {} = {:g}, expected {}", material.id, what, value, expected));
+}
+
+void check(Faults& faults, const Material& m, const FabricCard& c) {
+    require(faults, c.density > 0, m, "RO", c.density, "> 0");
+    require(faults, c.E_warp > 0, m, "EA", c.E_warp, "> 0");
+    require(faults, c.E_weft > 0, m, "EB", c.E_weft, "> 0");
+    require(faults, c.G > 0, m, "GAB", c.G, "> 0");
+    require(faults, c.nu_ba * c.nu_ba * c.E_warp < c.E_weft, m, "PRBA", c.nu_ba,
+            "PRBA² < EB/EA, or stretching would give energy");
+    require(faults, c.damping >= 0, m, "DAMP", c.damping, ">= 0");
+    require(faults, c.liner_E >= 0, m, "EL", c.liner_E, ">= 0");
+    require(faults, c.liner_ratio >= 0, m, "LRATIO", c.liner_ratio, ">= 0");
+    require(faults, c.liner_nu > -1 && c.liner_nu < 1, m, "PRL", c.liner_nu, "-1 < PRL < 1");
+}
+
+void check(Faults& faults, const Material& m, const ElasticCard& c) {
+    require(faults, c.density > 0, m, "RO", c.density, "> 0");
+    require(faults, c.E > 0, m, "E", c.E, "> 0");
+    require(faults, c.nu > -1 && c.nu < 1, m, "PR", c.nu, "-1 < PR < 1");
+}
+
+template <class Fabric>
+Law maybe_lined(const Fabric& fabric, const FabricCard& c) {
+    const PlaneModuli liner = c.liner_ratio * isotropic_moduli(c.liner_E, c.liner_nu);
+    if (liner.warp > 0) return Lined<Fabric>(fabric, liner);
+    return fabric;
+}
+
+bool is_isotropic(const FabricCard& c) {
+    constexpr double ROUNDING = 1e-9;  // decks hold six or more digits of G = E/2(1 + nu)
+    return c.E_warp == c.E_weft &&
+           std::abs(2.0 * c.G * (1.0 + c.nu_ba) - c.E_warp) < ROUNDING * c.E_warp;
+}
+
+Law fabric_law(const FabricCard& c) {
+    if (!c.no_compression)
+        return maybe_lined(Linear(orthotropic_moduli(c.E_warp, c.E_weft, c.nu_ba, c.G)), c);
+    if (is_isotropic(c)) return maybe_lined(IsotropicTensionField(c.E_warp, c.nu_ba), c);
+    return maybe_lined(OrthotropicTensionField(c.E_warp, c.E_weft, c.nu_ba, c.G), c);
+}
+
+}  // namespace
+
+PartLaw make_law(const Material& material) {
+    Faults faults;
+    if (const auto* fabric = std::get_if<FabricCard>(&material.card)) {
+        check(faults, material, *fabric);
+        if (faults.empty()) return {fabric_law(*fabric), fabric->density, fabric->damping};
+    } else if (const auto* elastic = std::get_if<ElasticCard>(&material.card)) {
+        check(faults, material, *elastic);
+        if (faults.empty())
+            return {Linear(isotropic_moduli(elastic->E, elastic->nu)), elastic->density, 0.0};
+    } else {
+        faults.push_back(fmt::format("material {} has no stiffness to strain", material.id));
+    }
+    throw InputError(std::move(faults));
+}
+
+double density(const MaterialCard& card) {
+    return std::visit([](const auto& c) { return c.density; }, card);
+}
+
+}  // namespace corpuscle::fabric

@@ -1,0 +1,33 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <variant>
+
+#include "fabric/materials/fabric_card.hpp"
+#include "fabric/materials/isotropic_tension_field.hpp"
+#include "fabric/materials/linear.hpp"
+#include "fabric/materials/lined.hpp"
+#include "fabric/materials/orthotropic_tension_field.hpp"
+
+namespace corpuscle::fabric {
+
+/// Every law that a block of elements can have: chosen once a part, never in a loop.
+using Law = std::variant<Linear, IsotropicTensionField, OrthotropicTensionField, Lined<Linear>,
+                         Lined<IsotropicTensionField>, Lined<OrthotropicTensionField>>;
+
+struct PartLaw {
+    Law law{Linear(PlaneModuli{})};
+    double density = NaN;  ///< [kg/m^3]
+    double damping = 0.0;  ///< share of critical at the element's highest frequency [-]
+};
+
+/// The law that a card asks for. *MAT_NULL and *MAT_RIGID have none: InputError, as for moduli that
+/// are not positive or a Poisson's ratio for which the sheet would gain energy; each fault names
+/// the material.
+PartLaw make_law(const Material& material);
+
+/// Density of any card.                                                  [kg/m^3]
+double density(const MaterialCard& card);
+
+}  // namespace corpuscle::fabric

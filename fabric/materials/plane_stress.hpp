@@ -1,0 +1,50 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fabric/lanes.hpp"
+
+namespace corpuscle::fabric {
+
+/// Green-Lagrange strain on the warp and weft of the reference shape; shear is the angle's.   [-]
+template <class Real>
+struct Strain {
+    Real warp, weft, shear;  ///< E11, E22, 2·E12
+};
+
+/// Second Piola-Kirchhoff stress on warp and weft, and the energy it stores.
+template <class Real>
+struct Stress {
+    Real warp, weft, shear;  ///< S11, S22, S12                          [Pa]
+    Real energy;             ///< of the reference volume                [J/m^3]
+};
+
+/// Stiffness of a thin sheet on its warp and weft.                       [Pa]
+struct PlaneModuli {
+    double warp = 0, cross = 0, weft = 0, shear = 0;  ///< D11, D12, D22, G
+
+    /// S = D·E without the energy.
+    template <class Real>
+    Stress<Real> times(const Strain<Real>& e) const {
+        return {warp * e.warp + cross * e.weft, cross * e.warp + weft * e.weft, shear * e.shear,
+                Real{}};
+    }
+    friend PlaneModuli operator+(const PlaneModuli& a, const PlaneModuli& b) {
+        return {a.warp + b.warp, a.cross + b.cross, a.weft + b.weft, a.shear + b.shear};
+    }
+    friend PlaneModuli operator*(double s, const PlaneModuli& a) {
+        return {s * a.warp, s * a.cross, s * a.weft, s * a.shear};
+    }
+};
+
+/// D11 = E1/(1 - nu12·nu21), D12 = nu21·D11, D22 = E2/(1 - nu12·nu21), nu12 = nu21·E1/E2.
+/// @param nu_21  strain along 1 from stress along 2 (PRBA)
+inline PlaneModuli orthotropic_moduli(double E_1, double E_2, double nu_21, double G) {
+    const double scale = 1.0 / (1.0 - nu_21 * nu_21 * E_1 / E_2);
+    return {scale * E_1, scale * nu_21 * E_1, scale * E_2, G};
+}
+inline PlaneModuli isotropic_moduli(double E, double nu) {
+    return orthotropic_moduli(E, E, nu, 0.5 * E / (1.0 + nu));
+}
+
+}  // namespace corpuscle::fabric

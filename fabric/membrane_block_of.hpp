@@ -1,0 +1,227 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <tuple>
+
+#include "fabric/element_frequency.hpp"
+#include "fabric/membrane_block.hpp"
+
+namespace corpuscle::fabric {
+
+/// LANES elements side by side.
+template <template <class> class Element>
+struct Pack {
+    static constexpr int CORNERS = Element<Lanes>::CORNERS;
+
+    Element<Lanes> shape;
+    Lanes rate;  ///< (2/dt)²                                                     [1/s^2]
+    std::array<std::array<Index, LANES>, CORNERS> nodes;
+
+    void set(int lane, const Element<double>& one) {
+        auto to = Element<Lanes>::fields(shape);
+        const auto from = Element<double>::fields(one);
+        copy_lane(lane, to, from, std::make_index_sequence<std::tuple_size_v<decltype(to)>>{});
+    }
+
+private:
+    template <class To, class From, std::size_t... I>
+    static void copy_lane(int lane, To& to, const From& from, std::index_sequence<I...>) {
+        ((std::get<I>(to)[lane] = std::get<I>(from)), ...);
+    }
+};
+
+/// Positions or velocities of a pack's corners.
+template <std::size_t CORNERS>
+std::array<Vector<Lanes>, CORNERS> corners_of(
+    const double* points, const std::array<std::array<Index, LANES>, CORNERS>& nodes) {
+    std::array<Vector<Lanes>, CORNERS> out;
+    for (std::size_t c = 0; c < CORNERS; ++c)
+        for (int l = 0; l < LANES; ++l) {
+            const double* at = points + 3 * static_cast<std::ptrdiff_t>(nodes[c][l]);
+            out[c].x[l] = at[0];
+            out[c].y[l] = at[1];
+            out[c].z[l] = at[2];
+        }
+    return out;
+}
+
+template <std::size_t CORNERS>
+void store_corners(double* to, const std::array<Vector<Lanes>, CORNERS>& f) {
+    for (std::size_t c = 0; c < CORNERS; ++c) {
+        store(to + (3 * c + 0) * LANES, f[c].x);
+        store(to + (3 * c + 1) * LANES, f[c].y);
+        store(to + (3 * c + 2) * LANES, f[c].z);
+    }
+}
+
+/// The loop over a block; it knows no mechanics. `DAMPED` and the law are settled at construction.
+template <template <class> class Element, class Law, bool DAMPED>
+class BlockOf final : public MembraneBlock {
+public:
+    static constexpr int CORNERS = Element<Lanes>::CORNERS;
+    static constexpr std::size_t STRIDE = 3 * LANES * CORNERS;  ///< corner forces of a pack
+
+    template <class Make>
+    BlockOf(const BlockInput& in, const Law& law, const Make& make)
+        : law_(law), packs_((in.shells.size() + LANES - 1) / LANES) {
+        part = in.part;
+        corners = CORNERS;
+        is_damped = DAMPED;
+        shells = in.shells;
+        mass.resize(size());
+        frequency_.resize(size());
+        damping_time_.resize(packs_.size() * LANES, 0.0);
+        for (std::size_t e = 0; e < packs_.size() * LANES; ++e)
+            place(in, e, make(in.shapes[std::min(e, size() - 1)], in.thickness));
+    }
+
+    Result force(std::size_t begin, std::size_t end, const Points& x, const Points& v,
+                 double* elastic, double* damping) const override {
+        Lanes energy{}, rate{}, pack_of{};
+        for (std::size_t p = begin; p < end; ++p) {
+            const Pack<Element>& pack = packs_[p];
+            const auto motion = pack.shape.motion(corners_of(x.data()->data(), pack.nodes));
+            const auto strain = pack.shape.strain(motion);
+            Lanes stored;
+            const auto load = pack.shape.elastic(law_, motion, strain, stored);
+            store_corners(elastic + p * STRIDE, pack.shape.spread(motion, load, Lanes{} + 1.0));
+            energy += stored;
+            if constexpr (DAMPED) damp(p, motion, v, damping);
+
+            const Lanes now = pack.rate * (1.0 + 3.0 * greatest_extension(strain));
+            pack_of = select(now > rate, Lanes{} + static_cast<double>(p), pack_of);
+            rate = greater(now, rate);
+        }
+        return summary(energy, rate, pack_of);
+    }
+
+    Index first_broken(const Points& x, const double* elastic,
+                       const double* damping) const override {
+        Index first = -1;
+        for (std::size_t e = 0; e < size(); ++e) {
+            const std::size_t p = e / LANES, lane = e % LANES;
+            const Element<Lanes>& shape = packs_[p].shape;
+            const auto motion = shape.motion(corners_of(x.data()->data(), packs_[p].nodes));
+            Lanes stored;
+            shape.elastic(law_, motion, shape.strain(motion), stored);
+            bool is_finite = std::isfinite(stored[lane]);
+            for (std::size_t k = 0; k < 3 * CORNERS; ++k) {
+                const std::size_t at = p * STRIDE + k * LANES + lane;
+                is_finite &= std::isfinite(elastic[at]) && (!DAMPED || std::isfinite(damping[at]));
+            }
+            if (!is_finite && (first < 0 || shells[e] < first)) first = shells[e];
+        }
+        return first;
+    }
+
+    void stress_strain(const Points& x, std::span<std::array<float, 3>> stress,
+                       std::span<std::array<float, 3>> strain) const override {
+        for (std::size_t p = 0; p < packs_.size(); ++p) {
+            const Element<Lanes>& shape = packs_[p].shape;
+            const auto motion = shape.motion(corners_of(x.data()->data(), packs_[p].nodes));
+            Strain<Lanes> e{};
+            Stress<Lanes> s{};
+            for (const Strain<Lanes>& at : shape.strain(motion)) {
+                const Stress<Lanes> here = law_.stress(at);
+                e = {e.warp + at.warp, e.weft + at.weft, e.shear + at.shear};
+                s = {s.warp + here.warp, s.weft + here.weft, s.shear + here.shear, s.energy};
+            }
+            for (std::size_t l = 0; l < LANES && p * LANES + l < size(); ++l)
+                write(l, e, s, stress[row(p, l)], strain[row(p, l)]);
+        }
+    }
+
+    Index node(std::size_t element, int corner) const override {
+        return packs_[element / LANES].nodes[static_cast<std::size_t>(corner)][element % LANES];
+    }
+    double rate(std::size_t element) const override {
+        return packs_[element / LANES].rate[element % LANES];
+    }
+    void set_rate(std::size_t element, double rate) override {
+        packs_[element / LANES].rate[element % LANES] = rate;
+    }
+    double frequency_squared(std::size_t element) const override { return frequency_[element]; }
+    double damping_time(std::size_t element) const override { return damping_time_[element]; }
+
+private:
+    std::size_t row(std::size_t pack, std::size_t lane) const {
+        return static_cast<std::size_t>(shells[pack * LANES + lane]);
+    }
+
+    void place(const BlockInput& in, std::size_t e, Element<double> one) {
+        Pack<Element>& pack = packs_[e / LANES];
+        const std::size_t lane = e % LANES, source = std::min(e, size() - 1);
+        for (std::size_t c = 0; c < CORNERS; ++c) pack.nodes[c][lane] = in.nodes[source][c];
+        if (e < size()) {
+            const ReferenceShape& shape = in.shapes[e];
+            mass[e] = in.law.density * in.thickness * shape.area;
+            frequency_[e] = highest_frequency_squared(one, shape, law_.moduli(), mass[e]);
+            damping_time_[e] = 2.0 * in.law.damping / std::sqrt(frequency_[e]);
+            pack.rate[lane] = step_rate(frequency_[e], damping_time_[e]);
+        } else {
+            one.empty();
+            pack.rate[lane] = 0.0;
+        }
+        pack.set(static_cast<int>(lane), one);
+    }
+
+    void damp(std::size_t p, const auto& motion, const Points& v, double* damping) const {
+        const Pack<Element>& pack = packs_[p];
+        const auto rate = pack.shape.motion(corners_of(v.data()->data(), pack.nodes));
+        const auto load = pack.shape.viscous(law_.moduli(), motion, rate);
+        const Lanes time = load_lanes(damping_time_.data() + p * LANES);
+        store_corners(damping + p * STRIDE, pack.shape.spread(motion, load, time));
+    }
+
+    /// Bound of the largest principal strain over all points, not below 0 [Gershgorin].
+    static Lanes greatest_extension(const auto& strain) {
+        Lanes most{};
+        for (const Strain<Lanes>& e : strain)
+            most = greater(most, greater(e.warp, e.weft) + 0.5 * magnitude(e.shear));
+        return most;
+    }
+
+    Result summary(const Lanes& energy, const Lanes& rate, const Lanes& pack_of) const {
+        Result out;
+        for (std::size_t l = 0; l < LANES; ++l) {
+            out.energy += energy[l];
+            if (rate[l] <= 0.0 || rate[l] < out.rate) continue;
+            const Index shell = shells[static_cast<std::size_t>(pack_of[l]) * LANES + l];
+            if (rate[l] > out.rate || shell < out.shell) out.shell = shell;
+            out.rate = rate[l];
+        }
+        return out;
+    }
+
+    static void write(std::size_t l, const Strain<Lanes>& e, const Stress<Lanes>& s,
+                      std::array<float, 3>& stress, std::array<float, 3>& strain) {
+        constexpr double SHARE = 1.0 / Element<Lanes>::POINTS;
+        const double e1 = SHARE * e.warp[l], e2 = SHARE * e.weft[l], e3 = SHARE * e.shear[l];
+        const double length_1 = std::sqrt(std::max(0.0, 1.0 + 2.0 * e1));
+        const double length_2 = std::sqrt(std::max(0.0, 1.0 + 2.0 * e2));
+        strain = {static_cast<float>(e1), static_cast<float>(e2), static_cast<float>(e3)};
+        stress = {static_cast<float>(SHARE * s.warp[l] * length_1 * length_1),
+                  static_cast<float>(SHARE * s.weft[l] * length_2 * length_2),
+                  static_cast<float>(SHARE * s.shear[l] * length_1 * length_2)};
+    }
+
+    Law law_;
+    std::vector<Pack<Element>> packs_;
+    std::vector<double> frequency_;     ///< squared                               [1/s^2]
+    std::vector<double> damping_time_;  ///< β, for every lane                     [s]
+};
+
+template <template <class> class Element, class Make>
+std::unique_ptr<MembraneBlock> make_block(const BlockInput& in, const Make& make) {
+    return std::visit(
+        [&]<class Law>(const Law& law) -> std::unique_ptr<MembraneBlock> {
+            if (in.law.damping > 0)
+                return std::make_unique<BlockOf<Element, Law, true>>(in, law, make);
+            return std::make_unique<BlockOf<Element, Law, false>>(in, law, make);
+        },
+        in.law.law);
+}
+
+}  // namespace corpuscle::fabric

@@ -1,0 +1,111 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "fabric/membrane_setup.hpp"
+
+namespace corpuscle::fabric {
+
+class MembraneBlock;
+
+/// All shells that can be strained: internal force, energy, stable step.
+///
+/// Elements of one part, shape and law form a block; a block's loop knows no options. Corner forces
+/// are written once by their element and gathered by node in a fixed order: same bits on any number
+/// of threads.
+class Membranes {
+public:
+    /// @throws InputError  naming every shell whose reference shape is impossible, and every
+    /// material
+    ///                     whose numbers are
+    explicit Membranes(const MembraneSetup& setup);
+    ~Membranes();
+    Membranes(Membranes&&) noexcept;
+    Membranes& operator=(Membranes&&) noexcept;
+
+    struct Step {
+        double dt;    ///< [s], infinite when nothing is active
+        Index shell;  ///< row of the shell that sets it, -1 when nothing does
+    };
+    /// Largest stable step of any element alone, which bounds that of the mesh: from the reference
+    /// shape, law, liner and damping, shortened by the stretch that the last add_force met. No
+    /// TSSFAC.
+    [[nodiscard]] Step stable_step() const { return step_; }
+
+    /// f += internal force of positions x at t and, where damped, of velocities v at t - dt/2.
+    /// @returns  row of the first shell whose strain or force is not finite, -1 when all are
+    [[nodiscard]] Index add_force(const Points& x, const Points& v, Points& f);
+
+    /// Energy stored at the last add_force, hourglass control included; all and by part row.    [J]
+    [[nodiscard]] double strain_energy() const;
+    [[nodiscard]] std::span<const double> part_strain_energy() const { return part_energy_; }
+
+    /// The part of the last add_force that came from DAMP: N × 3, empty when no part is damped. [N]
+    [[nodiscard]] std::span<const Vec3> damping_force() const { return damping_force_; }
+
+    /// What damping takes out of the motion while the last forces kick v_0 to v_1 over dt:
+    /// -Σ f·(v_0 + v_1)/2·dt, exactly the loss of kinetic energy that it causes.                [J]
+    [[nodiscard]] double damping_energy(const Points& v_0, const Points& v_1, double dt) const;
+
+    struct AddedMass {
+        std::vector<double> node;  ///< N, to be added to the lumped mass                     [kg]
+        double total = 0.0;        ///< may be negative when the step was forced on all       [kg]
+    };
+    enum class Scaling { WHERE_NEEDED, EVERYWHERE };  ///< DT2MS < 0, DT2MS > 0
+    /// Gives elements the mass for which `step` is stable at their reference shape; stable_step()
+    /// knows of it from then on.
+    AddedMass scale_mass(double step, Scaling where);
+
+    /// For pictures, warp, weft and shear of every shell's mean strain, zeros for inactive ones (E
+    /// × 3): Green strain E11, E22, 2·E12, and the true stress of cloth of unchanged volume on its
+    /// yarns, S11·|g1|², S22·|g2|², S12·|g1||g2|. [-], [Pa]
+    void stress_strain(const Points& x, std::span<std::array<float, 3>> stress,
+                       std::span<std::array<float, 3>> strain) const;
+
+    [[nodiscard]] std::size_t element_count() const { return element_count_; }
+
+private:
+    struct Task {  ///< consecutive packs of one block
+        std::size_t block, begin, end;
+    };
+    struct Found {  ///< by one task in one add_force
+        double energy;
+        double rate;  ///< (2/dt)² of the element that limits it [1/s^2]
+        Index shell;
+    };
+    /// For every node that has active corners: where their forces lie. Node row i's are
+    /// places[starts[i]] .. places[starts[i + 1]].
+    struct Gather {
+        std::vector<Index> nodes;
+        std::vector<std::uint32_t> starts, places;
+    };
+
+    [[nodiscard]] Gather gather_of(std::size_t node_count, bool damped) const;
+    [[nodiscard]] std::size_t gather_chunks() const;
+    void find_rest_step();
+    void gather_damping(Points& f);
+    void reduce();
+    [[nodiscard]] bool all_finite() const;
+    [[nodiscard]] Index first_broken(const Points& x) const;
+
+    std::vector<std::unique_ptr<MembraneBlock>> blocks_;
+    std::vector<std::size_t> block_start_;  ///< of its corner forces
+    std::vector<std::size_t> damped_start_;
+    std::vector<Task> tasks_;
+    std::vector<Found> found_;
+    std::vector<double> corner_force_, corner_damping_;
+    Gather gather_, damping_gather_;
+    std::vector<double> gather_check_;  ///< sums that are finite when all forces are
+    std::vector<double> part_energy_;
+    Points damping_force_;
+    std::size_t element_count_ = 0, node_count_ = 0;
+    Step step_{INF, -1};
+};
+
+}  // namespace corpuscle::fabric
