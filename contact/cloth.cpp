@@ -1,0 +1,136 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "contact/cloth.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "solver/base/error.hpp"
+
+namespace corpuscle::contact {
+namespace {
+
+std::vector<double> contact_thickness(const SelfContactSetup& setup) {
+    std::vector<double> thickness = setup.thickness;
+    if (setup.thickness_curve != nullptr) {
+        const auto& y = setup.thickness_curve->y;
+        thickness.assign(setup.triangles.size(), *std::max_element(y.begin(), y.end()));
+    } else if (setup.card.thickness == setup.card.thickness) {
+        thickness.assign(setup.triangles.size(), setup.card.thickness);
+    }
+    for (const double t : thickness)
+        if (!(t > 0.0))
+            throw InputError(fmt::format("contact {}: contact thickness = {}, expected > 0 [m]",
+                                         setup.card.id, t));
+    return thickness;
+}
+
+std::vector<double> inverse_masses(const SelfContactSetup& setup) {
+    std::vector<double> inverse(setup.node_mass.size(), 0.0);
+    for (const Triangle& t : setup.triangles)
+        for (const Index node : t) {
+            if (setup.held[node]) continue;
+            if (!(setup.node_mass[node] > 0.0))
+                throw InputError(fmt::format(
+                    "contact {}: a free node at ({:.6g}, {:.6g}, {:.6g}) has no mass",
+                    setup.card.id, setup.x0[node].x(), setup.x0[node].y(), setup.x0[node].z()));
+            inverse[node] = 1.0 / setup.node_mass[node];
+        }
+    return inverse;
+}
+
+/// Fills `owned` and `edge`: the first triangle that has a node or edge owns it.
+void find_owners(Cloth& cloth) {
+    cloth.owned.assign(cloth.triangles.size(), 0);
+    std::vector<std::uint8_t> is_taken(cloth.inverse_mass.size(), 0);
+    std::map<std::pair<Index, Index>, Index> name;
+    for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
+        auto& edge = cloth.edge.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Index a = cloth.triangles[t][k], b = cloth.triangles[t][(k + 1) % 3];
+            const auto [named, is_new] =
+                name.emplace(std::minmax(a, b), static_cast<Index>(name.size()));
+            edge[k] = named->second;
+            if (!std::exchange(is_taken[a], 1)) cloth.owned[t] |= 1U << k;
+            if (is_new) cloth.owned[t] |= 8U << k;
+        }
+    }
+}
+
+/// Nodes that share an edge with each node, and all that are nearer along edges than `reach`.
+void find_near_nodes(double reach, Cloth& cloth) {
+    const std::size_t nodes = cloth.inverse_mass.size();
+    std::vector<std::vector<Index>> ring(nodes);
+    for (const Triangle& t : cloth.triangles)
+        for (std::size_t k = 0; k < 3; ++k) {
+            ring[t[k]].push_back(t[(k + 1) % 3]);
+            ring[t[k]].push_back(t[(k + 2) % 3]);
+        }
+    for (auto& r : ring) {
+        std::sort(r.begin(), r.end());
+        r.erase(std::unique(r.begin(), r.end()), r.end());
+    }
+    const auto length = [&](Index a, Index b) {
+        return (cloth.reference_x[a] - cloth.reference_x[b]).norm();
+    };
+    std::vector<std::pair<Index, double>> found;  // with the way to it
+    cloth.near_start.assign(1, 0);
+    for (std::size_t i = 0; i < nodes; ++i) {
+        const auto node = static_cast<Index>(i);
+        found.clear();
+        for (const Index n : ring[i]) found.emplace_back(n, length(node, n));
+        for (std::size_t f = 0; f < found.size(); ++f) {
+            const auto [at, way] = found[f];
+            if (way >= reach) continue;
+            for (const Index n : ring[at]) {
+                const bool is_known =
+                    n == node || std::any_of(found.begin(), found.end(),
+                                             [n](const auto& k) { return k.first == n; });
+                if (!is_known) found.emplace_back(n, way + length(at, n));
+            }
+        }
+        std::sort(found.begin(), found.end());
+        for (const auto& [n, way] : found) cloth.near_node.push_back(n);
+        cloth.near_start.push_back(static_cast<Index>(cloth.near_node.size()));
+    }
+}
+
+void list_patch_nodes(Cloth& cloth) {
+    cloth.patch_of.resize(cloth.triangles.size());
+    cloth.patch_node_start.assign(1, 0);
+    std::vector<Index> nodes;
+    for (std::size_t p = 0; p < cloth.patches.size(); ++p) {
+        nodes.clear();
+        for (const Index t : cloth.patches[p]) {
+            cloth.patch_of[t] = static_cast<Index>(p);
+            nodes.insert(nodes.end(), cloth.triangles[t].begin(), cloth.triangles[t].end());
+        }
+        std::sort(nodes.begin(), nodes.end());
+        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+        cloth.patch_node.insert(cloth.patch_node.end(), nodes.begin(), nodes.end());
+        cloth.patch_node_start.push_back(static_cast<Index>(cloth.patch_node.size()));
+    }
+}
+
+}  // namespace
+
+Cloth::Cloth(const SelfContactSetup& setup)
+    : triangles(setup.triangles),
+      thickness(contact_thickness(setup)),
+      inverse_mass(inverse_masses(setup)),
+      reference_x(setup.reference_x.begin(), setup.reference_x.end()),
+      x0(setup.x0.begin(), setup.x0.end()),
+      patches(make_patches(setup.reference_x, triangles)) {
+    for (const double t : thickness) greatest_thickness = std::max(greatest_thickness, t);
+    find_owners(*this);
+    find_near_nodes(2.0 * greatest_thickness, *this);
+    list_patch_nodes(*this);
+}
+
+bool Cloth::are_beside(Index node, Index other) const {
+    return std::binary_search(near_node.begin() + near_start[node],
+                              near_node.begin() + near_start[node + 1], other);
+}
+
+}  // namespace corpuscle::contact

@@ -1,0 +1,102 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "contact/impulses.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/repulsion.hpp"
+
+namespace corpuscle::contact {
+namespace {
+
+constexpr int SWEEPS =
+    4;  ///< of the approach limit; more of them let less momentum pass through piles
+constexpr double QUARTER = 0.25;  ///< of the rest gap that approach may not use up
+constexpr double HALF = 0.5;      ///< of the remaining gap that one step may use up
+
+}  // namespace
+
+Impulses::Impulses(const Cloth& cloth, const SelfContactCard& card) : cloth_(cloth), card_(card) {}
+
+void Impulses::apply(double span, double dt, ContactList& contacts, Candidates& pairs, Points& v) {
+    contacts.for_each_apart([&](Contact& c) {
+        c.impulse = span * c.force;
+        double& account = pairs[c.pair].memory.account;
+        if (c.force > 0.0)
+            account += c.impulse * (c.rest_rate - 0.5 * (c.rate_before + c.rate(v)));
+        else
+            account = std::min(account, 0.0);  // parted: what it has kept is lost
+    });
+    contacts.for_each([&](Contact& c) {
+        if (c.force > 0.0) settle(span, c, pairs[c.pair].memory.account, v);
+    });
+    bool is_stopped = true;
+    for (int sweep = 0; sweep < SWEEPS && is_stopped; ++sweep) {
+        is_stopped = false;
+        contacts.for_each([&](Contact& c) { is_stopped |= limit_approach(dt, c, v); });
+    }
+}
+
+/// Repayment, damping and friction of a contact that pushes.
+void Impulses::settle(double span, Contact& c, double& account, Points& v) {
+    const double rate = c.rate(v);
+    double repay = 0.0;
+    if (account < 0.0 && rate > 0.0) {
+        const double left = rate * rate + 2.0 * account / c.mass;
+        repay = c.mass * ((left > 0.0 ? std::sqrt(left) : 0.0) - rate);
+        repay = std::max(repay, -c.impulse);  // contacts do not pull
+        account -= repay * (rate + 0.5 * repay / c.mass);
+    }
+    // c dt / m of a dashpot c = 2 zeta k / omega, k / omega² being the mass that it was found for
+    const double zeta = 0.01 * card_.damping;
+    const double strength =
+        2.0 * zeta * c.stiffness * span * span / (std::sqrt(STIFFNESS) * c.mass);
+    const double damp = -c.mass * (rate + repay / c.mass) * strength / (1.0 + strength);
+    const double impulse = std::max(repay + damp, -c.impulse);
+    c.impulse += impulse;
+    books_.normal += push(impulse, c.normal, c, v);
+    rub(c.impulse, c, v);
+}
+
+bool Impulses::limit_approach(double dt, Contact& c, Points& v) {
+    const double spare = c.gap - QUARTER * c.rest;
+    const double limit = spare > 0.0 ? -HALF * spare / dt : 0.0;
+    const double rate = c.rate(v);
+    if (rate >= limit || c.mass == INF) return false;
+    const double impulse = c.mass * (limit - rate);
+    c.impulse += impulse;
+    books_.normal += push(impulse, c.normal, c, v);
+    rub(impulse, c, v);
+    return true;
+}
+
+void Impulses::rub(double normal_impulse, Contact& c, Points& v) {
+    const double most = std::max(card_.friction_static, card_.friction_dynamic);
+    if (most == 0.0 || c.mass == INF) return;
+    const Vec3 relative = c.relative(v);
+    const Vec3 sliding = relative - c.normal.dot(relative) * c.normal;
+    const double speed = sliding.norm();
+    if (speed == 0.0) return;
+    const double mu = card_.friction_dynamic + (card_.friction_static - card_.friction_dynamic) *
+                                                   std::exp(-card_.friction_decay * speed);
+    const double impulse = std::min(mu * normal_impulse, c.mass * speed);
+    books_.friction += push(-impulse, sliding / speed, c, v);
+}
+
+/// Gives an impulse along a unit direction to the contact's two places.
+/// @returns energy taken: -J (rate before + rate after) / 2                                    [J]
+double Impulses::push(double impulse, const Vec3& direction, const Contact& c, Points& v) {
+    const double rate = direction.dot(c.relative(v));
+    for (int i = 0; i < 4; ++i) {
+        const double inverse = cloth_.inverse_mass[c.node[i]];
+        const Vec3 share = impulse * c.weight[i] * direction;
+        if (inverse == 0.0)
+            books_.held_work -= share.dot(v[c.node[i]]);
+        else
+            v[c.node[i]] += inverse * share;
+    }
+    return -impulse * (rate + 0.5 * impulse / c.mass);
+}
+
+}  // namespace corpuscle::contact

@@ -1,0 +1,51 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "contact/contact_list.hpp"
+
+namespace corpuscle::contact {
+
+/// Energy that impulses have taken from the motion, since the start.
+struct ImpulseBooks {
+    double friction = 0.0;   ///< rubbed away                                                  [J]
+    double normal = 0.0;     ///< damped, stopped short of crossing                            [J]
+    double held_work = 0.0;  ///< given by held nodes, which impulses do not move              [J]
+};
+
+/// All of contact that loses energy: impulses on the velocities between the kick and the drift.
+///
+/// Each goes to the two places of one contact in opposite directions (momentum is kept) and can
+/// only take kinetic energy; one contact after the other [Gauss-Seidel], so any number may share a
+/// node. Being implicit, they ask nothing of the time step.
+///
+/// 1. Damping with the fraction VDC of critical, and repayment: what repulsion has given beyond
+/// what it took (a
+///    contact that begins or ends within a step does) is taken back while the pair parts.
+/// 2. Friction, Coulomb with FS, FD, DC: full stop of sliding if mu times the normal impulse allows
+/// it.
+/// 3. Limit of approach: in the step ahead no gap may shrink by more than half of what it has above
+/// a quarter of
+///    its rest value: whatever the speed, nothing passes through.
+class Impulses {
+public:
+    Impulses(const Cloth& cloth, const SelfContactCard& card);
+
+    /// @param span  time for which the last kick's forces acted                               [s]
+    /// @param dt    the step ahead                                                            [s]
+    void apply(double span, double dt, ContactList& contacts, Candidates& pairs, Points& v);
+
+    [[nodiscard]] const ImpulseBooks& books() const { return books_; }
+
+private:
+    void settle(double span, Contact& contact, double& account, Points& v);
+    bool limit_approach(double dt, Contact& contact, Points& v);
+    void rub(double normal_impulse, Contact& contact, Points& v);
+    double push(double impulse, const Vec3& direction, const Contact& contact, Points& v);
+
+    const Cloth& cloth_;
+    const SelfContactCard card_;
+    ImpulseBooks books_;
+};
+
+}  // namespace corpuscle::contact

@@ -1,0 +1,169 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "contact/self_contact.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "contact/impulses.hpp"
+#include "contact/repulsion.hpp"
+
+namespace corpuscle::contact {
+namespace {
+
+/// Gap, in contact thicknesses, below which pairs are looked at in every step and remember their
+/// sides.
+constexpr double REACH = 1.5;
+
+/// Part of the contact thickness that near places may approach by in one step.
+constexpr double APPROACH = 0.5;
+
+}  // namespace
+
+struct SelfContact::State {
+    SelfContactCard card;
+    std::optional<Curve> thickness_curve;
+    Cloth cloth;
+    Candidates pairs;
+    Repulsion repulsion;
+    Impulses impulses;
+    ContactList contacts;
+    SelfContactCounts counts;
+    Vec3 force = Vec3::Zero();
+    double dt_last = 0.0, span = 0.0;  ///< [s]
+    bool is_started = false;
+
+    explicit State(const SelfContactSetup& setup)
+        : card(setup.card),
+          thickness_curve(setup.thickness_curve ? std::optional(*setup.thickness_curve)
+                                                : std::nullopt),
+          cloth(setup),
+          pairs(cloth, REACH),
+          repulsion(cloth),
+          impulses(cloth, setup.card) {}
+
+    void look_at_pairs(const Points& x, const Points& v, double t);
+    void count();
+    [[nodiscard]] double mass(const Contact& c) const;
+    [[nodiscard]] Vec3 force_on_free_nodes() const;
+};
+
+SelfContact::SelfContact(const SelfContactSetup& setup) : state_(std::make_unique<State>(setup)) {}
+SelfContact::~SelfContact() = default;
+SelfContact::SelfContact(SelfContact&&) noexcept = default;
+SelfContact& SelfContact::operator=(SelfContact&&) noexcept = default;
+
+void SelfContact::find(const Points& x, const Points& v, double t, double dt) {
+    State& s = *state_;
+    s.contacts.clear(0);
+    if (s.cloth.triangles.empty() || t < s.card.birth || t > s.card.death) return;
+    if (s.is_started) {
+        s.pairs.follow(x, t);
+    } else {
+        s.pairs.start(x, v, t, dt);
+        for (std::size_t i = 0; i < s.pairs.size(); ++i)
+            s.counts.close_starts += s.pairs[i].memory.short_by > 0.0;
+        s.is_started = true;
+    }
+    s.look_at_pairs(x, v, t);
+    s.count();
+}
+
+void SelfContact::State::look_at_pairs(const Points& x, const Points& v, double t) {
+    const double most = thickness_curve ? (*thickness_curve)(t) : INF;
+    contacts.clear(pairs.size());
+    parallel::for_chunks(
+        pairs.size(),
+        [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+            Contact contact{};
+            for (std::size_t i = begin; i < end; ++i) {
+                if (!pairs.is_due(i)) continue;
+                double nearest = 0.0;
+                const double thickness = std::min(pairs[i].thickness, most);
+                const bool is_near =
+                    look_at(pairs[i], x, t, pairs.range(i), thickness, nearest, contact);
+                pairs.tell_distance(i, nearest);
+                if (!is_near) continue;
+                contact.pair = i;
+                contact.mass = mass(contact);
+                contact.rate_before = contact.rate(v);
+                contacts.chunk(chunk).push_back(contact);
+            }
+        },
+        ContactList::CHUNK);
+}
+
+double SelfContact::State::mass(const Contact& c) const {
+    double inverse = 0.0;
+    for (int i = 0; i < 4; ++i)
+        inverse += c.weight[i] * c.weight[i] * cloth.inverse_mass[c.node[i]];
+    return 1.0 / inverse;
+}
+
+void SelfContact::State::count() {
+    counts.builds = pairs.builds();
+    counts.candidates = pairs.size();
+    counts.near = counts.touching = 0;
+    contacts.for_each([&](const Contact& c) {
+        ++counts.near;
+        counts.touching += c.gap < c.rest;
+        if (c.rest > 0.0) counts.least_gap = std::min(counts.least_gap, c.gap / c.rest);
+    });
+}
+
+void SelfContact::add_force(const Points& /*x*/, const Points& /*v*/, double dt, Points& f) {
+    State& s = *state_;
+    s.repulsion.find(std::max(dt, s.dt_last), s.contacts);
+    s.repulsion.add(s.contacts, f);
+    s.span = 0.5 * (s.dt_last + dt);
+    s.dt_last = dt;
+}
+
+void SelfContact::filter(const Points& /*x*/, double dt, Points& v) {
+    State& s = *state_;
+    s.impulses.apply(s.span, dt, s.contacts, s.pairs, v);
+    s.force = s.force_on_free_nodes();
+}
+
+/// Normal impulses alone; friction on held nodes is not in it.
+Vec3 SelfContact::State::force_on_free_nodes() const {
+    Vec3 sum = Vec3::Zero();
+    contacts.for_each([&](const Contact& c) {
+        for (int i = 0; i < 4; ++i)
+            if (cloth.inverse_mass[c.node[i]] > 0.0) sum += c.impulse * c.weight[i] * c.normal;
+    });
+    return span > 0.0 ? Vec3(sum / span) : sum;
+}
+
+double SelfContact::stable_step(const Points& v) const {
+    double least = INF;
+    state_->contacts.for_each([&](const Contact& c) {
+        const double approach = -c.rate(v);
+        if (approach > 0.0) least = std::min(least, APPROACH * c.rest / approach);
+    });
+    return least;
+}
+
+const std::vector<std::pair<Index, Index>>& SelfContact::crossing() const {
+    return state_->pairs.crossing();
+}
+double SelfContact::stored_energy() const {
+    return contact::stored_energy(state_->contacts);
+}
+double SelfContact::friction_energy() const {
+    return state_->impulses.books().friction;
+}
+double SelfContact::damping_energy() const {
+    return state_->impulses.books().normal;
+}
+double SelfContact::held_work() const {
+    return state_->impulses.books().held_work;
+}
+const Vec3& SelfContact::force() const {
+    return state_->force;
+}
+const SelfContactCounts& SelfContact::counts() const {
+    return state_->counts;
+}
+
+}  // namespace corpuscle::contact

@@ -1,0 +1,74 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "contact/cloth.hpp"
+
+namespace corpuscle::contact {
+
+/// What contact has found and done.
+struct SelfContactCounts {
+    std::size_t builds = 0;        ///< of the pair lists, so far
+    std::size_t candidates = 0;    ///< pairs in the lists now
+    std::size_t near = 0;          ///< pairs within reach in this step
+    std::size_t touching = 0;      ///< pairs that push now
+    std::size_t close_starts = 0;  ///< pairs nearer than the contact thickness at the start
+    double least_gap =
+        INF;  ///< smallest gap over its rest value so far; negative: passed through  [-]
+};
+
+/// Fabric that touches itself: nodes against triangles and edges against edges, both sides.
+///
+/// A step calls find() and add_force() at t, then filter() between the kick and the drift.
+/// Repulsion is elastic and conserves; all that loses energy is done by the filter's impulses,
+/// exact in momentum. Before the card's birth and after its death nothing is found.
+///
+///     contact.find(x, v, t, dt);  contact.add_force(x, v, dt, f);  kick;  contact.filter(x, dt,
+///     v);  drift;
+class SelfContact {
+public:
+    /// @throws InputError for a contact thickness that is not positive or a free node without mass
+    explicit SelfContact(const SelfContactSetup& setup);
+    ~SelfContact();
+    SelfContact(SelfContact&&) noexcept;
+    SelfContact& operator=(SelfContact&&) noexcept;
+
+    /// Finds what is near at x, v being half a step old.
+    /// @param dt  the step ahead                                                               [s]
+    void find(const Points& x, const Points& v, double t, double dt);
+
+    /// Adds repulsion to f. It is taken to act for half the last step and half this one.
+    void add_force(const Points& x, const Points& v, double dt, Points& f);
+
+    /// Damping, friction, and the limit of approach for the step ahead; changes velocities only.
+    void filter(const Points& x, double dt, Points& v);
+
+    /// Longest step for the speeds at which near places approach each other; INF when none do. [s]
+    [[nodiscard]] double stable_step(const Points& v) const;
+
+    /// Triangles that crossed at the start and still do, rows i < j; their pairs do not push.
+    [[nodiscard]] const std::vector<std::pair<Index, Index>>& crossing() const;
+
+    [[nodiscard]] double stored_energy() const;  ///< in the repulsion now                       [J]
+    [[nodiscard]] double friction_energy() const;  ///< rubbed away so far [J]
+    [[nodiscard]] double damping_energy() const;   ///< damped or stopped by the filter so far [J]
+    [[nodiscard]] double energy() const {  ///< all three                                  [J]
+        return stored_energy() + friction_energy() + damping_energy();
+    }
+    /// Work that held nodes have done through the filter's impulses so far. [J]
+    [[nodiscard]] double held_work() const;
+    /// Resultant of repulsion and impulses on the free nodes in the last step: what held nodes
+    /// gave.  [N]
+    [[nodiscard]] const Vec3& force() const;
+    [[nodiscard]] const SelfContactCounts& counts() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace corpuscle::contact
