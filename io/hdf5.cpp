@@ -6,6 +6,7 @@
 #include <hdf5.h>
 
 #include <cassert>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -54,30 +55,13 @@ private:
 };
 
 template <class T>
-hid_t type_of();
-template <>
-hid_t type_of<float>() {
-    return H5T_NATIVE_FLOAT;
-}
-template <>
-hid_t type_of<double>() {
-    return H5T_NATIVE_DOUBLE;
-}
-template <>
-hid_t type_of<std::uint8_t>() {
-    return H5T_NATIVE_UINT8;
-}
-template <>
-hid_t type_of<std::int32_t>() {
-    return H5T_NATIVE_INT32;
-}
-template <>
-hid_t type_of<std::int64_t>() {
-    return H5T_NATIVE_INT64;
-}
-template <>
-hid_t type_of<std::uint64_t>() {
-    return H5T_NATIVE_UINT64;
+hid_t type_of() {
+    if constexpr (std::is_same_v<T, float>) return H5T_NATIVE_FLOAT;
+    if constexpr (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;
+    if constexpr (std::is_same_v<T, std::uint8_t>) return H5T_NATIVE_UINT8;
+    if constexpr (std::is_same_v<T, std::int32_t>) return H5T_NATIVE_INT32;
+    if constexpr (std::is_same_v<T, std::int64_t>) return H5T_NATIVE_INT64;
+    if constexpr (std::is_same_v<T, std::uint64_t>) return H5T_NATIVE_UINT64;
 }
 
 /// Variable length UTF-8: what Python reads as str.

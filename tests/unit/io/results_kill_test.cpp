@@ -19,8 +19,11 @@ using namespace corpuscle;
 using io::Hdf5Reader;
 using io::ResultsFile;
 
-/// A file on a full disk is abandoned on purpose (see ~Hdf5Writer): no leak to report, when sanitized.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
+/// A file on a full disk is abandoned on purpose (see ~Hdf5Writer): no leak to report, when
+/// sanitized.
+extern "C" const char* __lsan_default_suppressions() {
+    return "leak:libhdf5";
+}
 
 namespace {
 
