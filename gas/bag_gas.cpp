@@ -14,16 +14,14 @@ namespace {
 /// Impulse is released over this time at SFFDC = 1. Shorter: prompter and noisier. [s]
 constexpr double RELEASE_TIME = 50e-6;
 
-/// Particles wanted in an occupied cell. Fewer: noisy temperatures; more: blurred waves.
-constexpr double PARTICLES_PER_CELL = 20.0;
+/// Particles in a cell of the full bag that the first cells are meant for.
+constexpr double FIRST_PARTICLES_PER_CELL = 20.0;
 
 /// Share of a cell that fabric may move before facet lists are made anew.
 constexpr double MARGIN = 0.15;
 
-/// Shares of a cell that a particle of thermal speed crosses in a step that the gas limits, and
-/// between collisions. More: blurred waves; less: dearer.
+/// Share of a cell that a particle of thermal speed crosses in a step that the gas limits.
 constexpr double FLIGHT_SHARE = 0.5;
-constexpr double COLLISION_SHARE = 0.25;
 
 constexpr std::size_t MOST_CELLS = 2'000'000;
 
@@ -89,7 +87,7 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
     for (const Species& species : inflators_.species())
         lightest = std::min(lightest, species.molar_mass());
     speed_ = std::sqrt(card.gas_constant * inflators_.highest_temperature() / lightest);
-    cell_ = std::cbrt(PARTICLES_PER_CELL * volume_ / static_cast<double>(card.particles));
+    cell_ = cell_edge(volume_, card.particles, FIRST_PARTICLES_PER_CELL);
 }
 
 // ---- the load on the fabric
@@ -167,7 +165,6 @@ void BagGas::inject(double t, double dt, const Points& x_0, const Points& x_1) {
 void BagGas::fly(double t, double dt, const Points& x_0, const Points& x_1) {
     gas::fly(lists_, x_0, x_1, dt, mass_, born_, particles_, flight_);
     flights_ += particles_.size();
-    since_collision_ += dt;
     store_.receive(flight_, lists_.triangles());
     record_hits(x_1);
     if (!flight_.lost.empty()) remove_lost(t);

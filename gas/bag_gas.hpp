@@ -68,7 +68,7 @@ public:
 
     void prepare(const Points& x_0, const Points& x_1);  ///< facet lists for the step
     void inject(double t, double dt, const Points& x_0, const Points& x_1);
-    void collide(double t, double dt, const Points& x);
+    void collide(double dt, const Points& x);
     void fly(double t, double dt, const Points& x_0, const Points& x_1);
 
     /// Step in which a typical particle crosses half a cell: longer ones blur waves. [s]
@@ -103,6 +103,8 @@ public:
     [[nodiscard]] std::size_t lost() const { return lost_; }
     [[nodiscard]] std::size_t hits() const { return hits_; }
     [[nodiscard]] std::size_t flights() const { return flights_; }
+    [[nodiscard]] std::size_t unrelaxed() const { return unrelaxed_; }
+    [[nodiscard]] std::uint64_t collision_steps() const { return collisions_; }
     [[nodiscard]] std::size_t list_builds() const { return lists_.builds(); }
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
     [[nodiscard]] Vec3 owed_impulse() const { return store_.owed(); }  ///< [N s]
@@ -112,8 +114,10 @@ private:
     struct Holding;
     [[nodiscard]] Holding holding(std::int32_t species) const;
     void build_lists(const Points& x_0, const Points& x_1);
-    void fit_cells(std::size_t occupied);
-    void share_heat(double dt);
+    double heat_from_air(double thermal);
+    double heat_from_smoothing(double thermal);
+    void fit_cells(std::size_t occupied_cells);
+    void measure_speed();
     void record_hits(const Points& x_1);
     void remove_lost(double t);
     [[nodiscard]] double air_pressure() const { return air_ ? air_->pressure(volume_) : 0.0; }
@@ -140,6 +144,7 @@ private:
     double speed_ = 0.0;            ///< thermal, sqrt(R T / M) of the gas as a whole  [m/s]
     double since_collision_ = 0.0;  ///< [s]
     std::uint64_t collisions_ = 0;  ///< collision steps so far
+    std::size_t unrelaxed_ = 0;     ///< groups whose energy belonged to no temperature
 
     std::vector<double> part_impulse_, triangle_impulse_;  ///< since the last look   [N s]
     double part_air_ = 0.0, triangle_air_ = 0.0;           ///< integral of air pressure [Pa s]

@@ -46,7 +46,10 @@ RecordLayout Simulation::layout() const {
     for (const Part& part : model_.parts) layout.parts.push_back(part.id);
     for (const RigidBody& body : bodies_)
         layout.rigid_bodies.push_back(model_.parts[body.part()].id);
-    for (const auto& wall : model_.walls) layout.walls.push_back(wall.id);
+    for (const auto& wall : model_.walls) {
+        layout.walls.push_back(wall.id);
+        layout.wall_normals.push_back(wall.normal);
+    }
     for (const auto& contact : model_.contacts) layout.contacts.push_back(contact.id);
     for (const Index node : model_.history_nodes) {
         layout.history_nodes.push_back(model_.node_id[node]);

@@ -36,7 +36,7 @@ StepReport Simulation::step(const Observer& observe) {
     for (gas::BagGas& bag : bags_) {
         bag.prepare(nodes_.x, nodes_.x_1);                                      lap("facet lists");
         bag.inject(t, dt, nodes_.x, nodes_.x_1);                                lap("inflators");
-        bag.collide(t, dt, nodes_.x);                                           lap("collisions");
+        bag.collide(dt, nodes_.x);                                              lap("collisions");
         bag.fly(t, dt, nodes_.x, nodes_.x_1);                                   lap("flight");
     }
 

@@ -33,6 +33,15 @@ void print_bag(const gas::BagGas& bag, const Points& x) {
     fmt::print("    lost particles: {}\n", bag.lost());
 }
 
+void print_contact(int id, const contact::SelfContact& contact) {
+    const contact::SelfContactCounts& counts = contact.counts();
+    fmt::print("\n  contact {}: {} list builds, {} candidates, {} near and {} touching at the end\n", id,
+               counts.builds, counts.candidates, counts.near, counts.touching);
+    fmt::print("    {} pairs began nearer than the contact thickness, {} pairs of facets cross since the "
+               "start, least gap {:.3g} of its rest value\n",
+               counts.close_starts, contact.crossing().size(), counts.least_gap);
+}
+
 void print_ledger(const EnergyBooks& e, double worst) {
     const double brought = e.inflow + std::abs(e.external);
     fmt::print("\n  energy: inflow {:.6g}, external {:.6g}\n", e.inflow, e.external);
@@ -65,8 +74,7 @@ void Summary::print(Simulation& simulation, const std::string& folder,
         elements / wall);
     for (const gas::BagGas& bag : simulation.bags()) print_bag(bag, simulation.nodes().x);
     for (std::size_t c = 0; c < simulation.contacts().size(); ++c)
-        fmt::print("\n  contact {}: {}\n", simulation.model().contacts[c].id,
-                   simulation.contacts()[c].statistics());
+        print_contact(simulation.model().contacts[c].id, simulation.contacts()[c]);
     print_ledger(simulation.books(), worst_residual);
     fmt::print("\nresults: {0}/results.h5, {0}/results.xdmf (ParaView)\n", folder);
 }
