@@ -169,6 +169,7 @@ public:
     Card next_plus(const Layout& layout);
     std::string title();  ///< the next line as it is, without blanks around it
 
+    [[nodiscard]] bool good() const { return faults_.block_is_good(); }  ///< no fault so far
     /// A fault of the keyword as a whole.
     void fault(const std::string& what);
     void warn(const std::string& what);

@@ -33,6 +33,7 @@ public:
     /// Faults between begin_block() and end_block() belong to one keyword: a table with a thousand
     /// bad rows shows the first few and says how many more there are.
     void begin_block() { in_block_ = 0; }
+    [[nodiscard]] bool block_is_good() const { return in_block_ == 0; }
     void end_block(Place keyword_at, const std::string& keyword);
 
     [[nodiscard]] bool any() const { return !faults_.empty(); }

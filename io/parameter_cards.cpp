@@ -74,10 +74,11 @@ public:
 private:
     void value(Card& card, std::size_t i) {
         const Name name = parse_name(card.raw(i));
+        const std::string_view text = card.raw(i + 1);
         if (!name.is_good()) return card.fault(i, "R, I or C and a name");
         Parameter p{name.type, {0.0, name.type == 'I'}, {}, card.place()};
         if (name.type == 'C')
-            p.text = card.raw(i + 1);
+            p.text = text;
         else if (!card.given(i + 1))
             return card.fault(i + 1, "a value");
         else
@@ -131,14 +132,15 @@ private:
 
     void define(const Name& name, Parameter p) {
         if (const auto text = parameters_.take_override(name.name)) {
-            const auto by_user = overridden(name, *text);
-            if (!by_user)
-                return cards_.faults().fault(
+            if (const auto by_user = overridden(name, *text)) {
+                p.value = by_user->value;
+                p.text = by_user->text;
+            } else {
+                cards_.faults().fault(
                     p.place, fmt::format("*{} {}: -D {}={}, expected {}", cards_.block().keyword,
                                          name.name, name.name, *text,
                                          name.type == 'I' ? "a whole number" : "a number"));
-            p.value = by_user->value;
-            p.text = by_user->text;
+            }
         }
         if (const Parameter* first = parameters_.define(name.name, p, is_local_))
             cards_.faults().warn(

@@ -31,7 +31,7 @@ void define_curve(Cards& cards, Draft& draft) {
         curve.x.push_back(x);
         curve.y.push_back(y);
     }
-    if (curve.x.size() < 2) cards.fault("has too few points, expected two or more");
+    if (curve.x.size() < 2 && cards.good()) cards.fault("has too few points, expected two or more");
     draft.model.curves.push_back(std::move(curve));
 }
 

@@ -32,7 +32,8 @@ Rows nodes_of(const Draft& draft, const Rows& parts) {
     Rows nodes;
     for (const Shell& shell : draft.model.shells)
         if (std::find(parts.begin(), parts.end(), shell.part) != parts.end())
-            nodes.insert(nodes.end(), shell.nodes.begin(), shell.nodes.end());
+            for (const Index node : shell.nodes)
+                if (node >= 0) nodes.push_back(node);  // none: a shell with faults
     return nodes;
 }
 

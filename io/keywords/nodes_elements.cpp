@@ -50,7 +50,8 @@ void element_shell(Cards& cards, Draft& draft) {
         shell.id = c.new_id(std::size_t{0}, draft.shells, shells.size());
         shell.part = c.row(std::size_t{1}, draft.parts);
         for (std::size_t k = 0; k < 3; ++k) shell.nodes[k] = c.row(k + 2, draft.nodes);
-        const Index fourth = c.row_or_none("N4", draft.nodes);
+        const bool is_triangle = c.raw(4) == c.raw(5);
+        const Index fourth = is_triangle ? -1 : c.row_or_none("N4", draft.nodes);
         shell.nodes[3] = fourth < 0 ? shell.nodes[2] : fourth;
         if (c.good() && !is_sound(shell.nodes))
             c.fault("N1", "no node twice, but for N4 = N3 of a triangle");

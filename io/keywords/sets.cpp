@@ -3,7 +3,6 @@
 #include "io/keywords/sets.hpp"
 
 #include <array>
-#include <unordered_set>
 
 #include "io/keywords/keywords.hpp"
 
@@ -14,16 +13,6 @@ void set_header(Cards& cards, Registry& sets, std::size_t row) {
     Card c = cards.next("SID DA1 DA2 DA3 DA4 SOLVER ITS -");
     c.new_id("SID", sets, row);
     c.harmless("DA1 DA2 DA3 DA4 SOLVER ITS");
-}
-
-void close_set(Cards& cards, std::vector<Index>& items) {
-    std::unordered_set<Index> seen;
-    std::erase_if(items, [&](Index item) { return !seen.insert(item).second; });
-    if (items.empty()) cards.fault("is empty, expected something in the set");
-}
-
-void close_set(Cards& cards, Segments& items) {
-    if (items.empty()) cards.fault("is empty, expected something in the set");
 }
 
 namespace {
@@ -96,22 +85,21 @@ void list_set(Cards& cards, Registry& sets, std::vector<Rows>& store, const Regi
                 : cards.has("INCREMENT") ? stepped(cards, things)
                 : cards.has("GENERATE")  ? generated(cards, things)
                                          : listed(cards, things);
-    close_set(cards, rows);
-    store.push_back(std::move(rows));
+    Collection<Index> set;
+    set.add(rows);
+    store.push_back(set.close(cards));
 }
 
 /// The sum of other sets of the kind.
-template <class Set>
-void sum_set(Cards& cards, Registry& sets, std::vector<Set>& store) {
-    const Registry before = sets;  // a set does not contain itself
+template <class Item>
+void sum_set(Cards& cards, Registry& sets, std::vector<std::vector<Item>>& store) {
+    const Registry others = sets;  // a set does not contain itself
     set_header(cards, sets, store.size());
-    Set sum;
-    for (const Index set : listed(cards, before)) {
-        const Set& part = store[static_cast<std::size_t>(set)];
-        sum.insert(sum.end(), part.begin(), part.end());
-    }
-    close_set(cards, sum);
-    store.push_back(std::move(sum));
+    Collection<Index> parts;
+    parts.add(listed(cards, others));
+    Collection<Item> sum;
+    for (const Index part : parts.close(cards)) sum.add(store[static_cast<std::size_t>(part)]);
+    store.push_back(sum.close(cards));
 }
 
 }  // namespace
@@ -139,8 +127,9 @@ void set_segment(Cards& cards, Draft& draft) {
         nodes[3] = fourth < 0 ? nodes[2] : fourth;
         segments.push_back(nodes);
     }
-    close_set(cards, segments);
-    draft.segment_set.push_back(std::move(segments));
+    Collection<std::array<Index, 4>> set;
+    set.add(segments);
+    draft.segment_set.push_back(set.close(cards));
 }
 
 void set_node_add(Cards& cards, Draft& d) {

@@ -6,7 +6,6 @@
 #include <array>
 #include <functional>
 #include <numeric>
-#include <set>
 
 #include "io/keywords/keywords.hpp"
 #include "io/keywords/sets.hpp"
@@ -37,7 +36,7 @@ Rows nodes_of(const Draft& draft, const Rows& shells) {
     Rows nodes;
     for (const Index s : shells)
         for (const Index node : draft.model.shells[static_cast<std::size_t>(s)].nodes)
-            nodes.push_back(node);
+            if (node >= 0) nodes.push_back(node);  // none: a shell with faults
     return nodes;
 }
 
@@ -53,64 +52,70 @@ const Rows& at(const std::vector<Rows>& sets, Index row) {
 }
 
 /// What an option's ids stand for: the items of each id, in terms of the set.
-template <class Set>
+template <class Item>
 struct Option {
     std::string_view name;  ///< a D in front takes away
     const Registry* ids;    ///< nullptr: no ids, ALL
-    std::function<Set(Index)> items;
+    std::function<std::vector<Item>(Index)> items;
+
+    [[nodiscard]] bool is(std::string_view written) const { return written == name; }
+    [[nodiscard]] bool is_taken_away(std::string_view written) const {
+        return ids != nullptr && written == fmt::format("D{}", name);
+    }
 };
+template <class Item>
+using Options = std::vector<Option<Item>>;
 
 /// Attributes of segments stand in E4 to E7, so PART and SHELL have three ids there.
 constexpr std::size_t MOST_IDS = 7, MOST_SEGMENT_IDS = 3;
 
-template <class Set>
-void general_set(Cards& cards, Registry& sets, std::vector<Set>& store, std::size_t most_ids,
-                 const std::vector<Option<Set>>& options) {
+template <class Item>
+const Option<Item>* find_option(Card& c, const Options<Item>& options) {
+    const std::string written = upper(c.raw(0));
+    std::string known;
+    for (const Option<Item>& option : options) {
+        if (option.is(written) || option.is_taken_away(written)) return &option;
+        known.append(known.empty() ? "" : ", ").append(option.name);
+    }
+    c.harmless_all();
+    c.fault("OPTION", fmt::format("one of {}, or all but ALL with D before it", known));
+    return nullptr;
+}
+
+template <class Item>
+Collection<Item> chosen(Card& c, const Option<Item>& option, std::size_t most_ids) {
+    Collection<Item> items;
+    if (option.ids == nullptr) items.add(option.items(0));
+    for (std::size_t i = 1; option.ids != nullptr && i <= most_ids; ++i)
+        if (c.given(i) && c.integer(i) != 0)
+            if (const Index row = c.row(i, *option.ids); row >= 0) items.add(option.items(row));
+    c.harmless("E4 E5 E6 E7");
+    return items;
+}
+
+template <class Item>
+void general_set(Cards& cards, Registry& sets, std::vector<std::vector<Item>>& store,
+                 std::size_t most_ids, const Options<Item>& options) {
     static const Layout layout("OPTION E1 E2 E3 E4 E5 E6 E7");
     set_header(cards, sets, store.size());
-    Set items;
+    store.emplace_back();  // what this set is to itself
+    Collection<Item> set;
     while (cards.rows()) {
         Card c = cards.next(layout);
-        const std::string written = upper(c.raw(0));
-        const auto is_it = [&](const Option<Set>& o) {
-            return written == o.name || (o.ids != nullptr && written == fmt::format("D{}", o.name));
-        };
-        const auto option = std::find_if(options.begin(), options.end(), is_it);
-        if (option == options.end()) {
-            std::string known;
-            for (const Option<Set>& o : options)
-                known += (known.empty() ? "" : ", ") + std::string(o.name);
-            c.harmless_all();
-            c.fault("OPTION",
-                    "one of " + known + (known.size() > 3 ? ", or one with D before it" : ""));
-            continue;
-        }
-        const bool takes_away = written != option->name;
-        Set chosen;
-        if (option->ids == nullptr) chosen = option->items(0);
-        for (std::size_t i = 1; option->ids != nullptr && i <= (takes_away ? MOST_IDS : most_ids);
-             ++i)
-            if (c.given(i) && c.integer(i) != 0)
-                if (const Index row = c.row(i, *option->ids); row >= 0) {
-                    const Set more = option->items(row);
-                    chosen.insert(chosen.end(), more.begin(), more.end());
-                }
-        c.harmless("E4 E5 E6 E7");
-        if (takes_away) {
-            const std::set<typename Set::value_type> gone(chosen.begin(), chosen.end());
-            std::erase_if(items, [&](const auto& item) { return gone.contains(item); });
-        } else {
-            items.insert(items.end(), chosen.begin(), chosen.end());
-        }
+        const Option<Item>* option = find_option(c, options);
+        if (option == nullptr) continue;
+        if (option->is_taken_away(upper(c.raw(0))))
+            set.remove(chosen(c, *option, MOST_IDS).items());
+        else
+            set.add(chosen(c, *option, most_ids).items());
     }
-    close_set(cards, items);
-    store.push_back(std::move(items));
+    store.back() = set.close(cards);
 }
 
 }  // namespace
 
 void set_node_general(Cards& cards, Draft& d) {
-    general_set<Rows>(
+    general_set<Index>(
         cards, d.node_sets, d.node_set, MOST_IDS,
         {{"ALL", nullptr, [&](Index) { return all_rows(d.model.x.size()); }},
          {"NODE", &d.nodes, [](Index node) { return Rows{node}; }},
@@ -121,23 +126,23 @@ void set_node_general(Cards& cards, Draft& d) {
 }
 
 void set_part_general(Cards& cards, Draft& d) {
-    general_set<Rows>(cards, d.part_sets, d.part_set, MOST_IDS,
-                      {{"ALL", nullptr, [&](Index) { return all_rows(d.model.parts.size()); }},
-                       {"PART", &d.parts, [](Index part) { return Rows{part}; }},
-                       {"SET", &d.part_sets, [&](Index set) { return at(d.part_set, set); }}});
+    general_set<Index>(cards, d.part_sets, d.part_set, MOST_IDS,
+                       {{"ALL", nullptr, [&](Index) { return all_rows(d.model.parts.size()); }},
+                        {"PART", &d.parts, [](Index part) { return Rows{part}; }},
+                        {"SET", &d.part_sets, [&](Index set) { return at(d.part_set, set); }}});
 }
 
 void set_shell_general(Cards& cards, Draft& d) {
-    general_set<Rows>(cards, d.shell_sets, d.shell_set, MOST_IDS,
-                      {{"ALL", nullptr, [&](Index) { return all_rows(d.model.shells.size()); }},
-                       {"ELEM", &d.shells, [](Index shell) { return Rows{shell}; }},
-                       {"PART", &d.parts, [&](Index part) { return shells_of(d, part); }},
-                       {"SET", &d.shell_sets, [&](Index set) { return at(d.shell_set, set); }}});
+    general_set<Index>(cards, d.shell_sets, d.shell_set, MOST_IDS,
+                       {{"ALL", nullptr, [&](Index) { return all_rows(d.model.shells.size()); }},
+                        {"ELEM", &d.shells, [](Index shell) { return Rows{shell}; }},
+                        {"PART", &d.parts, [&](Index part) { return shells_of(d, part); }},
+                        {"SET", &d.shell_sets, [&](Index set) { return at(d.shell_set, set); }}});
 }
 
 void set_segment_general(Cards& cards, Draft& d) {
     const auto every_shell = [&](Index) { return segments_of(d, all_rows(d.model.shells.size())); };
-    general_set<Segments>(
+    general_set<std::array<Index, 4>>(
         cards, d.segment_sets, d.segment_set, MOST_SEGMENT_IDS,
         {{"ALL", nullptr, every_shell},
          {"PART", &d.parts, [&](Index part) { return segments_of(d, shells_of(d, part)); }},

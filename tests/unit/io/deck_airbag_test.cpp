@@ -1,0 +1,311 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include <catch2/catch.hpp>
+
+#include <numbers>
+
+#include "deck_scene.hpp"
+#include "solver/base/constants.hpp"
+
+using namespace corpuscle;
+using namespace corpuscle::test;
+
+namespace {
+
+constexpr double DEGREE = std::numbers::pi / 180.0;
+
+/// One gas through one orifice; cards 1 and 2, and what goes between the cards, as given.
+struct Bag {
+    std::string suffix, before_1, card_1 = "1", before_2, card_2 = "10000,1,1", behind_2;
+    std::string card_3 = "0,1,1", rows, gas = "7,7,0.028,28.0", orifice = "5,1.0";
+
+    [[nodiscard]] std::string deck() const {
+        return small_deck("*AIRBAG_PARTICLE" + suffix + "\n" + before_1 + card_1 + "\n" + before_2 +
+                          card_2 + "\n" + behind_2 + card_3 + "\n" + rows + gas + "\n" + orifice +
+                          "\n");
+    }
+};
+
+std::string only_fault(const DeckFolder& folder, const Bag& bag) {
+    const auto faults = folder.faults(bag.deck());
+    CAPTURE(faults);
+    REQUIRE(faults.size() == 1);
+    return faults[0];
+}
+
+}  // namespace
+
+TEST_CASE("AIRBAG_PARTICLE: the notes' simple cards", "[io]") {
+    const DeckFolder folder;
+    const Model model = folder.read(Bag{}.deck());
+    CHECK(model.unit_system == "SI");
+    const gas::BagCard& bag = model.bags.at(0);
+    CHECK(bag.id == 1);
+    CHECK(bag.external_parts == std::vector<Index>{0});
+    CHECK(bag.internal_parts.empty());
+    CHECK(bag.particles == 10000);
+    CHECK(bag.show_particles);
+    CHECK(bag.gas_constant == GAS_CONSTANT);
+    CHECK(bag.p_atm == ATMOSPHERE_PRESSURE);
+    CHECK(bag.T_atm == ATMOSPHERE_TEMPERATURE);
+    CHECK(bag.all_in == 1e10);
+    CHECK_FALSE(bag.air);
+    CHECK(bag.smoothing == 1.0);
+    REQUIRE(bag.inflow.size() == 1);
+    CHECK(bag.inflow[0].mass_rate == 0);
+    CHECK(bag.inflow[0].species.molar_mass == 0.028);
+    CHECK(bag.inflow[0].species.A == 28.0);
+    REQUIRE(bag.orifices.size() == 1);
+    CHECK(bag.orifices[0].node == 4);
+    CHECK_FALSE(bag.orifices[0].direction);
+    CHECK(bag.orifices[0].cone == Approx(30.0 * DEGREE));
+    CHECK(model.warnings.empty());
+}
+
+TEST_CASE("AIRBAG_PARTICLE: UNIT sets R and the atmosphere", "[io]") {
+    const DeckFolder folder;
+    Bag cards;
+    cards.card_3 = "1,1,1";
+    cards.rows = "0,0\n";
+    cards.card_2 = "10000,0";
+    const Model ms = folder.read(cards.deck());
+    CHECK(ms.unit_system == "kg-mm-ms-K");
+    CHECK(ms.bags[0].gas_constant == GAS_CONSTANT);
+    CHECK(ms.bags[0].p_atm == Approx(1.01325e-4));
+    REQUIRE(ms.bags[0].air);
+    CHECK(ms.bags[0].air->pressure == ms.bags[0].p_atm);
+    CHECK(ms.bags[0].air->temperature == 293.0);
+    CHECK(ms.bags[0].air->species.molar_mass == Approx(0.02897).epsilon(1e-3));
+    CHECK(any_contains(ms.warnings, "dry air is taken"));
+
+    cards.card_2 = "10000,2,1,300.0,0.2";
+    cards.gas = "7,7,2.8e-5,2.8e4";
+    const Model ton = folder.read(cards.deck());
+    CHECK(ton.unit_system == "ton-mm-s-K");
+    CHECK(ton.bags[0].gas_constant == Approx(1e3 * GAS_CONSTANT));
+    CHECK(ton.bags[0].p_atm == 0.2);
+    CHECK(ton.bags[0].T_atm == 300.0);
+    CHECK(ton.bags[0].air->temperature == 300.0);
+    CHECK(ton.bags[0].air->species.A == Approx(3.5e3 * GAS_CONSTANT));
+
+    cards.gas = "7,7,0.028,28.0";
+    const auto faults = folder.faults(cards.deck());
+    REQUIRE(faults.size() == 2);
+    CHECK(contains(faults[0], "(XM) = 0.028, expected tonnes per mole"));
+    CHECK(contains(faults[1], "(A) = 28.0, expected millijoules"));
+}
+
+TEST_CASE("AIRBAG_PARTICLE: every suffix inserts its card", "[io]") {
+    const DeckFolder folder;
+    const std::string mpp = "1.,1.,1.\n", name = "         9driver, left\n", time = "0,0\n";
+    Bag bag;
+    bag.card_2 = "777";
+    const auto check = [&] {
+        CAPTURE(bag.suffix);
+        const Model model = folder.read(bag.deck());
+        REQUIRE(model.bags.size() == 1);
+        CHECK(model.bags[0].particles == 777);
+        CHECK(model.bags[0].inflow.at(0).species.A == 28.0);
+        CHECK(model.bags[0].orifices.at(0).node == 4);
+        return model.bags[0];
+    };
+    SECTION("one by one") {
+        bag.suffix = "_MPP", bag.before_1 = mpp, check();
+        bag.suffix = "_TIME", bag.before_1 = time, check();
+        bag.suffix = "_DECOMPOSITION", bag.before_1 = "", check();
+        bag.suffix = "_SEGMENT", bag.before_2 = "0\n", check();
+        bag.suffix = "_JET", bag.before_2 = "", bag.behind_2 = "0\n", check();
+    }
+    SECTION("_ID and _TITLE are one card") {
+        bag.before_1 = "9,driver bag\n";
+        for (const char* suffix : {"_ID", "_TITLE", "_ID_TITLE"}) {
+            bag.suffix = suffix;
+            CHECK(check().id == 9);
+            CHECK(check().title == "driver bag");
+        }
+    }
+    SECTION("all together, in any order") {
+        bag.before_1 = mpp + "9,left\n" + time;
+        bag.before_2 = "0\n";
+        bag.behind_2 = "0\n";
+        for (const char* suffix :
+             {"_MPP_DECOMPOSITION_JET_SEGMENT_TIME_ID", "_ID_TIME_SEGMENT_JET_MPP"}) {
+            bag.suffix = suffix;
+            CHECK(check().title == "left");
+        }
+    }
+    SECTION("lines with a + in column 1") {
+        bag.behind_2 =
+            "+   1.E11       1.0       0.1         0         0         0       0.0       2.5\n"
+            "+     1.0\n";
+        CHECK(check().smoothing == 2.5);
+        bag.behind_2 = "+1e11,,,,,,,0.5\n";
+        CHECK(check().smoothing == 0.5);
+        bag.behind_2 = "+,,0.05\n";
+        check();
+        CHECK(
+            any_contains(folder.read(bag.deck()).warnings, "(OCCUP) = 0.05: particles are points"));
+    }
+}
+
+TEST_CASE("AIRBAG_PARTICLE: what nothing acts on yet is one fault, its rows are read over",
+          "[io]") {
+    const DeckFolder folder;
+    Bag bag;
+    SECTION("card 1") {
+        bag.card_1 = "1,0,0,0,1";
+        CHECK(
+            contains(only_fault(folder, bag), "card 1, field 5 (BLOCK) = 1, expected 0 or blank"));
+        bag.card_1 = "1,0,0,0,0,0,0.1";
+        CHECK(contains(only_fault(folder, bag),
+                       "(FRIC) = 0.1, expected 0 or blank: this field is not"));
+        bag.card_1 = "1,0,0,0,0,2";
+        bag.rows = "1,0,10.0\n2,0,10.0\n";
+        CHECK(contains(only_fault(folder, bag), "(NPDATA) = 2, expected 0 or blank: these rows"));
+        bag.card_1 = "1,0,2,2";
+        CHECK(contains(only_fault(folder, bag), "(STYPE2) = 2, expected 0 or 1: this choice"));
+    }
+    SECTION("card 2") {
+        bag.card_2 = "100,1,1,0,0,2";
+        bag.rows = "2,0,0.7\n1,0,0.7\n";
+        CHECK(
+            contains(only_fault(folder, bag), "card 2, field 6 (NVENT) = 2, expected 0 or blank"));
+        bag.card_2 = "100,1,1,0,0,0,0,0.5", bag.rows = "";
+        CHECK(contains(only_fault(folder, bag), "(TSW) = 0.5, expected no time before the end"));
+        bag.card_2 = "100,1,1,0,0,0,0,1.0";  // the end time
+        CHECK(folder.faults(bag.deck()).empty());
+        bag.card_2 = "100,3", bag.behind_2 = ",1,,1,,1\n";
+        CHECK(contains(only_fault(folder, bag), "(UNIT) = 3, expected 0 or 1 or 2: this choice"));
+        bag.card_2 = "0,1", bag.behind_2 = "";  // blank or zero is the default
+        CHECK(folder.read(bag.deck()).bags.at(0).particles == 200000);
+        bag.card_2 = "-5,1";
+        CHECK(contains(only_fault(folder, bag), "(NP) = -5, expected 1 to"));
+    }
+    SECTION("card 3 and the rows") {
+        bag.card_3 = "2,1,1", bag.rows = "0,0,0.029,29.\n";
+        CHECK(
+            contains(only_fault(folder, bag), "card 3, field 1 (IAIR) = 2, expected 0 or 1: this"));
+        bag.card_3 = "0,1,1,3", bag.rows = "";
+        CHECK(contains(only_fault(folder, bag), "(NID1) = 3, expected 0 or blank"));
+        bag.card_3 = "0,1,1,0,0,0,0,0.1";
+        CHECK(contains(only_fault(folder, bag), "(CD_EXT) = 0.1"));
+        bag.card_3 = "0,1,1", bag.orifice = "5,1.0,0,0,1,1";
+        CHECK(contains(only_fault(folder, bag), "(IMOM) = 1, expected 0 or blank"));
+    }
+    SECTION("suffixes and + lines") {
+        bag.suffix = "_MOLEFRACTION", bag.rows = "7\n";
+        CHECK(contains(only_fault(folder, bag), "has _MOLEFRACTION, which is not acted on yet"));
+        bag.suffix = "_INFLATION", bag.rows = "";
+        CHECK(contains(only_fault(folder, bag), "has _INFLATION"));
+        bag.suffix = "_SEGMENT", bag.before_2 = "4\n";
+        CHECK(contains(only_fault(folder, bag), "(SEGSID) = 4"));
+        bag.suffix = "", bag.before_2 = "", bag.behind_2 = "+,,,,,,0.01\n";
+        CHECK(contains(only_fault(folder, bag), "(TSPLIT) = 0.01"));
+    }
+}
+
+TEST_CASE("AIRBAG_PARTICLE: inner parts do not close the bag", "[io]") {
+    const DeckFolder folder;
+    Bag bag;
+    bag.card_1 = "12,1,2,0";
+    const std::string set = "*SET_PART_LIST\n12\n1,2\n";
+    std::string deck = bag.deck();
+    deck.insert(deck.find("*AIRBAG"), set);
+    const Model model = folder.read(deck);
+    CHECK(model.bags.at(0).external_parts == std::vector<Index>{0});
+    CHECK(model.bags.at(0).internal_parts == std::vector<Index>{1});
+    bag.card_1 = "1,0,1";
+    CHECK(contains(only_fault(folder, bag), "expected internal parts that leave some part"));
+}
+
+TEST_CASE("AIRBAG_PARTICLE: orifices at nodes and shells, with vectors and cones", "[io]") {
+    const DeckFolder folder;
+    const std::string vector = "*DEFINE_VECTOR\n3,0,0,0,0,0,5\n";
+    const auto read = [&](const std::string& row, const io::DeckOptions& options = {}) {
+        Bag bag;
+        bag.orifice = row;
+        return folder.read(bag.deck().insert(bag.deck().find("*AIRBAG"), vector), options);
+    };
+    const auto orifice = [&](const std::string& row) {
+        return read(row).bags.at(0).orifices.at(0);
+    };
+    CHECK(orifice("5,2.5,3").direction == Vec3::UnitZ());
+    CHECK(orifice("5,2.5,3").weight == 2.5);
+    CHECK(orifice("13,1.0,-1").shell == 2);
+    CHECK(orifice("13,1.0,-1").normal_sign == 1.0);
+    CHECK(orifice("13,1.0,-2").normal_sign == -1.0);
+    CHECK(orifice("13,1.0,-3\n0").normal_sign == 1.0);
+    CHECK(orifice("5,1.0,3,20.0,1,0,1").cone == Approx(20.0 * DEGREE));
+    CHECK(orifice("5,1.0,3,20.0").cone == Approx(30.0 * DEGREE));
+    CHECK(any_contains(read("5,1.0,3,20.0").warnings, "does not count without IANG = 1"));
+    CHECK(any_contains(read("5,1.0,3,20.0,1,0,1").warnings,
+                       "read in degrees, as the cone's half angle"));
+    CHECK(any_contains(read("5,1.0,3,0.5,1,0,1").warnings, "looks like radians"));
+    const Model notes = read("5,1.0,3,0.5", {{{"DIALECT", "2007"}}});
+    CHECK(notes.bags.at(0).orifices.at(0).cone == 0.5);
+    CHECK(any_contains(notes.warnings, "read in radians"));
+}
+
+TEST_CASE("AIRBAG_PARTICLE: the 2007 dialect, by -D or by *PARAMETER", "[io]") {
+    const DeckFolder folder;
+    Bag bag;
+    bag.card_1 = "1,0,0,0,0,0.5";  // HCONV, today NPDATA
+    const io::DeckOptions notes{{{"DIALECT", "2007"}}};
+    const auto faults = folder.faults(bag.deck(), notes);
+    REQUIRE(faults.size() == 1);
+    CHECK(contains(faults[0], "(HCONV) = 0.5, expected 0 or blank"));
+    bag.card_1 = "1";
+    bag.card_2 = "10000,1";  // VISFLG blank: no particles in 2007
+    CHECK_FALSE(folder.read(bag.deck(), notes).bags.at(0).show_particles);
+    CHECK_FALSE(
+        folder.read("*PARAMETER\nI DIALECT, 2007\n" + bag.deck()).bags.at(0).show_particles);
+    CHECK(folder.read(bag.deck()).bags.at(0).show_particles);
+    CHECK(folder.faults(bag.deck(), {{{"DIALECT", "2008"}}}).size() == 1);
+}
+
+TEST_CASE("AIRBAG_PARTICLE: gases and orifices of inflators belong together", "[io]") {
+    const DeckFolder folder;
+    Bag bag;
+    bag.card_3 = "0,2,2";
+    bag.gas = "7,7,0.028,28.0,0,0,1\n7,7,0.028,28.0,0,0,2";
+    bag.orifice = "5,1.0,0,0,1\n6,1.0,0,0,2";
+    CHECK(folder.read(bag.deck()).bags.at(0).orifices.at(1).inflator == 2);
+    bag.orifice = "5,1.0,0,0,1\n6,1.0,0,0,1";
+    CHECK(contains(only_fault(folder, bag), "has a gas of inflator INFG = 2"));
+    bag.orifice = "5,1.0,0,0,1\n6,1.0,0,0,2\n";
+    bag.gas = "7,7,0.028,28.0\n7,7,0.028,28.0";
+    CHECK(contains(only_fault(folder, bag), "has a nozzle of inflator INFO = 2"));
+    bag = {};
+    bag.card_3 = "0,1,0", bag.orifice = "";
+    CHECK(contains(only_fault(folder, bag), "(NORIF) = 0, expected >= 1"));
+    bag.card_3 = "0,0,0", bag.gas = "";
+    CHECK(contains(only_fault(folder, bag), "this bag has no gas"));
+    bag = {};
+    bag.card_3 = "0,1,2";
+    CHECK(contains(only_fault(folder, bag), "ends before its card 6, expected NID AN VD CA INFO"));
+}
+
+TEST_CASE("the smallest public CPM block stops at its initial air particles", "[io]") {
+    const DeckFolder folder;
+    const auto faults = folder.faults(small_deck(
+        "*AIRBAG_PARTICLE\n"
+        "         1         0         0         0         0         0       0.0         0\n"
+        "      2000         0         2     293.01.00000E-4         01.00000E101.00000E10\n"
+        "         2         0         0         0         0         0         0       0.0\n"
+        "1.00000E-4     293.0     0.035      26.77.00000E-4-1.0000E-6         00\n"));
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0] ==
+          "deck.k:33: *AIRBAG_PARTICLE card 3, field 1 (IAIR) = 2, expected 0 or 1: this "
+          "choice is not acted on yet");
+}
+
+TEST_CASE("fabric of a bag that would leak is named", "[io]") {
+    const DeckFolder folder;
+    Bag bag;
+    std::string deck = bag.deck();
+    deck.insert(deck.find("*AIRBAG"), "*MAT_FABRIC\n2,7e-7,0.4\n0\n0,0.1,1.5\n0\n0\n");
+    deck.replace(deck.find("cloth\n1,1,1"), 11, "cloth\n1,1,2");
+    const Model model = folder.read(deck);
+    REQUIRE(model.warnings.size() == 1);
+    CHECK(contains(model.warnings[0], "part 1 \"cloth\": its *MAT_FABRIC 2 leaks"));
+}

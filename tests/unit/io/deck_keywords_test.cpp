@@ -1,0 +1,278 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+
+#include "deck_scene.hpp"
+
+using namespace corpuscle;
+using namespace corpuscle::test;
+
+TEST_CASE("curves are offset, then scaled", "[io]") {
+    const DeckFolder folder;
+    const Model model =
+        folder.read(small_deck("*DEFINE_CURVE_TITLE\nmass flow\n"
+                               "         3         0       2.0      10.0       1.0      -0.5\n"
+                               "                 0.0                 1.0\n"
+                               "                 1.0                 2.0\n"));
+    const Curve& curve = model.curves.at(1);
+    CHECK(curve.id == 3);
+    CHECK(curve.x == std::vector<double>{2.0, 4.0});   // 2 (x + 1)
+    CHECK(curve.y == std::vector<double>{5.0, 15.0});  // 10 (y - 0.5)
+    const auto faults =
+        folder.faults(small_deck("*DEFINE_CURVE\n3\n0,1\n1,1\n0.5,1\n*DEFINE_CURVE\n4\n0,1\n"));
+    REQUIRE(faults.size() == 2);
+    CHECK(contains(faults[0],
+                   "deck.k:34: *DEFINE_CURVE card 4, field 1 (A) = 0.5, expected abscissae"));
+    CHECK(contains(faults[1], "deck.k:35: *DEFINE_CURVE has too few points"));
+}
+
+TEST_CASE("a section's thickness is the mean of its corners, blank ones like the first", "[io]") {
+    const DeckFolder folder;
+    std::string deck = small_deck();
+    deck.replace(deck.find("0.3\n*MAT"), 3, "0.3,0.5");
+    CHECK(folder.read(deck).parts.at(0).thickness == Approx(0.35));
+}
+
+TEST_CASE("shell forms: membranes, shells taken as membranes, and planes that are faults", "[io]") {
+    const DeckFolder folder;
+    const auto with_form = [&](const std::string& form) {
+        std::string deck = small_deck();
+        deck.replace(deck.find("1,5\n0.3"), 3, "1," + form);
+        return deck;
+    };
+    CHECK(folder.read(with_form("9")).warnings.empty());
+    CHECK(folder.read(with_form("9")).parts.at(0).element_form == 9);
+    const Model shell = folder.read(with_form("16"));
+    REQUIRE(shell.warnings.size() == 1);
+    CHECK(contains(shell.warnings[0], "(ELFORM) = 16: this shell is taken as a membrane"));
+    CHECK(folder.faults(with_form("13")).size() == 1);
+    CHECK(folder.faults(with_form("-1")).size() == 1);
+}
+
+namespace {
+
+std::string fabric_deck(const std::string& elastic, const std::string& shear,
+                        const std::string& leak = "0", const std::string& tail = "") {
+    return small_deck("*MAT_FABRIC_TITLE\ncloth\n2,7.e-7," + elastic + "\n" + shear + "\n" + leak +
+                      "\n0\n0,0,1,0,0,0,30\n" + tail);
+}
+const fabric::FabricCard& cloth(const Model& model) {
+    return std::get<fabric::FabricCard>(model.materials.at(1).card);
+}
+
+}  // namespace
+
+TEST_CASE("MAT_FABRIC: orthotropic as written, isotropic when EB is blank", "[io]") {
+    const DeckFolder folder;
+    const Model ortho =
+        folder.read(fabric_deck("0.4,0.3,,0.2", "0.01,,,1,0.05,0.3,0.1,0.05", "3,-7,1.5,,,2,7"));
+    CHECK(ortho.materials.at(1).title == "cloth");
+    CHECK(cloth(ortho).E_warp == 0.4);
+    CHECK(cloth(ortho).E_weft == 0.3);
+    CHECK(cloth(ortho).G == 0.01);
+    CHECK(cloth(ortho).no_compression);
+    CHECK(cloth(ortho).liner_ratio == 0.1);
+    CHECK(cloth(ortho).axes == 3);
+    CHECK(cloth(ortho).v == Vec3::UnitZ());
+    CHECK(cloth(ortho).beta == Approx(std::numbers::pi / 6.0));
+    CHECK(cloth(ortho).leak_area_curve == 0);
+    CHECK(cloth(ortho).leak_velocity == 1.5);
+    CHECK(cloth(ortho).leak_option == 7);
+
+    const Model iso = folder.read(fabric_deck("0.4,,,0.25", "99."));
+    CHECK(cloth(iso).E_weft == 0.4);
+    CHECK(cloth(iso).G == Approx(0.4 / 2.5));
+}
+
+TEST_CASE("MAT_FABRIC: what cannot be, and what is not acted on yet", "[io]") {
+    const DeckFolder folder;
+    const auto one = [&](const std::string& deck) {
+        const auto faults = folder.faults(deck);
+        CAPTURE(faults);
+        REQUIRE(faults.size() == 1);
+        return faults[0];
+    };
+    CHECK(contains(one(fabric_deck("0.4,0.3", "0")), "(GAB) = 0, expected > 0, for EB is given"));
+    CHECK(contains(one(fabric_deck("0.4,0.1,,0.6", "0.01")),
+                   "(PRBA) = 0.6, expected PRBA^2 EA / EB < 1"));
+    CHECK(contains(one(fabric_deck("-0.4", "0")), "(EA) = -0.4, expected > 0"));
+    CHECK(contains(one(fabric_deck("0.4", "0", "0,-9")), "(FLC) = -9, expected"));
+    CHECK(contains(one(fabric_deck("0.4", "0", "0,,,,,24")), "(FORM) = 24, expected"));
+    CHECK(contains(one(fabric_deck("0.4", "0", "0,,,,1")),
+                   "(LNRC) = 1, expected 0 or blank: this field is not"));
+    CHECK(contains(one(fabric_deck("0.4", "0", "0,,,,,4", "7,0\n")),
+                   "(LCA) = 7, expected 0 or blank"));
+    CHECK(folder.read(fabric_deck("0.4", "0", "0,,,,,14", "0,0\n")).warnings.size() == 1);
+}
+
+TEST_CASE("rigid parts: constraints, motion, initial velocity", "[io]") {
+    const DeckFolder folder;
+    const std::string rigid =
+        "*PART\nblock\n3,1,2\n*MAT_020\n2,1000.,1.e9,0.3\n1,5,4\n\n*DEFINE_VECTOR\n8,0,0,0,0,3,4\n";
+    const Model model = folder.read(
+        small_deck(rigid + "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n3,2,0,7,2.5\n3,8,2,7,0,8,0.5,0.1\n"
+                           "*INITIAL_VELOCITY_RIGID_BODY\n3,1,2,3,0,0,4\n"));
+    const auto& card = std::get<fabric::RigidCard>(model.materials.at(1).card);
+    CHECK(card.fixed_moves == 6U);  // y, z
+    CHECK(card.fixed_turns == 3U);  // x, y
+    REQUIRE(model.motions.size() == 2);
+    CHECK(model.motions[0].rigid_part == 2);
+    CHECK(model.motions[0].axis == Vec3::UnitY());
+    CHECK(model.motions[0].scale == 2.5);
+    CHECK_FALSE(model.motions[0].rotation);
+    CHECK(model.motions[1].rotation);
+    CHECK(model.motions[1].axis.isApprox(Vec3(0.0, 0.6, 0.8)));
+    CHECK(model.motions[1].kind == MotionKind::DISPLACEMENT);
+    CHECK(model.motions[1].scale == 1.0);
+    CHECK(model.motions[1].death == 0.5);
+    CHECK(model.motions[1].birth == 0.1);
+    REQUIRE(model.rigid_velocity.size() == 1);
+    CHECK(model.rigid_velocity[0].velocity == Vec3(1, 2, 3));
+    CHECK(model.rigid_velocity[0].spin == Vec3(0, 0, 4));
+    CHECK(folder.faults(small_deck("*BOUNDARY_PRESCRIBED_MOTION_RIGID\n1,1,0,7\n")).size() == 1);
+    CHECK(
+        folder.faults(small_deck(rigid + "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n3,9,0,7\n")).size() ==
+        1);
+}
+
+TEST_CASE("nodes: supports and prescribed motion", "[io]") {
+    const DeckFolder folder;
+    const Model model =
+        folder.read(small_deck("*BOUNDARY_SPC_NODE_ID\n1,held\n4,0,1,0,1,0,0,1\n*SET_NODE\n5\n1,2\n"
+                               "*BOUNDARY_PRESCRIBED_MOTION_SET\n5,3,1,7\n"
+                               "*BOUNDARY_PRESCRIBED_MOTION_NODE_ID\n1,moved\n6,1,2,7,-1\n"));
+    REQUIRE(model.supports.size() == 1);
+    CHECK(model.supports[0].node == 3);
+    CHECK(model.supports[0].fixed == (1U | 4U | 32U));
+    REQUIRE(model.motions.size() == 2);
+    CHECK(model.motions[0].nodes == std::vector<Index>{0, 1});
+    CHECK(model.motions[0].kind == MotionKind::ACCELERATION);
+    CHECK(model.motions[1].nodes == std::vector<Index>{5});
+    CHECK(model.motions[1].scale == -1.0);
+    CHECK(folder.faults(small_deck("*BOUNDARY_PRESCRIBED_MOTION_NODE\n6,5,0,7\n")).size() == 1);
+}
+
+TEST_CASE("initial velocity: all nodes, a set and the rest, one node, a turning part", "[io]") {
+    const DeckFolder folder;
+    const auto velocity = [&](const std::string& text) {
+        return folder.read(small_deck(text)).velocity;
+    };
+    CHECK(velocity("") == Points(6, Vec3::Zero()));
+    CHECK(velocity("*INITIAL_VELOCITY\n\n0,0,3\n") == Points(6, Vec3(0, 0, 3)));
+    const Points two = velocity("*SET_NODE\n5\n1\n*INITIAL_VELOCITY\n0,5\n0,0,3\n1,0,0\n");
+    CHECK(two[0] == Vec3(1, 0, 0));
+    CHECK(two[1] == Vec3(0, 0, 3));
+    const Points one = velocity("*INITIAL_VELOCITY_NODE\n3,1,2,3\n");
+    CHECK(one[2] == Vec3(1, 2, 3));
+    CHECK(one[3] == Vec3::Zero());
+    // 2 rad/s about z through node 2, and 5 along z
+    const Points turning = velocity("*INITIAL_VELOCITY_GENERATION\n2,2,2.0,0,0,5\n1,0,0,0,0,10\n");
+    CHECK(turning[0] == Vec3::Zero());
+    CHECK(turning[1] == Vec3(0, 0, 5));
+    CHECK(turning[4] == Vec3(0, 2, 5));
+    CHECK(turning[2] == Vec3(-2, 0, 5));
+}
+
+TEST_CASE("loads, damping and walls", "[io]") {
+    const DeckFolder folder;
+    const Model model =
+        folder.read(small_deck("*LOAD_BODY_Y\n7,9.81\n*DAMPING_GLOBAL\n0,25.0\n"
+                               "*RIGIDWALL_PLANAR_ID\n4,floor\n\n0,0,-1,0,0,4,0.25\n"
+                               "*SET_NODE\n5\n1,2\n*RIGIDWALL_PLANAR\n0,5\n1,0,0,-1,0,0\n"
+                               "*LOAD_SEGMENT\n7,1.0,0,1,2,3\n*LOAD_SHELL_ELEMENT\n13,7\n"));
+    CHECK(model.body_loads.at(0).axis == 1);
+    CHECK(model.body_loads.at(0).scale == 9.81);
+    CHECK(model.mass_damping == 25.0);
+    REQUIRE(model.walls.size() == 2);
+    CHECK(model.walls[0].id == 4);
+    CHECK(model.walls[0].title == "floor");
+    CHECK(model.walls[0].normal == Vec3::UnitZ());
+    CHECK(model.walls[0].point == Vec3(0, 0, -1));
+    CHECK(model.walls[0].friction == 0.25);
+    CHECK(model.walls[0].nodes.size() == 6);
+    CHECK(model.walls[1].nodes == std::vector<Index>{2, 3, 4, 5});
+    CHECK(model.walls[1].normal == -Vec3::UnitX());
+    REQUIRE(model.pressure_loads.size() == 2);
+    CHECK(model.pressure_loads[0].facets[0] == std::array<Index, 4>{0, 1, 2, 2});
+    CHECK(model.pressure_loads[1].facets[0] == std::array<Index, 4>{1, 4, 5, 2});
+
+    CHECK(folder.faults(small_deck("*DAMPING_GLOBAL\n0,25.0,1,0,1\n")).size() == 1);
+    const auto faults =
+        folder.faults(small_deck("*RIGIDWALL_PLANAR_MOVING\n\n0,0,0,0,0,1\n1,2\n"
+                                 "*RIGIDWALL_GEOMETRIC_SPHERE\n\n"
+                                 "*RIGIDWALL_PLANAR\n\n0,0,0,0,0,1,2.0\n"));
+    REQUIRE(faults.size() == 3);
+    CHECK(contains(faults[0], "*RIGIDWALL_PLANAR_MOVING is not acted on yet"));
+    CHECK(contains(faults[1], "*RIGIDWALL_GEOMETRIC_SPHERE is not supported yet"));
+    CHECK(contains(faults[2], "(FRIC) = 2.0, expected 0 to 1"));
+}
+
+TEST_CASE("contact: one method, and a word on what does not count", "[io]") {
+    const DeckFolder folder;
+    const Model model =
+        folder.read(small_deck("*CONTACT_AIRBAG_SINGLE_SURFACE_ID\n3,fabric on fabric\n2,0,3\n"
+                               "0.3,0.2,1.5,0,20.0,0,0.1,0.9\n0,0,0.5\n2,0.1,7\n0\n1\n"
+                               "*CONTACT_AUTOMATIC_SINGLE_SURFACE_MPP\n\n0\n\n\n"));
+    REQUIRE(model.contacts.size() == 2);
+    const contact::SelfContactCard& first = model.contacts[0];
+    CHECK(first.id == 3);
+    CHECK(first.title == "fabric on fabric");
+    CHECK(first.parts == std::vector<Index>{1});
+    CHECK(first.friction_static == 0.3);
+    CHECK(first.friction_dynamic == 0.2);
+    CHECK(first.friction_decay == 1.5);
+    CHECK(first.damping == 20.0);
+    CHECK(first.birth == 0.1);
+    CHECK(first.death == 0.9);
+    CHECK(first.thickness == 0.5);
+    CHECK(first.thickness_curve == 0);
+    CHECK(model.contacts[1].id == 2);
+    CHECK(model.contacts[1].parts == std::vector<Index>{0, 1});
+    CHECK(std::isnan(model.contacts[1].thickness));
+    CHECK(model.contacts[1].death == 1e20);
+    REQUIRE(model.warnings.size() == 1);
+    CHECK(contains(model.warnings[0], "(SOFT) = 2: there is one contact method here"));
+}
+
+TEST_CASE("control and output", "[io]") {
+    const DeckFolder folder;
+    const Model model = folder.read(small_deck(
+        "*TITLE\n  a bag  "
+        "\n*CONTROL_TIMESTEP\n1e-7,0.67,0,0,-5e-7\n*DATABASE_BINARY_D3PLOT\n0,0,0,20\n"
+        "*DATABASE_RBDOUT\n0.1\n*DATABASE_RWFORC\n0.2\n*DATABASE_HISTORY_NODE_ID\n3,tip\n"
+        "*DATABASE_HISTORY_NODE\n1,3,0,5\n*DATABASE_BINARY_D3THDT\n1.0\n*CONTROL_ENERGY\n2,2\n"));
+    CHECK(model.title == "a bag");
+    CHECK(model.end_time == 1.0);
+    CHECK(model.step_start == 1e-7);
+    CHECK(model.step_factor == 0.67);
+    CHECK(model.step_mass_scaled == -5e-7);
+    CHECK(model.output.frames == Approx(0.05));
+    CHECK(model.output.rbdout == 0.1);
+    CHECK(model.output.rwforc == 0.2);
+    CHECK(std::isnan(model.output.abstat));
+    CHECK(model.history_nodes == std::vector<Index>{0, 2, 4});
+    REQUIRE(model.warnings.size() == 2);
+    CHECK(contains(model.warnings[0], "deck.k:44: *DATABASE_BINARY_D3THDT is not read"));
+    CHECK(contains(model.warnings[1], "deck.k:46: *CONTROL_ENERGY is not read"));
+}
+
+TEST_CASE("the reference geometry may be scaled about a node", "[io]") {
+    const DeckFolder folder;
+    const Model model =
+        folder.read(small_deck("*AIRBAG_REFERENCE_GEOMETRY_BIRTH_RDT_ID\n1,2.0,1.0,0.5,3\n0.25\n"
+                               "       1             0.0             0.0             4.0\n3,1,1,0\n"
+                               "*AIRBAG_REFERENCE_GEOMETRY\n2,9,9,9\n"));
+    REQUIRE(model.references.size() == 2);
+    const ReferenceGeometry& first = model.references[0];
+    CHECK(first.birth == 0.25);
+    REQUIRE(first.nodes.size() == 2);
+    CHECK(first.nodes[0].first == 0);
+    CHECK(first.nodes[0].second == Vec3(-1.0, 0.0, 2.0));
+    CHECK(first.nodes[1].second == Vec3(1, 1, 0));
+    CHECK(model.references[1].nodes[0].second == Vec3(9, 9, 9));
+    CHECK(folder.faults(small_deck("*AIRBAG_REFERENCE_GEOMETRY\n2,9,9,9\n2,9,9,9\n77,1,1,1\n"))
+              .size() == 2);
+}
