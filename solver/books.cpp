@@ -69,6 +69,10 @@ Vec3 Simulation::contact_and_gas_force(Index node) const {
     return force;
 }
 
+Vec3 Simulation::velocity(Index node) const {
+    return (1.0 - ledger_.weight) * v_before_[node] + ledger_.weight * nodes_.v[node];
+}
+
 void Simulation::stop_for(Index broken_shell) const {
     const Shell& shell = model_.shells[broken_shell];
     const Vec3& at = nodes_.x[shell.nodes[0]];

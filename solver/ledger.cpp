@@ -5,7 +5,9 @@
 namespace corpuscle {
 
 EnergyBooks Ledger::balance(const EnergyBooks& instant) const {
-    const auto mean = [&](double Moved::*entry) { return 0.5 * (before.*entry + after.*entry); };
+    const auto mean = [&](double Moved::* entry) {
+        return (1.0 - weight) * before.*entry + weight * after.*entry;
+    };
     EnergyBooks books = instant;
     books.kinetic = mean(&Moved::kinetic);
     books.contact = mean(&Moved::contact);

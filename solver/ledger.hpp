@@ -28,7 +28,8 @@ struct Moved {
 /// to t is the mean of the two half steps.
 class Ledger {
 public:
-    Moved before, after;  ///< half steps t - dt/2, t + dt/2
+    Moved before, after;  ///< half steps t - dt_last/2, t + dt/2
+    double weight = 0.5;  ///< of `after` at t: dt_last / (dt_last + dt)                        [-]
 
     /// What is where at t: strain, gas, inflow and outflow are the instant's own.
     [[nodiscard]] EnergyBooks balance(const EnergyBooks& instant) const;

@@ -80,7 +80,7 @@ Sample Simulation::sample() {
         const Shell& shell = model_.shells[s];
         const int corners = shell.is_triangle() ? 3 : 4;
         for (int c = 0; c < corners; ++c) {
-            const Vec3& v = v_mid_[shell.nodes[c]];
+            const Vec3 v = velocity(shell.nodes[c]);
             const double mass = shell_mass_[s] / corners;
             row.parts[shell.part].kinetic_energy += 0.5 * mass * v.squaredNorm();
             row.parts[shell.part].momentum += mass * v;
@@ -100,7 +100,7 @@ Sample Simulation::sample() {
         row.contacts.push_back({contact.force(), contact.energy()});
     for (const Index node : model_.history_nodes) {
         row.node_coordinates.push_back(nodes_.x[node]);
-        row.node_velocity.push_back(v_mid_[node]);
+        row.node_velocity.push_back(velocity(node));
     }
     return row;
 }
@@ -109,7 +109,8 @@ Frame Simulation::frame() {
     Frame state;
     state.time = clock_.t;
     state.coordinates = nodes_.x;
-    state.velocity = v_mid_;
+    state.velocity.resize(nodes_.size());
+    for (std::size_t n = 0; n < nodes_.size(); ++n) state.velocity[n] = velocity(static_cast<Index>(n));
     const std::size_t shells = model_.shells.size();
     state.shell_active.assign(shells, 1);
     state.shell_stress.assign(shells, {0.0F, 0.0F, 0.0F});

@@ -192,7 +192,8 @@ StepLimit Simulation::stable_step() const {
     if (clock_.step == 0 && model_.step_start > 0.0)
         limit.tighten(model_.step_start, StepLimit::Who::START, 0);
     const double rest = model_.end_time - clock_.t;
-    if (limit.dt >= rest * (1.0 - 1e-9)) limit = {rest, StepLimit::Who::END, 0};
+    if (limit.dt >= rest * (1.0 - 1e-9)) return {rest, StepLimit::Who::END, 0};
+    if (2.0 * limit.dt > rest) limit.dt = 0.5 * rest;  // two like steps, not a last one that is tiny
     return limit;
 }
 

@@ -88,6 +88,7 @@ private:
     void check_finite() const;
     [[noreturn]] void stop_for(Index broken_shell) const;
     [[nodiscard]] Vec3 contact_and_gas_force(Index node) const;
+    [[nodiscard]] Vec3 velocity(Index node) const;  ///< at t                        [m/s]
 
     Model model_;
     Clock clock_;

@@ -79,6 +79,7 @@ void Simulation::add_mass_damping() {
 
 /// v += span f / m; rigid bodies move as one; held directions do as they are told.
 void Simulation::kick(double dt, double span) {
+    ledger_.weight = clock_.weight(dt);
     v_before_ = nodes_.v;
     nodes_.add(load_force_.f);
     nodes_.add(damping_force_.f);
@@ -97,7 +98,12 @@ void Simulation::stop_at_obstacles(double dt) {
     const double kinetic = nodes_.kinetic_energy();
     for (contact::PlanarWall& wall : walls_)
         wall.hold(nodes_.x, nodes_.mass, clock_.t, dt, nodes_.v);
-    for (contact::SelfContact& contact : contacts_) contact.filter(nodes_.x, dt, nodes_.v);
+    for (contact::SelfContact& contact : contacts_) {
+        const double by_held = contact.held_work();
+        contact.filter(nodes_.x, dt, nodes_.v);
+        ledger_.after.external += contact.held_work() - by_held;
+        ledger_.after.contact += contact.held_work() - by_held;
+    }
     ledger_.after.kinetic = nodes_.kinetic_energy();
     ledger_.after.contact += kinetic - ledger_.after.kinetic;
     check_finite();
