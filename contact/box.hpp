@@ -24,8 +24,11 @@ struct Box {
         high.array() += margin;
     }
     [[nodiscard]] bool overlaps(const Box& other) const {
-        return (low.array() <= other.high.array()).all() &&
-               (other.low.array() <= high.array()).all();
+        // no branches: of the boxes that are compared most do not overlap, in no predictable
+        // direction
+        return (low.x() <= other.high.x()) & (low.y() <= other.high.y()) &
+               (low.z() <= other.high.z()) & (other.low.x() <= high.x()) &
+               (other.low.y() <= high.y()) & (other.low.z() <= high.z());
     }
 };
 

@@ -15,11 +15,19 @@ namespace {
 
 constexpr std::size_t CHUNK = 8;  ///< patch pairs; some thousand triangle pairs
 
-constexpr double STEPS = 30.0;  ///< wanted life of the lists: longer ones are larger
+constexpr double STEPS = 40.0;  ///< greatest life of the lists
+constexpr double SWEEP = 0.5;   ///< farthest that a patch may sweep in that time, in edge lengths
+constexpr double STRAY =
+    0.3;  ///< part of its way that a patch may well stray from what is predicted
 constexpr double LEAST =
     0.5;  ///< smallest budget, in contact thicknesses: cloth at rest will soon move
-constexpr double GREATEST =
-    6.0;  ///< largest: in folded cloth each thickness brings in another layer
+
+/// The largest budget grows while lists are short and shrinks while they are long, between these
+/// numbers of candidates a triangle: in open cloth a wide list costs nothing, in folded cloth every
+/// thickness adds a layer.
+constexpr std::size_t FEW = 2, MANY = 12;
+constexpr double ADAPTATION = 1.3;
+constexpr double LIVES = 3.0;  ///< steps like the last one that any lists serve
 
 std::uint64_t key_of(bool is_edges, Index first, Index second) {
     return static_cast<std::uint64_t>(is_edges) << 63 | static_cast<std::uint64_t>(first) << 32 |
@@ -52,10 +60,12 @@ Candidates::Candidates(const Cloth& cloth, double reach)
       motion_(cloth),
       near_triangles_(cloth.patches),
       boxes_(cloth.triangles.size()),
-      budget_(cloth.patches.size()) {}
+      budget_(cloth.patches.size()),
+      most_budget_(4.0 * cloth.greatest_thickness),
+      growth_(cloth.patches.size()) {}
 
 void Candidates::start(const Points& x, const Points& v, double t, double dt) {
-    motion_.start(x, v, dt);
+    motion_.start(x, v, t, dt);
     crossing_ = crossings(cloth_.triangles, cloth_.patches, x);
     bar_crossing_pairs();
     build(x, t);
@@ -66,11 +76,18 @@ void Candidates::start(const Points& x, const Points& v, double t, double dt) {
 }
 
 void Candidates::follow(const Points& x, double t) {
-    motion_.follow(x);
+    motion_.follow(x, t);
+    if (are_spent()) build(x, t);
+}
+
+/// Whether the lists might miss a pair at the end of the step ahead.
+bool Candidates::are_spent() const {
+    if (motion_.age() + GROWTH * motion_.time_step() > life_) return true;
     for (std::size_t p = 0; p < budget_.size(); ++p) {
         const auto patch = static_cast<Index>(p);
-        if (motion_.way(patch) + GROWTH * motion_.step(patch) > budget_[p]) return build(x, t);
+        if (motion_.stray(patch) + GROWTH * motion_.stray_step(patch) > budget_[p]) return true;
     }
+    return false;
 }
 
 void Candidates::build(const Points& x, double t) {
@@ -91,29 +108,42 @@ void Candidates::build(const Points& x, double t) {
     }
 
     set_budgets();
-    for (std::size_t i = 0; i < boxes_.size(); ++i) {
-        // two boxes overlap where a gap is within reach once both patches have spent their budgets
-        const double margin =
-            0.5 * reach_ * cloth_.greatest_thickness + budget_[cloth_.patch_of[i]];
-        boxes_[i] = triangle_box(cloth_.triangles[i], x, x, margin);
-    }
+    for (std::size_t i = 0; i < boxes_.size(); ++i)
+        boxes_[i] = grown(triangle_box(cloth_.triangles[i], x, x, 0.0), cloth_.patch_of[i]);
     near_triangles_.update(boxes_);
     list_pairs(x);
     remember(std::move(old));
     give_gentle_gaps(were_barred, x, t);
 }
 
-/// A fast patch gets a large budget, which the next builds will find spent no sooner than a slow
-/// one's.
+/// Sweeps and budgets for the time ahead; a fast patch may stray farther than a slow one.
 void Candidates::set_budgets() {
+    motion_.restart();
     const double h = cloth_.greatest_thickness;
+    if (list_.size() < FEW * cloth_.triangles.size())
+        most_budget_ *= ADAPTATION;
+    else if (list_.size() > MANY * cloth_.triangles.size())
+        most_budget_ /= ADAPTATION;
+    most_budget_ = std::clamp(most_budget_, 2.0 * LEAST * h,
+                              std::max(2.0 * LEAST * h, 0.2 * cloth_.mean_edge));
+
+    double fastest = 0.0;
+    for (std::size_t p = 0; p < budget_.size(); ++p)
+        fastest = std::max(fastest, motion_.velocity(static_cast<Index>(p)).norm());
+    life_ = STEPS * motion_.time_step();
+    if (fastest * life_ > SWEEP * cloth_.mean_edge) life_ = SWEEP * cloth_.mean_edge / fastest;
+    life_ = std::max(life_, LIVES * motion_.time_step());
+
     for (std::size_t p = 0; p < budget_.size(); ++p) {
         const auto patch = static_cast<Index>(p);
-        const double wanted = std::clamp(STEPS * motion_.step(patch), LEAST * h, GREATEST * h);
-        // never so small that the step ahead spends it
-        budget_[p] = std::max(wanted, 3.0 * GROWTH * motion_.step(patch));
+        const double least = std::max(LEAST * h, LIVES * motion_.stray_step(patch));
+        budget_[p] =
+            std::clamp(STRAY * STEPS * motion_.step(patch), least, std::max(least, most_budget_));
+        // two boxes overlap where a gap may come within reach
+        const Vec3 sweep = life_ * motion_.velocity(patch);
+        const Vec3 margin = Vec3::Constant(0.5 * reach_ * h + budget_[p]);
+        growth_[p] = {sweep.cwiseMin(0.0) - margin, sweep.cwiseMax(0.0) + margin};
     }
-    motion_.restart();
 }
 
 void Candidates::list_pairs(const Points& x) {
@@ -145,18 +175,24 @@ void Candidates::list_pairs_of(Index a, Index b, const Points& x, std::vector<Ca
     const Triangle& ta = cloth_.triangles[a];
     const Triangle& tb = cloth_.triangles[b];
     const double h = 0.5 * (cloth_.thickness[a] + cloth_.thickness[b]);
+    const Index patch_a = cloth_.patch_of[a], patch_b = cloth_.patch_of[b];
+    const auto node_against = [&](Index node, Index patch, Index t) {
+        const Triangle& n = cloth_.triangles[t];
+        if (has_node(n, node) || !grown({x[node], x[node]}, patch).overlaps(boxes_[t])) return;
+        consider({{node, n[0], n[1], n[2]}, false, h, key_of(false, node, t), {}}, a, b, x, list,
+                 watch);
+    };
     for (int k = 0; k < 3; ++k) {
-        if (cloth_.owns_node(a, k) && !has_node(tb, ta[k]))
-            consider({{ta[k], tb[0], tb[1], tb[2]}, false, h, key_of(false, ta[k], b), {}}, a, b, x,
-                     list, watch);
-        if (cloth_.owns_node(b, k) && !has_node(ta, tb[k]))
-            consider({{tb[k], ta[0], ta[1], ta[2]}, false, h, key_of(false, tb[k], a), {}}, a, b, x,
-                     list, watch);
+        if (cloth_.owns_node(a, k)) node_against(ta[k], patch_a, b);
+        if (cloth_.owns_node(b, k)) node_against(tb[k], patch_b, a);
         if (!cloth_.owns_edge(a, k)) continue;
         const Index i = ta[k], j = ta[(k + 1) % 3];
+        const Box edge = grown({x[i].cwiseMin(x[j]), x[i].cwiseMax(x[j])}, patch_a);
         for (int m = 0; m < 3; ++m) {
             const Index p = tb[m], q = tb[(m + 1) % 3];
             if (!cloth_.owns_edge(b, m) || i == p || i == q || j == p || j == q) continue;
+            if (!edge.overlaps(grown({x[p].cwiseMin(x[q]), x[p].cwiseMax(x[q])}, patch_b)))
+                continue;
             consider(
                 {{i, j, p, q}, true, h, key_of(true, cloth_.edge[a][k], cloth_.edge[b][m]), {}}, a,
                 b, x, list, watch);
@@ -173,7 +209,9 @@ void Candidates::consider(Candidate pair, Index a, Index b, const Points& x,
 
     const Index p = cloth_.patch_of[a], q = cloth_.patch_of[b];
     const double gap = distance(pair, x);
-    if (gap > reach_ * pair.thickness + budget_[p] + budget_[q] || is_barred(pair.key)) return;
+    const double approach = life_ * (motion_.velocity(p) - motion_.velocity(q)).norm();
+    if (gap > reach_ * pair.thickness + budget_[p] + budget_[q] + approach || is_barred(pair.key))
+        return;
     pair.thickness = std::min(pair.thickness, neighbours_thickness(pair));
     list.push_back(pair);
     watch.push_back({gap - reach_ * pair.thickness, p, q});

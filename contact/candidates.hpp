@@ -91,12 +91,16 @@ private:
         1.5;  ///< the step ahead may be so much longer than the last one
 
     void build(const Points& x, double t);
+    [[nodiscard]] bool are_spent() const;
     void set_budgets();
     void list_pairs(const Points& x);
     void list_pairs_of(Index a, Index b, const Points& x, std::vector<Candidate>& list,
                        std::vector<Watch>& watch) const;
     void consider(Candidate pair, Index a, Index b, const Points& x, std::vector<Candidate>& list,
                   std::vector<Watch>& watch) const;
+    [[nodiscard]] Box grown(const Box& box, Index patch) const {
+        return {box.low + growth_[patch].low, box.high + growth_[patch].high};
+    }
     [[nodiscard]] double neighbours_thickness(const Candidate& pair) const;
     [[nodiscard]] bool is_barred(std::uint64_t key) const;
     void bar_crossing_pairs();
@@ -108,7 +112,10 @@ private:
     Motion motion_;
     TrianglePairs near_triangles_;
     std::vector<Box> boxes_;
-    std::vector<double> budget_;  ///< by patch: way at which the lists are spent     [m]
+    std::vector<double> budget_;  ///< by patch: stray at which the lists are spent           [m]
+    double most_budget_;          ///< [m]
+    double life_ = 0.0;           ///< age at which they are                                  [s]
+    std::vector<Box> growth_;     ///< by patch: what is added to the box of anything in it   [m]
     std::vector<Candidate> list_;
     std::vector<Watch> watch_;
     std::vector<std::vector<Candidate>> chunk_list_;

@@ -123,6 +123,10 @@ Cloth::Cloth(const SelfContactSetup& setup)
       x0(setup.x0.begin(), setup.x0.end()),
       patches(make_patches(setup.reference_x, triangles)) {
     for (const double t : thickness) greatest_thickness = std::max(greatest_thickness, t);
+    for (const Triangle& t : triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+            mean_edge += (reference_x[t[k]] - reference_x[t[(k + 1) % 3]]).norm();
+    mean_edge /= static_cast<double>(std::max<std::size_t>(1, 3 * triangles.size()));
     find_owners(*this);
     find_near_nodes(2.0 * greatest_thickness, *this);
     list_patch_nodes(*this);

@@ -29,8 +29,9 @@ struct SelfContactSetup {
 /// What contact knows of the fabric and what never changes.
 struct Cloth {
     std::vector<Triangle> triangles;
-    std::vector<double> thickness;     ///< contact thickness by triangle                [m]
-    double greatest_thickness = 0.0;   ///< [m]
+    std::vector<double> thickness;    ///< contact thickness by triangle                [m]
+    double greatest_thickness = 0.0;  ///< [m]
+    double mean_edge = 0.0;  ///< mean length of the edges, each seen from its triangles  [m]
     std::vector<double> inverse_mass;  ///< by node row; 0: held                         [1/kg]
     Points reference_x, x0;            ///< by node row, N × 3                           [m]
 
@@ -49,6 +50,10 @@ struct Cloth {
 
     explicit Cloth(const SelfContactSetup& setup);
 
+    [[nodiscard]] std::span<const Index> nodes_of_patch(std::size_t p) const {
+        return std::span(patch_node)
+            .subspan(patch_node_start[p], patch_node_start[p + 1] - patch_node_start[p]);
+    }
     [[nodiscard]] bool owns_node(Index triangle, int k) const { return owned[triangle] >> k & 1; }
     [[nodiscard]] bool owns_edge(Index triangle, int k) const {
         return owned[triangle] >> (3 + k) & 1;

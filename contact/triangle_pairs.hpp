@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -22,24 +25,52 @@ public:
     /// Patch pairs p <= q, sorted, each patch also with itself.
     [[nodiscard]] std::span<const std::pair<Index, Index>> patch_pairs() const { return pairs_; }
 
-    /// meet(a, b) for every pair of triangles in a pair of patches whose boxes overlap, each once.
+    /// meet(a, b) for every pair of triangles in a pair of patches whose boxes overlap (to within
+    /// the rounding of a float), each once.
     template <class Meet>
     void for_each_in(const std::pair<Index, Index>& patch_pair, Meet&& meet) const {
         const auto [p, q] = patch_pair;
-        const auto mine = patches_[p], theirs = patches_[q];
-        for (std::size_t i = 0; i < mine.size(); ++i) {
-            const Box& box = boxes_[mine[i]];
-            if (!box.overlaps(patch_box_[q])) continue;
-            for (std::size_t j = p == q ? i + 1 : 0; j < theirs.size(); ++j)
-                if (box.overlaps(boxes_[theirs[j]])) meet(mine[i], theirs[j]);
+        const Bounds other = patch_bounds_[q];
+        for (Index i = patches_.start[p]; i < patches_.start[p + 1]; ++i) {
+            const Bounds mine = bounds(i);
+            if (!overlap(mine, other)) continue;
+            const Index end = patches_.start[q + 1];
+            for (Index j = p == q ? i + 1 : patches_.start[q]; j < end; j += BLOCK)
+                meet_block(i, mine, j, std::min(BLOCK, end - j), meet);
         }
     }
 
 private:
+    static constexpr Index BLOCK = 64;
+    struct Bounds {
+        std::array<float, 3> low, high;
+    };
+    static bool overlap(const Bounds& a, const Bounds& b) {
+        bool is = true;
+        for (int k = 0; k < 3; ++k) is &= a.low[k] <= b.high[k] && b.low[k] <= a.high[k];
+        return is;
+    }
+    [[nodiscard]] Bounds bounds(Index i) const {
+        return {{low_[0][i], low_[1][i], low_[2][i]}, {high_[0][i], high_[1][i], high_[2][i]}};
+    }
+    template <class Meet>
+    void meet_block(Index i, const Bounds& mine, Index first, Index n, Meet& meet) const {
+        std::array<std::uint8_t, BLOCK> is_hit;
+        const float *lx = &low_[0][first], *ly = &low_[1][first], *lz = &low_[2][first];
+        const float *hx = &high_[0][first], *hy = &high_[1][first], *hz = &high_[2][first];
+        for (Index j = 0; j < n; ++j)  // a loop that compilers turn into vector instructions
+            is_hit[j] = (lx[j] <= mine.high[0]) & (ly[j] <= mine.high[1]) &
+                        (lz[j] <= mine.high[2]) & (mine.low[0] <= hx[j]) & (mine.low[1] <= hy[j]) &
+                        (mine.low[2] <= hz[j]);
+        for (Index j = 0; j < n; ++j)
+            if (is_hit[j]) meet(patches_.triangle[i], patches_.triangle[first + j]);
+    }
+
     const Patches& patches_;
     BroadPhase tree_;
-    std::span<const Box> boxes_;
+    std::array<std::vector<float>, 3> low_, high_;  ///< of triangles, in the patches' order  [m]
     std::vector<Box> patch_box_;
+    std::vector<Bounds> patch_bounds_;
     std::vector<std::pair<Index, Index>> pairs_;
 };
 
