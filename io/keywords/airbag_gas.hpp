@@ -16,11 +16,12 @@ struct UnitSystem {
     double energy;    ///< deck units of energy in a joule
     double pressure;  ///< deck units of pressure in a pascal
     double mass;      ///< deck units of mass in a kilogram
+    double second;    ///< deck units of time in a second
 };
 inline constexpr UnitSystem UNIT_SYSTEMS[] = {
-    {"kg-mm-ms-K", 1.0, 1e-9, 1.0},  // kg mm^2/ms^2 = J, GPa
-    {"SI", 1.0, 1.0, 1.0},
-    {"ton-mm-s-K", 1e3, 1e-6, 1e-3},  // t mm^2/s^2 = mJ, MPa
+    {"kg-mm-ms-K", 1.0, 1e-9, 1.0, 1e3},  // kg mm^2/ms^2 = J, GPa
+    {"SI", 1.0, 1.0, 1.0, 1.0},
+    {"ton-mm-s-K", 1e3, 1e-6, 1e-3, 1.0},  // t mm^2/s^2 = mJ, MPa
 };
 
 gas::InitialAirCard initial_air(Cards& cards, const gas::BagCard& bag, const UnitSystem& unit);

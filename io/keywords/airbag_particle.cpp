@@ -69,9 +69,18 @@ private:
                 bag_.external_parts.push_back(part);
         if (c.good() && bag_.external_parts.empty())
             c.fault("SID2", "internal parts that leave some part of SID1 to close the bag");
+        if (c.good() && !has_shells()) c.fault("SID1", "parts with shells in them");
         if (notes) return;
         part_rows_ = later_count(c, "NPDATA");
         c.noted("IRDP", "particles have no radius here");
+    }
+
+    [[nodiscard]] bool has_shells() const {
+        const auto& parts = bag_.external_parts;
+        return std::any_of(draft_.model.shells.begin(), draft_.model.shells.end(),
+                           [&](const Shell& s) {
+                               return std::find(parts.begin(), parts.end(), s.part) != parts.end();
+                           });
     }
 
     /// A number of rows that are read over, for nothing acts on them yet.
@@ -91,7 +100,9 @@ private:
         const bool blank_shows = draft_.dialect == Dialect::TODAY && !c.given("VISFLG");
         bag_.show_particles = blank_shows || visible == 1 || visible == 2;
         bag_.gas_constant = GAS_CONSTANT * unit().energy;
-        bag_.T_atm = c.real("TATM", POSITIVE);
+        bag_.second = unit().second;
+        bag_.T_atm = c.real("TATM", NON_NEGATIVE);
+        if (bag_.T_atm == 0.0) bag_.T_atm = ATMOSPHERE_TEMPERATURE;
         bag_.p_atm = c.real("PATM", NON_NEGATIVE);
         if (bag_.p_atm == 0.0) bag_.p_atm = ATMOSPHERE_PRESSURE * unit().pressure;
         vent_rows_ = later_count(c, "NVENT");
