@@ -1,6 +1,6 @@
 # keyword decks -> Model
 target_sources(corpuscle_io PRIVATE
-    deck.cpp
+    deck.cpp rigid_start.cpp
     # text -> cards
     faults.cpp text.cpp lines.cpp keyword_reader.cpp
     expression.cpp parameters.cpp parameter_cards.cpp

@@ -12,6 +12,7 @@
 #include "io/keyword_reader.hpp"
 #include "io/keywords/keywords.hpp"
 #include "io/parameters.hpp"
+#include "io/rigid_start.hpp"
 #include "io/text.hpp"
 #include "solver/base/error.hpp"
 
@@ -45,11 +46,11 @@ std::vector<Task> sort_out(const DeckText& text, Faults& faults) {
         if (match.keyword != nullptr)
             tasks.push_back({&block, std::move(match)});
         else if (match.is_harmless)
-            faults.warn(block.place, fmt::format("*{} is not read, it cannot change the answer",
-                                                 block.keyword.substr(0, 80)));
+            faults.warn(block.place, fmt::format("*{} is not read, it cannot change the answer{}",
+                                                 block.keyword.substr(0, 80), match.remark));
         else
             faults.fault(block.place,
-                         fmt::format("*{} {}", block.keyword.substr(0, 80), match.fault));
+                         fmt::format("*{} {}", block.keyword.substr(0, 80), match.remark));
     }
     std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) {
         return a.match.keyword->phase < b.match.keyword->phase;
@@ -99,6 +100,7 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options) {
     std::vector<std::string> all = parameters.unused_overrides();
     for (std::string& fault : faults.faults()) all.push_back(std::move(fault));
     if (!all.empty()) throw InputError(std::move(all));
+    start_rigid_parts(model);
     model.warnings = faults.warnings();
     return model;
 }

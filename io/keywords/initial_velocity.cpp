@@ -121,9 +121,7 @@ Movers movers(Card& c, const Draft& draft) {
     return m;
 }
 
-}  // namespace
-
-void initial_velocity_generation(Cards& cards, Draft& draft) {
+void generation(Cards& cards, Draft& draft) {
     Movers m;
     {
         Card c = cards.next("ID STYP OMEGA VX VY VZ IVATN ICID");
@@ -140,6 +138,13 @@ void initial_velocity_generation(Cards& cards, Draft& draft) {
         set_velocity(
             draft, {node},
             m.velocity + turning.cross(draft.model.x[static_cast<std::size_t>(node)] - centre));
+}
+
+}  // namespace
+
+void initial_velocity_generation(Cards& cards, Draft& draft) {
+    do generation(cards, draft);
+    while (cards.more());
 }
 
 }  // namespace corpuscle::io::keywords

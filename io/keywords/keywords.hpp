@@ -31,7 +31,7 @@ struct Match {
     const Keyword* keyword = nullptr;        ///< nullptr: not to be read
     std::vector<std::string_view> suffixes;  ///< of the matching options
     bool is_harmless = false;                ///< not read, and cannot change the answer
-    std::string fault;                       ///< not read, and this is why
+    std::string remark;                      ///< not read, and this is to be said
 };
 Match find(std::string_view keyword);
 

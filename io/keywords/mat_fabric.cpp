@@ -68,9 +68,7 @@ bool axes_and_leakage(Cards& cards, Draft& draft, FabricCard& cloth) {
     value_or_curve(c, "FAC", draft.curves, cloth.leak_velocity, cloth.leak_velocity_curve);
     fabric_form(c, cloth);
     cloth.leak_option = c.integer("FVOPT", within(-8, 8));
-    const bool leaks = cloth.leak_area != 0.0 || cloth.leak_area_curve >= 0 ||
-                       cloth.leak_velocity != 0.0 || cloth.leak_velocity_curve >= 0;
-    if (!leaks) c.harmless("ELA");
+    c.harmless("ELA");  // of leakage, like A0REF: a bag that leaks is warned of as a whole
     return cloth.leak_option < 0;
 }
 
@@ -78,6 +76,7 @@ void directions(Cards& cards, FabricCard& cloth) {
     {
         Card c = cards.next("- RGBRTH A0REF A1 A2 A3 X0 X1");
         cloth.a = c.vector("A1", "A2", "A3");
+        c.harmless("A0REF");
         if (cloth.axes == 2 && c.good() && cloth.a.isZero(0.0))
             c.fault("A1", "a vector for AOPT = 2");
     }

@@ -182,6 +182,20 @@ std::string did_you_mean(std::string_view keyword) {
     return std::string(meant);
 }
 
+/// A keyword that is skipped may still be a slip of the pen.
+std::string misspelt(std::string_view keyword) {
+    constexpr std::size_t SLIP = 2;
+    constexpr std::size_t LONGEST = 60;
+    if (keyword.size() > LONGEST) return {};
+    std::string hint;
+    for (const Keyword& entry : KEYWORDS)
+        for_each_word(entry.names, [&](std::string_view name) {
+            if (edit_distance(keyword, name) <= SLIP)
+                hint = fmt::format(" (did you mean *{}?)", name);
+        });
+    return hint;
+}
+
 }  // namespace
 
 Match find(std::string_view keyword) {
@@ -200,7 +214,7 @@ Match find(std::string_view keyword) {
                                     : fmt::format(" with no suffix but {}", entry->options))};
     }
     for (const std::string_view name : HARMLESS)
-        if (keyword.starts_with(name)) return {nullptr, {}, true, {}};
+        if (keyword.starts_with(name)) return {nullptr, {}, true, misspelt(keyword)};
     if (const std::string meant = did_you_mean(keyword); !meant.empty())
         return {
             nullptr, {}, false, fmt::format("is not a known keyword, did you mean *{}?", meant)};

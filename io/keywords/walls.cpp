@@ -25,9 +25,7 @@ std::vector<Index> stopped_nodes(Card& c, const Draft& draft) {
     return nodes;
 }
 
-}  // namespace
-
-void rigidwall_planar(Cards& cards, Draft& draft) {
+void planar_wall(Cards& cards, Draft& draft) {
     contact::PlanarWallCard wall;
     wall.id = static_cast<int>(draft.model.walls.size()) + 1;
     if (cards.has("ID") || cards.has("TITLE")) {
@@ -56,6 +54,13 @@ void rigidwall_planar(Cards& cards, Draft& draft) {
         if (other.id == wall.id)
             cards.fault(fmt::format("has id {}, as another wall has", wall.id));
     draft.model.walls.push_back(std::move(wall));
+}
+
+}  // namespace
+
+void rigidwall_planar(Cards& cards, Draft& draft) {
+    do planar_wall(cards, draft);
+    while (cards.more());
 }
 
 }  // namespace corpuscle::io::keywords

@@ -73,6 +73,8 @@ TEST_CASE("a keyword that is not supported is a fault, or a warning when it cann
     const Model model = folder.read(small_deck(
         "*CONTROL_OUTPUT\n1\n*DATABASE_EXTENT_BINARY\n1\n*CONTROL_IMPLICIT_GENERAL\n0\n"));
     CHECK(model.warnings.size() == 3);
+    CHECK(any_contains(folder.read(small_deck("*DATABASE_GLSTTA\n1\n")).warnings,
+                       "cannot change the answer (did you mean *DATABASE_GLSTAT?)"));
 }
 
 TEST_CASE("too few cards are a fault, and so are too many", "[io]") {

@@ -138,6 +138,30 @@ TEST_CASE("rigid parts: constraints, motion, initial velocity", "[io]") {
         1);
 }
 
+TEST_CASE("a rigid part starts with the momentum that its nodes were given", "[io]") {
+    const DeckFolder folder;
+    const std::string rigid = "*MAT_RIGID\n2,1000.,1.e9,0.3\n\n\n";
+    const auto start = [&](const std::string& velocity) {
+        std::string deck = small_deck(rigid + velocity);
+        deck.replace(deck.find("more cloth\n2,1,1"), 16, "block\n2,1,2");
+        return folder.read(deck).rigid_velocity;
+    };
+    CHECK(start("").empty());
+    const auto all = start("*INITIAL_VELOCITY\n\n0,0,3\n");
+    REQUIRE(all.size() == 1);
+    CHECK(all[0].part == 1);
+    CHECK(all[0].velocity.isApprox(Vec3(0, 0, 3)));
+    CHECK(all[0].spin.isZero(1e-12));
+    // 2 rad/s about z through the origin; the square's centre is at (1.5, 0.5)
+    const auto turning = start("*INITIAL_VELOCITY_GENERATION\n2,2,2.0\n0,0,0,0,0,1\n");
+    REQUIRE(turning.size() == 1);
+    CHECK(turning[0].velocity.isApprox(Vec3(-1.0, 3.0, 0.0)));
+    CHECK(turning[0].spin.isApprox(Vec3(0, 0, 2)));
+    const auto own = start("*INITIAL_VELOCITY\n\n0,0,3\n*INITIAL_VELOCITY_RIGID_BODY\n2,1\n");
+    REQUIRE(own.size() == 1);
+    CHECK(own[0].velocity == Vec3(1, 0, 0));
+}
+
 TEST_CASE("nodes: supports and prescribed motion", "[io]") {
     const DeckFolder folder;
     const Model model =
@@ -178,15 +202,15 @@ TEST_CASE("initial velocity: all nodes, a set and the rest, one node, a turning 
 
 TEST_CASE("loads, damping and walls", "[io]") {
     const DeckFolder folder;
-    const Model model =
-        folder.read(small_deck("*LOAD_BODY_Y\n7,9.81\n*DAMPING_GLOBAL\n0,25.0\n"
-                               "*RIGIDWALL_PLANAR_ID\n4,floor\n\n0,0,-1,0,0,4,0.25\n"
-                               "*SET_NODE\n5\n1,2\n*RIGIDWALL_PLANAR\n0,5\n1,0,0,-1,0,0\n"
-                               "*LOAD_SEGMENT\n7,1.0,0,1,2,3\n*LOAD_SHELL_ELEMENT\n13,7\n"));
+    const Model model = folder.read(
+        small_deck("*LOAD_BODY_Y\n7,9.81\n*DAMPING_GLOBAL\n0,25.0\n"
+                   "*RIGIDWALL_PLANAR_ID\n4,floor\n\n0,0,-1,0,0,4,0.25\n"
+                   "*SET_NODE\n5\n1,2\n*RIGIDWALL_PLANAR\n0,5\n1,0,0,-1,0,0\n\n0,0,0,0,1,0\n"
+                   "*LOAD_SEGMENT\n7,1.0,0,1,2,3\n*LOAD_SHELL_ELEMENT\n13,7\n"));
     CHECK(model.body_loads.at(0).axis == 1);
     CHECK(model.body_loads.at(0).scale == 9.81);
     CHECK(model.mass_damping == 25.0);
-    REQUIRE(model.walls.size() == 2);
+    REQUIRE(model.walls.size() == 3);
     CHECK(model.walls[0].id == 4);
     CHECK(model.walls[0].title == "floor");
     CHECK(model.walls[0].normal == Vec3::UnitZ());
@@ -195,6 +219,7 @@ TEST_CASE("loads, damping and walls", "[io]") {
     CHECK(model.walls[0].nodes.size() == 6);
     CHECK(model.walls[1].nodes == std::vector<Index>{2, 3, 4, 5});
     CHECK(model.walls[1].normal == -Vec3::UnitX());
+    CHECK(model.walls[2].normal == Vec3::UnitY());
     REQUIRE(model.pressure_loads.size() == 2);
     CHECK(model.pressure_loads[0].facets[0] == std::array<Index, 4>{0, 1, 2, 2});
     CHECK(model.pressure_loads[1].facets[0] == std::array<Index, 4>{1, 4, 5, 2});
