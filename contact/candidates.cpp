@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t CHUNK = 8;  ///< patch pairs; some thousand triangle pairs
 
-constexpr double STEPS = 40.0;  ///< greatest life of the lists
+constexpr double STEPS = 100.0;  ///< greatest life of the lists
 constexpr double SWEEP = 0.5;   ///< farthest that a patch may sweep in that time, in edge lengths
 constexpr double STRAY =
     0.3;  ///< part of its way that a patch may well stray from what is predicted
@@ -136,9 +136,7 @@ void Candidates::set_budgets() {
 
     for (std::size_t p = 0; p < budget_.size(); ++p) {
         const auto patch = static_cast<Index>(p);
-        const double least = std::max(LEAST * h, LIVES * motion_.stray_step(patch));
-        budget_[p] =
-            std::clamp(STRAY * STEPS * motion_.step(patch), least, std::max(least, most_budget_));
+        budget_[p] = std::max(most_budget_, LIVES * motion_.stray_step(patch));
         // two boxes overlap where a gap may come within reach
         const Vec3 sweep = life_ * motion_.velocity(patch);
         const Vec3 margin = Vec3::Constant(0.5 * reach_ * h + budget_[p]);

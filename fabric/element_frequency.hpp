@@ -12,12 +12,14 @@
 
 namespace corpuscle::fabric {
 
-/// Stiffness of an element at rest in its plane, from its own kernel: the force of unit strain
-/// rates, one corner and direction at a time. Order: corner 0 along warp, along weft, corner 1 ...
-/// [N/m]
+/// Two directions for each of at most four corners, on the stack.
+using CornerMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 8, 8>;
+
+/// Stiffness of an element at rest in its plane, from its own kernel: the force of unit strain rates,
+/// one corner and direction at a time. Order: corner 0 along warp, along weft, corner 1 ...      [N/m]
 template <class Element>
-Eigen::MatrixXd rest_stiffness(const Element& element, const ReferenceShape& r,
-                               const PlaneModuli& moduli) {
+CornerMatrix rest_stiffness(const Element& element, const ReferenceShape& r,
+                            const PlaneModuli& moduli) {
     typename Element::Corners x;
     for (std::size_t i = 0; i < x.size(); ++i) {
         const double height = r.warp * (i % 2 == 0 ? 1.0 : -1.0);
@@ -25,11 +27,11 @@ Eigen::MatrixXd rest_stiffness(const Element& element, const ReferenceShape& r,
     }
     const auto rest = element.motion(x);
     const int size = 2 * Element::CORNERS;
-    Eigen::MatrixXd k(size, size);
+    CornerMatrix k(size, size);
     for (int column = 0; column < size; ++column) {
         typename Element::Corners u{};
-        (column % 2 == 0 ? u[static_cast<std::size_t>(column / 2)].x
-                         : u[static_cast<std::size_t>(column / 2)].y) = 1.0;
+        Vector<double>& at = u[static_cast<std::size_t>(column / 2)];
+        (column % 2 == 0 ? at.x : at.y) = 1.0;
         const auto load = element.viscous(moduli, rest, element.motion(u));
         const auto f = element.spread(rest, load, 1.0);
         for (int c = 0; c < Element::CORNERS; ++c) {
@@ -40,15 +42,14 @@ Eigen::MatrixXd rest_stiffness(const Element& element, const ReferenceShape& r,
     return k;
 }
 
-/// Highest frequency squared of the element alone with its mass shared equally by its corners. No
-/// mesh vibrates faster than its fastest element [Irons 1970]. For a triangle it is (3/(rho·h))
-/// λmax(D^½ B Bᵀ D^½).                                                            [1/s^2]
-template <class Element>
-double highest_frequency_squared(const Element& element, const ReferenceShape& r,
-                                 const PlaneModuli& moduli, double mass) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(rest_stiffness(element, r, moduli),
-                                                               Eigen::EigenvaluesOnly);
-    return modes.eigenvalues().maxCoeff() * Element::CORNERS / mass;
+/// Highest frequency squared of an element whose corners weigh mass[0], mass[1], ... For equal corners
+/// of a triangle it is (3/(rho·h)) λmax(D^½ B Bᵀ D^½).                                        [1/s^2]
+inline double highest_frequency_squared(const CornerMatrix& stiffness, const double* mass) {
+    CornerMatrix k = stiffness;
+    for (Eigen::Index i = 0; i < k.rows(); ++i)
+        for (Eigen::Index j = 0; j < k.cols(); ++j) k(i, j) /= std::sqrt(mass[i / 2] * mass[j / 2]);
+    const Eigen::SelfAdjointEigenSolver<CornerMatrix> modes(k, Eigen::EigenvaluesOnly);
+    return modes.eigenvalues().maxCoeff();
 }
 
 /// Central differences with damping of the velocity half a step back keep every mode below

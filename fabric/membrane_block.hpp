@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "fabric/element_frequency.hpp"
 #include "fabric/lanes.hpp"
 #include "fabric/materials/law.hpp"
 #include "fabric/reference_shape.hpp"
@@ -44,11 +45,10 @@ public:
 
     [[nodiscard]] virtual Index node(std::size_t element, int corner) const = 0;
 
-    /// (2/dt)² of an element at its reference shape, and its new value.          [1/s^2]
+    /// (2/dt)² of an element at its reference shape.                            [1/s^2]
     [[nodiscard]] virtual double rate(std::size_t element) const = 0;
     virtual void set_rate(std::size_t element, double rate) = 0;
-    /// Undamped frequency squared and damping time β = 2ζ/ω.                     [1/s^2], [s]
-    [[nodiscard]] virtual double frequency_squared(std::size_t element) const = 0;
+    /// β = 2ζ/ω with the frequency of the element alone.                         [s]
     [[nodiscard]] virtual double damping_time(std::size_t element) const = 0;
 
     [[nodiscard]] std::size_t size() const { return shells.size(); }
@@ -61,7 +61,8 @@ public:
     int corners = 0;
     bool is_damped = false;
     std::vector<Index> shells;  ///< rows, in order
-    std::vector<double> mass;   ///< of each element                              [kg]
+    std::vector<double> mass;   ///< that each corner brings to its node, size × corners  [kg]
+    std::vector<CornerMatrix> stiffness;  ///< at rest, given up once the step is known [N/m]
 };
 
 /// What a block is built from.

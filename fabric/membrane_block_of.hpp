@@ -70,8 +70,8 @@ public:
         corners = CORNERS;
         is_damped = DAMPED;
         shells = in.shells;
-        mass.resize(size());
-        frequency_.resize(size());
+        mass.resize(size() * CORNERS);
+        stiffness.resize(size());
         damping_time_.resize(packs_.size() * LANES, 0.0);
         for (std::size_t e = 0; e < packs_.size() * LANES; ++e)
             place(in, e, make(in.shapes[std::min(e, size() - 1)], in.thickness));
@@ -142,7 +142,6 @@ public:
     void set_rate(std::size_t element, double rate) override {
         packs_[element / LANES].rate[element % LANES] = rate;
     }
-    double frequency_squared(std::size_t element) const override { return frequency_[element]; }
     double damping_time(std::size_t element) const override { return damping_time_[element]; }
 
 private:
@@ -156,10 +155,12 @@ private:
         for (std::size_t c = 0; c < CORNERS; ++c) pack.nodes[c][lane] = in.nodes[source][c];
         if (e < size()) {
             const ReferenceShape& shape = in.shapes[e];
-            mass[e] = in.law.density * in.thickness * shape.area;
-            frequency_[e] = highest_frequency_squared(one, shape, law_.moduli(), mass[e]);
-            damping_time_[e] = 2.0 * in.law.damping / std::sqrt(frequency_[e]);
-            pack.rate[lane] = step_rate(frequency_[e], damping_time_[e]);
+            double* corner = mass.data() + e * CORNERS;
+            std::fill_n(corner, CORNERS, in.law.density * in.thickness * shape.area / CORNERS);
+            stiffness[e] = rest_stiffness(one, shape, law_.moduli());
+            const double frequency = highest_frequency_squared(stiffness[e], corner);
+            damping_time_[e] = 2.0 * in.law.damping / std::sqrt(frequency);
+            pack.rate[lane] = step_rate(frequency, damping_time_[e]);
         } else {
             one.empty();
             pack.rate[lane] = 0.0;
@@ -209,7 +210,6 @@ private:
 
     Law law_;
     std::vector<Pack<Element>> packs_;
-    std::vector<double> frequency_;     ///< squared                               [1/s^2]
     std::vector<double> damping_time_;  ///< β, for every lane                     [s]
 };
 

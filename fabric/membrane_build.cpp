@@ -104,7 +104,7 @@ Membranes::Membranes(const MembraneSetup& setup)
     gather_ = gather_of(setup.node_count, /*damped=*/false);
     damping_gather_ = gather_of(setup.node_count, /*damped=*/true);
     gather_check_.resize(gather_chunks());
-    find_rest_step();
+    find_rest_rates(lumped_mass(setup));
 }
 
 Membranes::~Membranes() = default;

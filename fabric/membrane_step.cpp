@@ -1,12 +1,84 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 
 #include "fabric/element_frequency.hpp"
 #include "fabric/membrane_block.hpp"
 #include "fabric/membranes.hpp"
+#include "solver/base/parallel.hpp"
 
 namespace corpuscle::fabric {
+
+namespace {
+
+/// Rounds of sharing; the bound changes by less than 1 % after these on meshes jittered by 30 %.
+constexpr int ROUNDS = 8;
+
+using Blocks = std::vector<std::unique_ptr<MembraneBlock>>;
+
+template <class Body>  // body(block, element, corner, node)
+void for_corners(const Blocks& blocks, const Body& body) {
+    for (const auto& block : blocks)
+        for (std::size_t e = 0; e < block->size(); ++e)
+            for (int c = 0; c < block->corners; ++c)
+                body(*block, e, e * static_cast<std::size_t>(block->corners) +
+                                    static_cast<std::size_t>(c),
+                     static_cast<std::size_t>(block->node(e, c)));
+}
+
+/// Scales what corners bring to each node so that they add up to its mass.
+void share_out(const Blocks& blocks, const std::vector<double>& mass) {
+    std::vector<double> sum(mass.size(), 0.0);
+    for_corners(blocks, [&](MembraneBlock& b, std::size_t, std::size_t corner, std::size_t node) {
+        sum[node] += b.mass[corner];
+    });
+    for_corners(blocks, [&](MembraneBlock& b, std::size_t, std::size_t corner, std::size_t node) {
+        b.mass[corner] *= mass[node] / sum[node];
+    });
+}
+
+/// (2/dt)² of every element with the mass it has been given; the largest.
+double find_rates(const Blocks& blocks) {
+    double most = 0.0;
+    for (const auto& block : blocks) {
+        const auto corners = static_cast<std::size_t>(block->corners);
+        parallel::for_each(block->size(), [&](std::size_t e) {
+            const double frequency =
+                highest_frequency_squared(block->stiffness[e], block->mass.data() + e * corners);
+            block->set_rate(e, step_rate(frequency, block->damping_time(e)));
+        });
+        for (std::size_t e = 0; e < block->size(); ++e) most = std::max(most, block->rate(e));
+    }
+    return most;
+}
+
+}  // namespace
+
+/// No mesh vibrates faster than its fastest element, however the nodes' masses are shared among the
+/// elements [Irons 1970]. With equal shares small elements are held to be light that in truth lean on
+/// heavy neighbours; so mass is handed to whoever vibrates faster, and the best round is kept.
+void Membranes::find_rest_rates(const std::vector<double>& mass) {
+    double least = INF;
+    std::vector<std::vector<double>> best(blocks_.size());
+    for (int round = 0; round < ROUNDS; ++round) {
+        share_out(blocks_, mass);
+        if (const double most = find_rates(blocks_); most < least) {
+            least = most;
+            for (std::size_t b = 0; b < blocks_.size(); ++b) best[b] = blocks_[b]->mass;
+        }
+        for_corners(blocks_, [&](MembraneBlock& b, std::size_t e, std::size_t corner, std::size_t) {
+            b.mass[corner] *= b.rate(e) / least;
+        });
+    }
+    for (std::size_t b = 0; b < blocks_.size(); ++b) blocks_[b]->mass = std::move(best[b]);
+    find_rates(blocks_);
+    for (const auto& block : blocks_) {
+        block->stiffness.clear();
+        block->stiffness.shrink_to_fit();
+    }
+    find_rest_step();
+}
 
 /// The step of the reference shapes, for use before any force is known.
 void Membranes::find_rest_step() {
@@ -24,13 +96,15 @@ Membranes::AddedMass Membranes::scale_mass(double step, Scaling where) {
     AddedMass added{std::vector<double>(node_count_, 0.0), 0.0};
     for (const auto& block : blocks_)
         for (std::size_t e = 0; e < block->size(); ++e) {
-            const double factor =
-                mass_factor(block->frequency_squared(e), block->damping_time(e), step);
+            const double factor = mass_factor(block->rate(e), block->damping_time(e), step);
             if (where == Scaling::WHERE_NEEDED && factor <= 1.0) continue;
-            const double more = (factor - 1.0) * block->mass[e];
-            for (int c = 0; c < block->corners; ++c)
-                added.node[static_cast<std::size_t>(block->node(e, c))] += more / block->corners;
-            added.total += more;
+            for (int c = 0; c < block->corners; ++c) {
+                const double more =
+                    (factor - 1.0) * block->mass[e * static_cast<std::size_t>(block->corners) +
+                                                 static_cast<std::size_t>(c)];
+                added.node[static_cast<std::size_t>(block->node(e, c))] += more;
+                added.total += more;
+            }
             block->set_rate(e, 4.0 / (step * step));
         }
     find_rest_step();

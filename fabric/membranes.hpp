@@ -88,6 +88,7 @@ private:
 
     [[nodiscard]] Gather gather_of(std::size_t node_count, bool damped) const;
     [[nodiscard]] std::size_t gather_chunks() const;
+    void find_rest_rates(const std::vector<double>& mass);
     void find_rest_step();
     void gather_damping(Points& f);
     void reduce();

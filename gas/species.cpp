@@ -99,6 +99,15 @@ std::string Species::fault_between(double low, double high) const {
     return {};
 }
 
+Mixture::Mixture(std::vector<Species> species, double moles_each)
+    : species_(std::move(species)), moles_each_(moles_each) {
+    for (const Species& s : species_) {
+        half_heat_ = 0.5 * s.gas_constant() * moles_each;
+        mass_.push_back(moles_each * s.molar_mass());
+        internal_.push_back(moles_each * s.molar_internal());
+    }
+}
+
 double mixture_temperature(std::span<const Species> species, std::span<const double> moles,
                            double energy) {
     assert(species.size() == moles.size());

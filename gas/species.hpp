@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -86,15 +87,26 @@ private:
     std::string name_;
 };
 
-/// The gases of a bag and what one particle of each stands for.
-struct Mixture {
-    std::vector<Species> species;
-    double gas_constant = GAS_CONSTANT;  ///< [J/(mol K)]
-    double moles_each = NaN;  ///< moles a particle stands for, the same for all gases  [mol]
+/// The gases of a bag, as particles: all stand for the same number of moles.
+class Mixture {
+public:
+    Mixture(std::vector<Species> species, double moles_each);
 
-    [[nodiscard]] double mass(std::size_t s) const {  ///< of a particle of species s [kg]
-        return moles_each * species[s].molar_mass();
+    [[nodiscard]] const std::vector<Species>& species() const { return species_; }
+    [[nodiscard]] double moles_each() const { return moles_each_; }                ///< [mol]
+    [[nodiscard]] double particle_mass(std::int32_t s) const { return mass_[s]; }  ///< [kg]
+    /// Internal (spin + vibration) energy of a particle at equilibrium, over temperature.
+    [[nodiscard]] const EnergyPolynomial& particle_internal(std::int32_t s) const {
+        return internal_[s];
     }
+    /// Translational energy of a particle at equilibrium, per degree of freedom: R moles / 2. [J/K]
+    [[nodiscard]] double half_heat() const { return half_heat_; }
+
+private:
+    std::vector<Species> species_;
+    double moles_each_, half_heat_ = 0.0;
+    std::vector<double> mass_;
+    std::vector<EnergyPolynomial> internal_;
 };
 
 /// Temperature at which moles[s] of each species hold `energy` together; NaN when there is none.

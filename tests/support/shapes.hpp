@@ -44,22 +44,23 @@ inline Shape box(const Vec3& size, int n = 1) {
 
 /// Octahedron refined `levels` times, its nodes put on a sphere about the origin.
 inline Shape sphere(double radius, int levels) {
-    Shape shape{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
-                {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+    Shape shape{
+        {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+        {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
     for (int level = 0; level < levels; ++level) {
         std::map<std::pair<Index, Index>, Index> middle;
         const auto between = [&](Index a, Index b) {
             const auto key = std::minmax(a, b);
-            const auto [at, fresh] = middle.try_emplace({key.first, key.second},
-                                                        static_cast<Index>(shape.x.size()));
+            const auto [at, fresh] =
+                middle.try_emplace({key.first, key.second}, static_cast<Index>(shape.x.size()));
             if (fresh) shape.x.push_back((shape.x[a] + shape.x[b]).normalized());
             return at->second;
         };
         std::vector<Triangle> finer;
         for (const auto& [a, b, c] : shape.triangles) {
             const Index ab = between(a, b), bc = between(b, c), ca = between(c, a);
-            for (const Triangle& t :
-                 {Triangle{a, ab, ca}, Triangle{ab, b, bc}, Triangle{ca, bc, c}, Triangle{ab, bc, ca}})
+            for (const Triangle& t : {Triangle{a, ab, ca}, Triangle{ab, b, bc}, Triangle{ca, bc, c},
+                                      Triangle{ab, bc, ca}})
                 finer.push_back(t);
         }
         shape.triangles = std::move(finer);

@@ -21,10 +21,11 @@ BLOCK = 5                         # elements along a side of the square block
 HALF_BLOCK = 28.0                 # half the block's side                              [mm]
 RINGS = ((20, 60.0), (40, 116.0), (80, 230.0), (160, RADIUS))  # around, out to radius [mm]
 WIDTH = 13.6                      # of a ring, about                                   [mm]
+DISH = 15.0                       # the fixed disc is dished, to take in the orifices  [mm]
 ORIFICES = 12
-ORIFICE_RADIUS = 30.0             # of the circle they stand on                        [mm]
-ORIFICE_HEIGHT = 0.15             # over the fixed disc: inside the fabric's thickness [mm]
-JET_RISE = 0.2                    # of a jet's axis, over its run
+ORIFICE_RADIUS = 15.0             # of the circle they stand on                        [mm]
+ORIFICE_DEPTH = 8.0               # below the rear panel, out of the fabric's reach    [mm]
+JET_RISE = 0.4                    # of a jet's axis, over its run
 
 
 def flat_disc():
@@ -89,12 +90,17 @@ def height(x, y):
     return HALF_GAP * share * share * (3.0 - 2.0 * share)
 
 
+def dish(x, y):
+    """Depth of the fixed disc below the rear panel: level in the block, rising in the ring round it."""
+    return DISH if hypot(x, y) < 0.999 * INFLATOR_RADIUS else 0.0
+
+
 def bag():
     points, cells, rim = flat_disc()
     rim = set(rim)
     mesh = Mesh()
     front = [mesh.node(x, y, 0.0 if i in rim else height(x, y)) for i, (x, y) in enumerate(points)]
-    rear = [front[i] if i in rim else mesh.node(x, y, -height(x, y))
+    rear = [front[i] if i in rim else mesh.node(x, y, -height(x, y) - dish(x, y))
             for i, (x, y) in enumerate(points)]
     fixed = set()
     for cell in cells:
@@ -110,17 +116,17 @@ def bag():
 
 
 def add_orifices(mesh, fixed):
-    """A circle of nodes just above the fixed disc, each with a vector that points outward."""
+    """A circle of nodes in the dish, each with a vector that points outward and to the front."""
     for k in range(ORIFICES):
         angle = 2.0 * pi * k / ORIFICES
         c, s = cos(angle), sin(angle)
-        fixed.add(mesh.node(ORIFICE_RADIUS * c, ORIFICE_RADIUS * s, ORIFICE_HEIGHT - HALF_GAP,
+        fixed.add(mesh.node(ORIFICE_RADIUS * c, ORIFICE_RADIUS * s, -HALF_GAP - ORIFICE_DEPTH,
                             number=100001 + k))
         mesh.vectors[1 + k] = ((0.0, 0.0, 0.0), (c, s, JET_RISE))
 
 
 if __name__ == "__main__":
     bag().write(MODELS / "driver_bag_flat" / "mesh.k",
-                ["Two discs of 720 mm diameter seamed at the rim, 1 mm apart, with a fixed disc and",
+                ["Two discs of 720 mm diameter seamed at the rim, 1 mm apart, with a fixed dish and",
                  "twelve orifices of the inflator in the middle of the rear one; lengths in mm.",
                  "Written by tools/models/disc_bag.py: change it there."])

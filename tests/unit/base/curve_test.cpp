@@ -20,11 +20,17 @@ TEST_CASE("integral and mean of a curve agree with a fine sum", "[base][curve]")
     const auto sum = [&](double from, double to) {
         double total = 0.0;
         const int n = 200000;
-        for (int i = 0; i < n; ++i) total += curve(from + (to - from) * (i + 0.5) / n) * (to - from) / n;
+        for (int i = 0; i < n; ++i)
+            total += curve(from + (to - from) * (i + 0.5) / n) * (to - from) / n;
         return total;
     };
-    for (const auto& [from, to] : {std::pair{0.0, 3.0}, {0.2, 0.7}, {0.5, 1.0}, {1.0, 2.0}, {0.3, 2.9},
-                                   {2.5, 5.0}, {-1.0, 0.5}})
+    for (const auto& [from, to] : {std::pair{0.0, 3.0},
+                                   {0.2, 0.7},
+                                   {0.5, 1.0},
+                                   {1.0, 2.0},
+                                   {0.3, 2.9},
+                                   {2.5, 5.0},
+                                   {-1.0, 0.5}})
         CHECK(curve.mean(from, to) * (to - from) == Approx(sum(from, to)).epsilon(1e-4));
     CHECK(curve.integral_to(0.5) == Approx(1.25));
     CHECK(curve.integral_to(3.0) == Approx(sum(0.0, 3.0)).epsilon(1e-4));

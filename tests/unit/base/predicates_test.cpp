@@ -9,7 +9,8 @@
 using namespace corpuscle;
 
 TEST_CASE("the determinant's sign is exact on the verge of zero", "[base][predicates]") {
-    // c is a combination of a and b but for its last bit: rounding alone cannot tell the sides apart.
+    // c is a combination of a and b but for its last bit: rounding alone cannot tell the sides
+    // apart.
     Random draw(1, Stream::INITIAL, 0, 0);
     int unsure = 0;
     for (int i = 0; i < 2000; ++i) {

@@ -1,0 +1,53 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "gas/grid.hpp"
+#include "gas/particles.hpp"
+
+namespace corpuscle::gas {
+
+/// Rows of particles in lists: list l holds order[start[l]] .. order[start[l + 1] - 1].
+struct Lists {
+    std::span<const Index> start;  ///< one more than there are lists
+    std::span<const Index> order;  ///< particle rows
+
+    [[nodiscard]] std::size_t size() const { return start.size() - 1; }
+    [[nodiscard]] std::span<const Index> operator[](std::size_t l) const {
+        return order.subspan(static_cast<std::size_t>(start[l]),
+                             static_cast<std::size_t>(start[l + 1] - start[l]));
+    }
+};
+
+/// Particles by grid cell: a stable counting sort, so the order is that of cells, then of rows, on
+/// any number of threads. Memory: 8 bytes a particle, 4 a cell and thread.
+class CellSort {
+public:
+    void sort(const Grid& grid, std::span<const Vec3> x);
+
+    [[nodiscard]] Lists cells() const { return {start_, order_}; }
+
+private:
+    void count(const Grid& grid, std::span<const Vec3> x, std::size_t slice);
+    void place(std::size_t slice);
+
+    std::size_t cells_ = 0, slice_length_ = 1;
+    std::vector<Index> cell_;  ///< of each particle
+    std::vector<Index> fill_;  ///< slices × cells: first count, then next place
+    std::vector<Index> start_, order_;
+};
+
+/// Edge of cubic cells that hold `per_cell` particles on average.                          [m]
+inline double cell_edge(double volume, std::size_t particles, double per_cell) {
+    return std::cbrt(volume * per_cell / static_cast<double>(particles));
+}
+
+/// Moves particles so that row i becomes what row order[i] was: neighbours in space become
+/// neighbours in memory. `scratch` keeps its memory from call to call.
+void reorder(std::span<const Index> order, Particles& particles, Particles& scratch);
+
+}  // namespace corpuscle::gas

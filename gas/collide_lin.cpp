@@ -1,0 +1,205 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "gas/collide.hpp"
+#include "gas/each_group.hpp"
+#include "gas/relax.hpp"
+
+/// LIN: a group's thermal velocities are mapped by one matrix, such that its stress is reversed
+/// rather than only relaxed. What viscosity the free flight between collisions makes is thereby
+/// mostly undone.
+///
+///     v = U + G dx + c,  c' = A c,  A = L' Ω L⁻¹
+///
+/// G: velocity gradient fitted by least squares, so angular momentum is kept. L L' = P = sum m c cᵀ
+/// (Cholesky), L' of the stress wanted after. Ω: a random rotation.
+namespace corpuscle::gas {
+
+namespace {
+
+/// Share of the stress that is turned round: 1 would leave no viscosity and be unstable.
+constexpr double BETA = 0.8;
+/// How far the stress may be turned towards one with a negative eigenvalue.
+constexpr double KEPT_POSITIVE = 0.7;
+/// Particles that a velocity gradient can be fitted to.
+constexpr std::size_t FIT_FROM = 8;
+/// Degrees of freedom a direction from which a group has a stress to speak of.
+constexpr double STRESS_FROM = 5.0;
+/// Of a matrix's trace: with smaller pivots it is singular but for noise.
+constexpr double FLATTEST = 1e-9;
+
+/// Sum of m a bᵀ.
+Mat3 moment(const std::vector<double>& m, const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    Mat3 sum = Mat3::Zero();
+    for (std::size_t i = 0; i < m.size(); ++i) {
+        const Vec3 ma = m[i] * a[i];
+        sum += ma * b[i].transpose();
+    }
+    return sum;
+}
+
+/// Positions from the centre of mass.
+void gather_places(std::span<const Index> rows, const Particles& particles, const Swarm& swarm,
+                   std::vector<Vec3>& dx) {
+    dx.resize(rows.size());
+    const Vec3 near = particles.x[rows[0]];
+    Vec3 mean = Vec3::Zero();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        dx[i] = particles.x[rows[i]] - near;
+        mean += swarm.m[i] * dx[i];
+    }
+    mean /= swarm.mass;
+    for (Vec3& d : dx) d -= mean;
+}
+
+/// L with L Lᵀ = P, unless P is all but singular: Cholesky, 3 sqrt.
+std::optional<Mat3> lower_factor(const Mat3& P) {
+    const double least = FLATTEST * P.trace();
+    Mat3 L = Mat3::Zero();
+    for (int j = 0; j < 3; ++j) {
+        double pivot = P(j, j);
+        for (int k = 0; k < j; ++k) pivot -= L(j, k) * L(j, k);
+        if (!(pivot > least)) return std::nullopt;
+        L(j, j) = std::sqrt(pivot);
+        for (int i = j + 1; i < 3; ++i) {
+            double sum = P(i, j);
+            for (int k = 0; k < j; ++k) sum -= L(i, k) * L(j, k);
+            L(i, j) = sum / L(j, j);
+        }
+    }
+    return L;
+}
+
+/// Inverse of a lower triangle.
+Mat3 inverse_of(const Mat3& L) {
+    Mat3 inverse = Mat3::Identity();
+    L.triangularView<Eigen::Lower>().solveInPlace(inverse);
+    return inverse;
+}
+
+/// Least-squares velocity gradients of a group.
+class GradientFit {
+public:
+    /// None for a group that is too small, or all but in a plane.
+    static std::optional<GradientFit> of(const Swarm& swarm, const std::vector<Vec3>& dx) {
+        if (swarm.size() < FIT_FROM) return std::nullopt;
+        const std::optional<Mat3> L = lower_factor(moment(swarm.m, dx, dx));
+        if (!L) return std::nullopt;
+        return GradientFit(inverse_of(*L));
+    }
+    /// Takes the gradient out of c and returns it: G = sum m c dxᵀ S⁻¹, S = sum m dx dxᵀ.  [1/s]
+    Mat3 take_out(const std::vector<Vec3>& dx, Swarm& swarm) const {
+        const Mat3 G = moment(swarm.m, swarm.c, dx) * inverse_L_.transpose() * inverse_L_;
+        add_gradient(-G, dx, swarm);
+        return G;
+    }
+    /// A gradient as thermal agitation makes it at kT: rows are normal with covariance kT S⁻¹.
+    [[nodiscard]] Mat3 thermal(double kT, Random& draw) const {
+        Mat3 normal;
+        for (int i = 0; i < 9; ++i) normal(i) = draw.normal();
+        return std::sqrt(kT) * normal * inverse_L_;
+    }
+    static void add_gradient(const Mat3& G, const std::vector<Vec3>& dx, Swarm& swarm) {
+        for (std::size_t i = 0; i < dx.size(); ++i) swarm.c[i] += G * dx[i];
+    }
+
+private:
+    explicit GradientFit(const Mat3& inverse_L) : inverse_L_(inverse_L) {}
+    Mat3 inverse_L_;  ///< S = L Lᵀ
+};
+
+/// Uniform on SO(3), from a uniform unit quaternion [Shoemake 1992].
+Mat3 random_rotation(Random& draw) {
+    const double u = draw.uniform();
+    const double a = 2.0 * std::numbers::pi * draw.uniform();
+    const double b = 2.0 * std::numbers::pi * draw.uniform();
+    const double r = std::sqrt(1.0 - u), s = std::sqrt(u);
+    return Eigen::Quaterniond(s * std::cos(b), r * std::sin(a), r * std::cos(a), s * std::sin(b))
+        .toRotationMatrix();
+}
+
+/// Stress wanted after the collision: pressure of energy E_1, and the deviation D reversed as far
+/// as P' stays positive definite (its least eigenvalue is at least p' - 0.8165 |D|).
+Mat3 reversed_stress(const Mat3& P, double E_0, double E_1) {
+    const double p_0 = 2.0 / 3.0 * E_0, p_1 = 2.0 / 3.0 * E_1;
+    const Mat3 D = P - p_0 * Mat3::Identity();
+    const double size = 0.8165 * D.norm();
+    double b = BETA * p_1 / p_0;
+    if (b * size > KEPT_POSITIVE * p_1) b = KEPT_POSITIVE * p_1 / size;
+    return p_1 * Mat3::Identity() - b * D;
+}
+
+/// A with A P Aᵀ = P', or merely a rotation and a factor where P is not that of a gas.
+Mat3 mapping(const Mat3& P, const Mat3& P_wanted, bool has_stress, Random& draw) {
+    const Mat3 turn = random_rotation(draw);
+    if (has_stress) {
+        const std::optional<Mat3> from = lower_factor(P), to = lower_factor(P_wanted);
+        if (from && to) {
+            return *to * turn * inverse_of(*from);
+        }
+    }
+    return std::sqrt(P_wanted.trace() / P.trace()) * turn;
+}
+
+/// Pair collisions between light and heavy particles, which a linear map would bring to one
+/// temperature but slowly. They would lose angular momentum: so c, which has no gradient, is lent a
+/// thermal one, and whatever gradient it has afterwards is taken out. At equilibrium that leaves c
+/// as it was distributed.
+void exchange(const std::optional<GradientFit>& fit, const std::vector<Vec3>& dx, double kT,
+              Swarm& swarm, Random& draw) {
+    if (fit) GradientFit::add_gradient(fit->thermal(kT, draw), dx, swarm);
+    swarm.collide_pairs(draw);
+    if (fit) fit->take_out(dx, swarm);
+}
+
+bool collide_group(const CollisionStep& step, const std::vector<Vec3>& dx, Swarm& swarm,
+                   Random& draw) {
+    const double E_all = swarm.translational();
+    if (is_rigid(swarm, E_all)) return relax(step.heat, step.mixture, swarm);
+    const double energy = step.heat * (E_all + swarm.internal());
+
+    // Motion in common: U and, where it can be fitted, G. What is left is c, of energy E_0.
+    const std::optional<GradientFit> fit = GradientFit::of(swarm, dx);
+    const Mat3 G = fit ? fit->take_out(dx, swarm) : Mat3::Zero();
+    const Mat3 P_0 = moment(swarm.m, swarm.c, swarm.c);
+    const double E_0 = 0.5 * P_0.trace();
+    const double E_gradient = E_all - E_0;
+
+    // Its energy at equilibrium, E_1.
+    const double along_each_axis = static_cast<double>(swarm.size()) - (fit ? 4.0 : 1.0);
+    const double freedom = 3.0 * along_each_axis;
+    const double T = equilibrium_temperature(energy - E_gradient, freedom, step.mixture.half_heat(),
+                                             swarm.internal_at());
+    if (!(T > 0.0) || is_rigid(swarm, E_0)) {
+        GradientFit::add_gradient(G, dx, swarm);
+        return relax(step.heat, step.mixture, swarm);
+    }
+    const double E_1 = energy - E_gradient - set_internal(T, step.mixture, swarm);
+
+    const Mat3 P_1 = reversed_stress(P_0, E_0, E_1);
+    if (swarm.is_mixed()) exchange(fit, dx, 2.0 * E_0 / freedom, swarm, draw);
+    const Mat3 P = swarm.is_mixed() ? moment(swarm.m, swarm.c, swarm.c) : P_0;
+    const Mat3 A = mapping(P, P_1, along_each_axis >= STRESS_FROM, draw);
+    const double exact = std::sqrt(2.0 * E_1 / (A * P * A.transpose()).trace());
+    for (std::size_t i = 0; i < swarm.size(); ++i)
+        swarm.c[i] = exact * (A * swarm.c[i]) + G * dx[i];
+    return true;
+}
+
+}  // namespace
+
+CollisionReport collide_lin(const CollisionStep& step, Particles& particles) {
+    return for_each_group(step, particles, [&](Swarm& swarm, Random& draw, auto rows) {
+        thread_local std::vector<Vec3> dx;
+        gather_places(rows, particles, swarm, dx);
+        return collide_group(step, dx, swarm, draw);
+    });
+}
+
+}  // namespace corpuscle::gas
