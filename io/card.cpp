@@ -14,6 +14,7 @@ namespace corpuscle::io {
 namespace {
 constexpr std::size_t CARD_END = 80, LONG_CARD_END = 160;  ///< columns beyond are remarks
 constexpr std::size_t LONGEST_SHOWN = 60;                  ///< characters of a field in a message
+constexpr int WIDEST_NUMBER = 20;                          ///< columns; a wider field is a title
 constexpr Range IDS{1.0};
 }  // namespace
 
@@ -40,8 +41,7 @@ Layout::Layout(const char* text) {
             word = word.substr(0, at);
         }
         if (const auto at = word.find(':'); at != std::string_view::npos) {
-            field.width =
-                word.substr(at + 1) == "*" ? 0 : parse_integer(word.substr(at + 1)).value();
+            field.width = parse_integer(word.substr(at + 1)).value();
             word = word.substr(0, at);
         }
         field.name = word;
@@ -63,16 +63,34 @@ Card::~Card() {
     warn_of_rest();
 }
 
-/// A comma anywhere makes a line free format, but for those inside <expressions>.
+namespace {
+
+std::size_t width_of(const Layout::Field& field, Columns columns) {
+    const auto width = static_cast<std::size_t>(field.width);
+    if (columns == Columns::LONG) return std::max<std::size_t>(width, 20);
+    return columns == Columns::I10 ? std::max<std::size_t>(width, 10) : width;
+}
+
+/// A comma anywhere makes a line free format; one in the title behind an id does not.
+bool is_free_format(std::string_view line, std::span<const Layout::Field> fields, Columns columns) {
+    const std::size_t comma = line.find(',');
+    const bool has_title = fields.size() > 1 && fields.back().width > WIDEST_NUMBER;
+    return comma != std::string_view::npos &&
+           !(has_title && comma >= width_of(fields.front(), columns));
+}
+
+}  // namespace
+
+/// Commas inside <expressions> do not part fields.
 void Card::cut(std::string_view line, Columns columns, bool plus) {
     if (plus) line.remove_prefix(1);
     const auto fields = layout_.fields();
-    if (line.find(',') != std::string_view::npos) {
+    if (is_free_format(line, fields, columns)) {
         for (std::size_t i = 0; i < fields.size() && !line.empty(); ++i) {
             std::size_t end = 0;
             for (int depth = 0; end < line.size() && (depth > 0 || line[end] != ','); ++end)
                 depth += line[end] == '<' ? 1 : line[end] == '>' ? -1 : 0;
-            if (fields[i].width == 0) end = line.size();
+            if (fields[i].width > WIDEST_NUMBER) end = line.size();
             field_[i] = trim(line.substr(0, end));
             line.remove_prefix(std::min(line.size(), end + 1));
         }
@@ -81,14 +99,7 @@ void Card::cut(std::string_view line, Columns columns, bool plus) {
     }
     std::size_t from = 0;
     for (std::size_t i = 0; i < fields.size(); ++i) {
-        std::size_t width = static_cast<std::size_t>(fields[i].width);
-        if (width == 0)
-            width = line.size();
-        else if (columns == Columns::LONG)
-            width = std::max<std::size_t>(width, 20);
-        else if (columns == Columns::I10)
-            width = std::max<std::size_t>(width, 10);
-        if (plus && i == 0) --width;
+        const std::size_t width = width_of(fields[i], columns) - (plus && i == 0 ? 1 : 0);
         if (from < line.size()) field_[i] = trim(line.substr(from, width));
         from += width;
     }

@@ -57,7 +57,7 @@ constexpr Range within(double low, double high) {
 }
 
 /// Names, widths and defaults of a card's fields: "NID:8 X:16 - SF=1". Without a width it is 10
-/// columns; ":*" takes the rest of the line; - is an unused field. The text is a literal: it is
+/// columns; - is an unused field. The text is a literal: it is
 /// kept.
 class Layout {
 public:

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t MOST_FILES = 10000;               ///< includes may double at every level
-constexpr std::uintmax_t MOST_TEXT = 4'000'000'000ULL;  ///< bytes, of all files together
+constexpr std::uintmax_t MOST_TEXT = 2'000'000'000ULL;  ///< bytes, of all files together
 
 /// "*NODE +" -> NODE, and the columns that its sign asks for.
 struct Head {
@@ -158,13 +158,16 @@ private:
     void include(const Block& block, const fs::path& path, Columns columns) {
         const auto names = file_names(block);
         if (names.empty()) faults_.fault(block.place, "*INCLUDE, expected the name of a file");
-        for (const auto& [name, line] : names)
-            include_one(name, {block.place.file, line.number}, path, columns);
+        for (std::size_t i = 0; i < names.size(); ++i)
+            include_one(names[i].first, i + 1, {block.place.file, names[i].second.number}, path,
+                        columns);
     }
 
-    void include_one(const std::string& name, Place at, const fs::path& path, Columns columns) {
+    void include_one(const std::string& name, std::size_t card, Place at, const fs::path& path,
+                     Columns columns) {
         const auto complain = [&](const std::string& expected) {
-            faults_.fault(at, fmt::format("*INCLUDE field 1 (FILENAME) = {}, {}", name, expected));
+            faults_.fault(at, fmt::format("*INCLUDE card {}, field 1 (FILENAME) = {}, {}", card,
+                                          name, expected));
         };
         const fs::path found = look_for(name, path);
         const fs::path real = canonical(found);

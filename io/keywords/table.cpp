@@ -81,58 +81,51 @@ const Keyword KEYWORDS[] = {
 };
 
 /// Cannot change the answer here: output, other solvers, and numerics that have no counterpart.
-constexpr std::string_view HARMLESS[] = {
-    "DATABASE_",
-    "CONTROL_ACCURACY",
-    "CONTROL_ACOUSTIC",
-    "CONTROL_ALE",
-    "CONTROL_BULK_VISCOSITY",
-    "CONTROL_CESE",
-    "CONTROL_CONTACT",
-    "CONTROL_COUPLING",
-    "CONTROL_CPU",
-    "CONTROL_DEBUG",
-    "CONTROL_EFG",
-    "CONTROL_ENERGY",
-    "CONTROL_EXPLICIT_THERMAL",
-    "CONTROL_FREQUENCY",
-    "CONTROL_HOURGLASS",
-    "CONTROL_IMPLICIT",
-    "CONTROL_MPP",
-    "CONTROL_OUTPUT",
-    "CONTROL_PARALLEL",
-    "CONTROL_PORE_FLUID",
-    "CONTROL_REMESHING",
-    "CONTROL_SHELL",
-    "CONTROL_SOLID",
-    "CONTROL_SPH",
-    "CONTROL_STRUCTURED",
-    "CONTROL_THERMAL",
-    "CONTROL_UNITS",
-    "COMMENT",
-    "EM_",
-    "ICFD_",
-    "HOURGLASS",
-};
+constexpr std::string_view HARMLESS[] = {"DATABASE_",
+                                         "CONTROL_ACCURACY",
+                                         "CONTROL_ACOUSTIC",
+                                         "CONTROL_ALE",
+                                         "CONTROL_BULK_VISCOSITY",
+                                         "CONTROL_CESE",
+                                         "CONTROL_CONTACT",
+                                         "CONTROL_CPU",
+                                         "CONTROL_DEBUG",
+                                         "CONTROL_EFG",
+                                         "CONTROL_ENERGY",
+                                         "CONTROL_EXPLICIT_THERMAL",
+                                         "CONTROL_FREQUENCY",
+                                         "CONTROL_HOURGLASS",
+                                         "CONTROL_IMPLICIT",
+                                         "CONTROL_MPP",
+                                         "CONTROL_OUTPUT",
+                                         "CONTROL_PARALLEL",
+                                         "CONTROL_PORE_FLUID",
+                                         "CONTROL_REMESHING",
+                                         "CONTROL_SHELL",
+                                         "CONTROL_SOLID",
+                                         "CONTROL_SPH",
+                                         "CONTROL_STRUCTURED",
+                                         "CONTROL_THERMAL",
+                                         "CONTROL_UNITS",
+                                         "COMMENT",
+                                         "HOURGLASS"};
 
-/// Rigid walls of other shapes are known, and told apart from misspellings.
-constexpr std::string_view LATER[] = {
-    "RIGIDWALL_GEOMETRIC",
-    "AIRBAG_SHELL_REFERENCE_GEOMETRY",
-    "DEFINE_CPM_",
-    "CONTROL_CPM",
-    "SENSOR_",
-    "AIRBAG_",
-    "CONTACT_",
-    "DEFINE_BOX",
-    "DEFINE_COORDINATE",
-    "CONSTRAINED_",
-    "ELEMENT_",
-    "SECTION_",
-    "MAT_",
-    "INITIAL_AIRBAG_PARTICLE_POSITION",
-    "RIGIDWALL_",
-};
+/// Families of which LS-DYNA has more than is read here.
+constexpr std::string_view LATER[] = {"RIGIDWALL_GEOMETRIC",
+                                      "AIRBAG_SHELL_REFERENCE_GEOMETRY",
+                                      "DEFINE_CPM_",
+                                      "CONTROL_CPM",
+                                      "SENSOR_",
+                                      "AIRBAG_",
+                                      "CONTACT_",
+                                      "DEFINE_BOX",
+                                      "DEFINE_COORDINATE",
+                                      "CONSTRAINED_",
+                                      "ELEMENT_",
+                                      "SECTION_",
+                                      "MAT_",
+                                      "INITIAL_AIRBAG_PARTICLE_POSITION",
+                                      "RIGIDWALL_"};
 
 /// The suffixes after `base` when all of them are in `allowed`; none otherwise.
 std::optional<std::vector<std::string_view>> suffixes(std::string_view keyword,
@@ -168,6 +161,10 @@ std::pair<const Keyword*, std::string_view> longest_base(std::string_view keywor
     return best;
 }
 
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
 std::string did_you_mean(std::string_view keyword) {
     std::vector<std::string_view> names = {"INCLUDE", "PARAMETER", "PARAMETER_EXPRESSION",
                                            "KEYWORD", "END"};
@@ -175,6 +172,7 @@ std::string did_you_mean(std::string_view keyword) {
         for_each_word(entry.names, [&](std::string_view name) { names.push_back(name); });
     for (const std::string_view name : HARMLESS)
         if (!name.ends_with('_')) names.push_back(name);
+    if (is_digit(keyword.back())) return {};  // *MAT_003 is no misspelt *MAT_001
     std::string_view bare = keyword;
     for (const std::string_view suffix : {"_ID", "_TITLE", "_LIST"})
         if (bare.ends_with(suffix)) bare.remove_suffix(suffix.size());
@@ -216,8 +214,7 @@ Match find(std::string_view keyword) {
     for (const std::string_view name : HARMLESS)
         if (keyword.starts_with(name)) return {nullptr, {}, true, misspelt(keyword)};
     if (const std::string meant = did_you_mean(keyword); !meant.empty())
-        return {
-            nullptr, {}, false, fmt::format("is not a known keyword, did you mean *{}?", meant)};
+        return {nullptr, {}, false, fmt::format("is not supported, did you mean *{}?", meant)};
     for (const std::string_view name : LATER)
         if (keyword.starts_with(name)) return {nullptr, {}, false, "is not supported yet"};
     return {nullptr, {}, false, "is not supported"};

@@ -97,7 +97,7 @@ TEST_CASE("AIRBAG_PARTICLE: UNIT sets R and the atmosphere", "[io]") {
 
 TEST_CASE("AIRBAG_PARTICLE: every suffix inserts its card", "[io]") {
     const DeckFolder folder;
-    const std::string mpp = "1.,1.,1.\n", name = "         9driver, left\n", time = "0,0\n";
+    const std::string mpp = "1.,1.,1.\n", time = "0,0\n";
     Bag bag;
     bag.card_2 = "777";
     const auto check = [&] {
@@ -123,6 +123,11 @@ TEST_CASE("AIRBAG_PARTICLE: every suffix inserts its card", "[io]") {
             CHECK(check().id == 9);
             CHECK(check().title == "driver bag");
         }
+        bag.before_1 = "         9driver, left\n";  // this comma belongs to the title
+        CHECK(check().id == 9);
+        CHECK(check().title == "driver, left");
+        bag.before_1 = "9, driver, left\n";
+        CHECK(check().title == "driver, left");
     }
     SECTION("all together, in any order") {
         bag.before_1 = mpp + "9,left\n" + time;

@@ -44,8 +44,8 @@ TEST_CASE("an include that is not there is a fault with its place", "[io]") {
     const DeckFolder folder;
     const auto faults = folder.faults(small_deck("*INCLUDE\nnowhere.k\n*INCLUDE\n.\n"));
     REQUIRE(faults.size() == 2);
-    CHECK(
-        contains(faults[0], "deck.k:31: *INCLUDE field 1 (FILENAME) = nowhere.k, expected a file"));
+    CHECK(contains(faults[0],
+                   "deck.k:31: *INCLUDE card 1, field 1 (FILENAME) = nowhere.k, expected a file"));
     CHECK(contains(faults[1], "deck.k:33:"));
     CHECK_THROWS_AS(io::read_deck("/no/such/deck.k"), InputError);
 }
