@@ -80,52 +80,25 @@ const Keyword KEYWORDS[] = {
     {"RIGIDWALL_PLANAR", NAMED, "FINITE MOVING FORCES ORTHO DISPLAY", P::SCENE, rigidwall_planar},
 };
 
-/// Cannot change the answer here: output, other solvers, and numerics that have no counterpart.
-constexpr std::string_view HARMLESS[] = {"DATABASE_",
-                                         "CONTROL_ACCURACY",
-                                         "CONTROL_ACOUSTIC",
-                                         "CONTROL_ALE",
-                                         "CONTROL_BULK_VISCOSITY",
-                                         "CONTROL_CESE",
-                                         "CONTROL_CONTACT",
-                                         "CONTROL_CPU",
-                                         "CONTROL_DEBUG",
-                                         "CONTROL_EFG",
-                                         "CONTROL_ENERGY",
-                                         "CONTROL_EXPLICIT_THERMAL",
-                                         "CONTROL_FREQUENCY",
-                                         "CONTROL_HOURGLASS",
-                                         "CONTROL_IMPLICIT",
-                                         "CONTROL_MPP",
-                                         "CONTROL_OUTPUT",
-                                         "CONTROL_PARALLEL",
-                                         "CONTROL_PORE_FLUID",
-                                         "CONTROL_REMESHING",
-                                         "CONTROL_SHELL",
-                                         "CONTROL_SOLID",
-                                         "CONTROL_SPH",
-                                         "CONTROL_STRUCTURED",
-                                         "CONTROL_THERMAL",
-                                         "CONTROL_UNITS",
-                                         "COMMENT",
-                                         "HOURGLASS"};
+/// Beginnings of what cannot change the answer here: output, other solvers, and numerics that have
+/// no counterpart.
+constexpr std::string_view HARMLESS =
+    "DATABASE_ COMMENT HOURGLASS CONTROL_ACCURACY CONTROL_ACOUSTIC CONTROL_ALE "
+    "CONTROL_BULK_VISCOSITY CONTROL_CESE CONTROL_CONTACT CONTROL_CPU CONTROL_DEBUG CONTROL_EFG "
+    "CONTROL_ENERGY CONTROL_EXPLICIT_THERMAL CONTROL_FREQUENCY CONTROL_HOURGLASS CONTROL_IMPLICIT "
+    "CONTROL_MPP CONTROL_OUTPUT CONTROL_PARALLEL CONTROL_PORE_FLUID CONTROL_REMESHING "
+    "CONTROL_SHELL CONTROL_SOLID CONTROL_SPH CONTROL_STRUCTURED CONTROL_THERMAL CONTROL_UNITS";
 
-/// Families of which LS-DYNA has more than is read here.
-constexpr std::string_view LATER[] = {"RIGIDWALL_GEOMETRIC",
-                                      "AIRBAG_SHELL_REFERENCE_GEOMETRY",
-                                      "DEFINE_CPM_",
-                                      "CONTROL_CPM",
-                                      "SENSOR_",
-                                      "AIRBAG_",
-                                      "CONTACT_",
-                                      "DEFINE_BOX",
-                                      "DEFINE_COORDINATE",
-                                      "CONSTRAINED_",
-                                      "ELEMENT_",
-                                      "SECTION_",
-                                      "MAT_",
-                                      "INITIAL_AIRBAG_PARTICLE_POSITION",
-                                      "RIGIDWALL_"};
+/// Beginnings of families of which LS-DYNA has more than is read here.
+constexpr std::string_view LATER =
+    "AIRBAG_ CONSTRAINED_ CONTACT_ CONTROL_CPM DEFINE_ ELEMENT_ INITIAL_ LOAD_ MAT_ RIGIDWALL_ "
+    "SECTION_ SENSOR_";
+
+bool begins_with_any(std::string_view keyword, std::string_view beginnings) {
+    bool found = false;
+    for_each_word(beginnings, [&](std::string_view b) { found |= keyword.starts_with(b); });
+    return found;
+}
 
 /// The suffixes after `base` when all of them are in `allowed`; none otherwise.
 std::optional<std::vector<std::string_view>> suffixes(std::string_view keyword,
@@ -170,8 +143,7 @@ std::string did_you_mean(std::string_view keyword) {
                                            "KEYWORD", "END"};
     for (const Keyword& entry : KEYWORDS)
         for_each_word(entry.names, [&](std::string_view name) { names.push_back(name); });
-    for (const std::string_view name : HARMLESS)
-        if (!name.ends_with('_')) names.push_back(name);
+    for_each_word(HARMLESS, [&](std::string_view name) { names.push_back(name); });
     if (is_digit(keyword.back())) return {};  // *MAT_003 is no misspelt *MAT_001
     std::string_view bare = keyword;
     for (const std::string_view suffix : {"_ID", "_TITLE", "_LIST"})
@@ -211,13 +183,11 @@ Match find(std::string_view keyword) {
                                     ? ""
                                     : fmt::format(" with no suffix but {}", entry->options))};
     }
-    for (const std::string_view name : HARMLESS)
-        if (keyword.starts_with(name)) return {nullptr, {}, true, misspelt(keyword)};
+    if (begins_with_any(keyword, HARMLESS)) return {nullptr, {}, true, misspelt(keyword)};
     if (const std::string meant = did_you_mean(keyword); !meant.empty())
         return {nullptr, {}, false, fmt::format("is not supported, did you mean *{}?", meant)};
-    for (const std::string_view name : LATER)
-        if (keyword.starts_with(name)) return {nullptr, {}, false, "is not supported yet"};
-    return {nullptr, {}, false, "is not supported"};
+    const bool is_later = begins_with_any(keyword, LATER);
+    return {nullptr, {}, false, is_later ? "is not supported yet" : "is not supported"};
 }
 
 }  // namespace corpuscle::io::keywords
