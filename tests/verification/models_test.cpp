@@ -55,7 +55,7 @@ double piston_error(const ModelRun& run) {
 }  // namespace
 
 TEST_CASE("helium and air in a box come to nRT/V and one temperature", "[models]") {
-    const ModelRun run("helium_air", "");
+    const ModelRun run("helium_air", "-j 1");
     REQUIRE(run.status() == 0);
     const std::string bag = "/history/airbag/1";
 
@@ -78,7 +78,7 @@ TEST_CASE("helium and air in a box come to nRT/V and one temperature", "[models]
 }
 
 TEST_CASE("the pressure on the fast piston is Euler's", "[models]") {
-    const ModelRun few("fast_piston", "-D NP=10000"), many("fast_piston", "-D NP=100000");
+    const ModelRun few("fast_piston", "-D NP=10000 -j 1"), many("fast_piston", "-D NP=100000 -j 1");
     REQUIRE(few.status() == 0);
     REQUIRE(many.status() == 0);
     const double coarse = piston_error(few), fine = piston_error(many);
