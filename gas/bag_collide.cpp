@@ -33,8 +33,8 @@ void BagGas::collide(double dt, const Points& x) {
     since_collision_ += dt;
     if (particles_.size() == 0 || since_collision_ * speed_ < COLLISION_SHARE * cell_) return;
 
-    collider_.find_groups(lists_.grid(),
-                          {lists_.starts(), lists_.facets(), lists_.triangles(), x}, particles_);
+    collider_.find_groups(side_lists_.grid(),
+                          {side_lists_.starts(), side_lists_.facets(), side_lists_.triangles(), x}, particles_);
     const double thermal = collider_.thermal_energy(particles_);
     double heat = 0.0;
     if (thermal > 0.0) heat = heat_from_air(thermal) + heat_from_smoothing(thermal);
@@ -80,7 +80,7 @@ double BagGas::heat_from_smoothing(double thermal) {
 /// Adapts the cells that the next facet lists will have to how many particles the occupied ones hold.
 void BagGas::fit_cells(std::size_t occupied_cells) {
     const double mean = static_cast<double>(particles_.size()) / static_cast<double>(occupied_cells);
-    cell_ = lists_.grid().edge * std::clamp(std::cbrt(PARTICLES_PER_CELL / mean), 0.7, 1.4);
+    cell_ = side_lists_.grid().edge * std::clamp(std::cbrt(PARTICLES_PER_CELL / mean), 0.7, 1.4);
 }
 
 /// sqrt(R T / M) of the gas as a whole, bulk motion included: sqrt(2/3 of the kinetic energy / mass).

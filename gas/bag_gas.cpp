@@ -23,6 +23,9 @@ constexpr double MARGIN = 0.15;
 /// Share of a cell that a particle of thermal speed crosses in a step that the gas limits.
 constexpr double FLIGHT_SHARE = 0.5;
 
+/// Cells of the flight's facet lists, in facet edges. Smaller: fewer candidates a particle, more cells.
+constexpr double FLIGHT_CELL = 1.5;
+
 constexpr std::size_t MOST_CELLS = 2'000'000;
 
 std::string name_of(const BagCard& card) {
@@ -58,6 +61,7 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
       inflators_(card, curves, seed),
       mass_(particle_masses(inflators_)),
       lists_(turned(enclosure_, walls_), x),
+      side_lists_(lists_.triangles(), x),
       store_(x.size(), lists_.nodes(), RELEASE_TIME * card.second * card.smoothing),
       collider_(inflators_.species(), inflators_.moles_each(), seed),
       orifices_(card.orifices, lists_.triangles(), walls_.triangles, walls_.shell),
@@ -82,6 +86,8 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
                 fmt::format("{}: orifice {} at ({:g}, {:g}, {:g}) lies outside the bag",
                             name_of(card), o + 1, at[0], at[1], at[2]));
     if (!faults.empty()) throw InputError(std::move(faults));
+
+    facet_size_ = std::sqrt(2.0 * enclosure_.area(x) / static_cast<double>(walls_.closing));
 
     double lightest = INF;
     for (const Species& species : inflators_.species())
@@ -117,26 +123,25 @@ void BagGas::book_load(const Points& v_mid, double span) {
 // -------------------------------------------------------------------------------
 
 void BagGas::prepare(const Points& x_0, const Points& x_1) {
-    const double edge = lists_.grid().edge;
+    if (!lists_.hold_for(x_1)) build(lists_, FLIGHT_CELL * facet_size_, x_0, x_1);
+    const double edge = side_lists_.grid().edge;
     const bool fits = cell_ < 1.2 * edge && edge < 1.2 * cell_;
-    if (lists_.builds() == 0 || !fits || !lists_.hold_for(x_1)) build_lists(x_0, x_1);
+    if (!fits || !side_lists_.hold_for(x_1)) build(side_lists_, cell_, x_0, x_1);
+    cell_ = side_lists_.grid().edge;
 }
 
-void BagGas::build_lists(const Points& x_0, const Points& x_1) {
-    Vec3 low = Vec3::Constant(INF), high = Vec3::Constant(-INF);
-    for (const Index n : lists_.nodes()) {
-        low = low.cwiseMin(x_0[n]).cwiseMin(x_1[n]);
-        high = high.cwiseMax(x_0[n]).cwiseMax(x_1[n]);
+/// Facet lists over the whole bag in cells of the wanted edge: neither finer than a hundredth of the bag,
+/// which only costs, nor coarser than a quarter of it.
+void BagGas::build(FacetLists& lists, double edge, const Points& x_0, const Points& x_1) {
+    contact::Box bag;
+    for (const Index n : lists.nodes()) {
+        bag.include(x_0[n]);
+        bag.include(x_1[n]);
     }
-    // Cells neither finer than an eightieth of the bag, which only costs, nor coarser than a
-    // quarter of it.
-    const double size = (high - low).maxCoeff();
-    cell_ = std::clamp(cell_, size / 80.0, size / 4.0);
-    const double margin = MARGIN * cell_;
-    lists_.build(
-        Grid::over(low - Vec3::Constant(margin), high + Vec3::Constant(margin), cell_, MOST_CELLS),
-        x_0, x_1, margin);
-    cell_ = lists_.grid().edge;
+    const double size = (bag.high - bag.low).maxCoeff();
+    edge = std::clamp(edge, size / 100.0, size / 4.0);
+    bag.inflate(MARGIN * edge);
+    lists.build(Grid::over(bag.low, bag.high, edge, MOST_CELLS), x_0, x_1, MARGIN * edge);
 }
 
 void BagGas::inject(double t, double dt, const Points& x_0, const Points& x_1) {

@@ -105,7 +105,7 @@ public:
     [[nodiscard]] std::size_t flights() const { return flights_; }
     [[nodiscard]] std::size_t unrelaxed() const { return unrelaxed_; }
     [[nodiscard]] std::uint64_t collision_steps() const { return collisions_; }
-    [[nodiscard]] std::size_t list_builds() const { return lists_.builds(); }
+    [[nodiscard]] std::size_t list_builds() const { return lists_.builds() + side_lists_.builds(); }
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
     [[nodiscard]] Vec3 owed_impulse() const { return store_.owed(); }  ///< [N s]
     [[nodiscard]] double expected_share_in(double end_time) const;
@@ -113,7 +113,7 @@ public:
 private:
     struct Holding;
     [[nodiscard]] Holding holding(std::int32_t species) const;
-    void build_lists(const Points& x_0, const Points& x_1);
+    static void build(FacetLists& lists, double edge, const Points& x_0, const Points& x_1);
     double heat_from_air(double thermal);
     double heat_from_smoothing(double thermal);
     void fit_cells(std::size_t occupied_cells);
@@ -128,7 +128,9 @@ private:
     Inflators inflators_;
     std::vector<double> mass_;  ///< of one particle of each gas                 [kg]
     std::optional<InitialAir> air_;
-    FacetLists lists_;
+    FacetLists lists_;        ///< for flight: cells of the facets' size
+    FacetLists side_lists_;   ///< for collisions: cells that hold enough particles
+    double facet_size_ = 0.0; ///< mean edge of a facet                           [m]
     ImpulseStore store_;
     Collider collider_;
 

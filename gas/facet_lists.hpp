@@ -36,6 +36,8 @@ public:
         return {facet_.data() + start_[cell],
                 static_cast<std::size_t>(start_[cell + 1] - start_[cell])};
     }
+    /// Box that a facet stays in while the lists hold.
+    [[nodiscard]] const contact::Box& box(Index facet) const { return facet_box_[facet]; }
     [[nodiscard]] std::span<const Index> starts() const { return start_; }
     [[nodiscard]] std::span<const Index> facets() const { return facet_; }
     [[nodiscard]] std::size_t builds() const { return builds_; }

@@ -35,11 +35,11 @@ struct Scene {
 Meeting first_meeting(const Scene& scene, const Path& path, const Vec3& from, double after,
                       const Meeting& last) {
     const Grid& grid = scene.lists.grid();
-    const Vec3 low = from.cwiseMin(path.at_1), high = from.cwiseMax(path.at_1);
+    const contact::Box flown{from.cwiseMin(path.at_1), from.cwiseMax(path.at_1)};
     std::array<int, 3> c0, c1;
     for (int a = 0; a < 3; ++a) {
-        c0[a] = grid.along(a, low[a]);
-        c1[a] = grid.along(a, high[a]);
+        c0[a] = grid.along(a, flown.low[a]);
+        c1[a] = grid.along(a, flown.high[a]);
     }
     Meeting first;
     for (int k = c0[2]; k <= c1[2]; ++k)
@@ -47,6 +47,7 @@ Meeting first_meeting(const Scene& scene, const Path& path, const Vec3& from, do
             for (int i = c0[0]; i <= c1[0]; ++i)
                 for (const Index facet : scene.lists.in(grid.row(i, j, k))) {
                     if (facet == first.facet) continue;  // entered in several cells
+                    if (!scene.lists.box(facet).overlaps(flown)) continue;
                     const auto hit = cross(path, scene.triangles[facet], scene.x_0, scene.x_1,
                                            after, facet == last.facet ? last.where.piece : -1);
                     if (hit && (first.facet < 0 || hit->tau < first.where.tau))
