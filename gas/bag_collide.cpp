@@ -15,7 +15,8 @@ namespace {
 /// Particles wanted in an occupied cell. Fewer: noisy temperatures; more: blurred waves.
 constexpr double PARTICLES_PER_CELL = 20.0;
 
-/// Share of a cell that a particle of thermal speed crosses between collisions. More: blurred waves.
+/// Share of a cell that a particle of thermal speed crosses between collisions. More: blurred
+/// waves.
 constexpr double COLLISION_SHARE = 0.25;
 
 /// Least share of the particles' thermal energy that the smoothing account leaves them in one step.
@@ -34,7 +35,8 @@ void BagGas::collide(double dt, const Points& x) {
     if (particles_.size() == 0 || since_collision_ * speed_ < COLLISION_SHARE * cell_) return;
 
     collider_.find_groups(side_lists_.grid(),
-                          {side_lists_.starts(), side_lists_.facets(), side_lists_.triangles(), x}, particles_);
+                          {side_lists_.starts(), side_lists_.facets(), side_lists_.triangles(), x},
+                          particles_);
     const double thermal = collider_.thermal_energy(particles_);
     double heat = 0.0;
     if (thermal > 0.0) heat = heat_from_air(thermal) + heat_from_smoothing(thermal);
@@ -50,7 +52,8 @@ void BagGas::collide(double dt, const Points& x) {
 ///
 ///     E_air(T) + E_particles(T) = E_air + E_thermal
 ///
-/// A group's mean motion is no heat, so N particles in G groups hold 3/2 (N - G) R T of translation.
+/// A group's mean motion is no heat, so N particles in G groups hold 3/2 (N - G) R T of
+/// translation.
 double BagGas::heat_from_air(double thermal) {
     if (!air_) return 0.0;
     const double moles = inflators_.moles_each();
@@ -58,17 +61,18 @@ double BagGas::heat_from_air(double thermal) {
     EnergyPolynomial content = air_->content();
     content.a += 1.5 * card_.gas_constant * moles * free;
     for (std::size_t s = 0; s < mass_.size(); ++s)
-        content += static_cast<double>(std::count(particles_.species.begin(), particles_.species.end(),
-                                                  static_cast<std::int32_t>(s))) *
-                   moles * inflators_.species()[s].molar_internal();
+        content +=
+            static_cast<double>(std::count(particles_.species.begin(), particles_.species.end(),
+                                           static_cast<std::int32_t>(s))) *
+            moles * inflators_.species()[s].molar_internal();
     const double T = content.temperature(air_->energy() + thermal, air_->temperature());
     const double given = air_->energy() - air_->content()(T);
     air_->add(-given);
     return given;
 }
 
-/// Pays back what hits took from the particles and release has not given to the fabric (or the other
-/// way round), as fast as impulse is released.
+/// Pays back what hits took from the particles and release has not given to the fabric (or the
+/// other way round), as fast as impulse is released.
 double BagGas::heat_from_smoothing(double thermal) {
     const double account = taken_ - given_;
     const double share = -std::expm1(-since_collision_ / store_.time());
@@ -77,13 +81,16 @@ double BagGas::heat_from_smoothing(double thermal) {
     return heat;
 }
 
-/// Adapts the cells that the next facet lists will have to how many particles the occupied ones hold.
+/// Adapts the cells that the next facet lists will have to how many particles the occupied ones
+/// hold.
 void BagGas::fit_cells(std::size_t occupied_cells) {
-    const double mean = static_cast<double>(particles_.size()) / static_cast<double>(occupied_cells);
+    const double mean =
+        static_cast<double>(particles_.size()) / static_cast<double>(occupied_cells);
     cell_ = side_lists_.grid().edge * std::clamp(std::cbrt(PARTICLES_PER_CELL / mean), 0.7, 1.4);
 }
 
-/// sqrt(R T / M) of the gas as a whole, bulk motion included: sqrt(2/3 of the kinetic energy / mass).
+/// sqrt(R T / M) of the gas as a whole, bulk motion included: sqrt(2/3 of the kinetic energy /
+/// mass).
 void BagGas::measure_speed() {
     struct Sum {
         double mass = 0, twice_kinetic = 0;

@@ -23,7 +23,8 @@ constexpr double MARGIN = 0.15;
 /// Share of a cell that a particle of thermal speed crosses in a step that the gas limits.
 constexpr double FLIGHT_SHARE = 0.5;
 
-/// Cells of the flight's facet lists, in facet edges. Smaller: fewer candidates a particle, more cells.
+/// Cells of the flight's facet lists, in facet edges. Smaller: fewer candidates a particle, more
+/// cells.
 constexpr double FLIGHT_CELL = 1.5;
 
 constexpr std::size_t MOST_CELLS = 2'000'000;
@@ -130,8 +131,8 @@ void BagGas::prepare(const Points& x_0, const Points& x_1) {
     cell_ = side_lists_.grid().edge;
 }
 
-/// Facet lists over the whole bag in cells of the wanted edge: neither finer than a hundredth of the bag,
-/// which only costs, nor coarser than a quarter of it.
+/// Facet lists over the whole bag in cells of the wanted edge: neither finer than a hundredth of
+/// the bag, which only costs, nor coarser than a quarter of it.
 void BagGas::build(FacetLists& lists, double edge, const Points& x_0, const Points& x_1) {
     contact::Box bag;
     for (const Index n : lists.nodes()) {

@@ -128,9 +128,9 @@ private:
     Inflators inflators_;
     std::vector<double> mass_;  ///< of one particle of each gas                 [kg]
     std::optional<InitialAir> air_;
-    FacetLists lists_;        ///< for flight: cells of the facets' size
-    FacetLists side_lists_;   ///< for collisions: cells that hold enough particles
-    double facet_size_ = 0.0; ///< mean edge of a facet                           [m]
+    FacetLists lists_;         ///< for flight: cells of the facets' size
+    FacetLists side_lists_;    ///< for collisions: cells that hold enough particles
+    double facet_size_ = 0.0;  ///< mean edge of a facet                           [m]
     ImpulseStore store_;
     Collider collider_;
 

@@ -165,7 +165,14 @@ void Simulation::build_contacts() {
     }
     if (!contacts_.empty()) contact_force_.f.assign(model_.x.size(), Vec3::Zero());
     for (contact::PlanarWallCard card : model_.walls) {
-        std::erase_if(card.nodes, [&](Index n) { return held[n] || !(nodes_.mass[n] > 0.0); });
+        const std::size_t listed = card.nodes.size();
+        std::erase_if(card.nodes, [&](Index n) { return nodes_.mass[n] > 0.0 && held[n]; });
+        if (card.nodes.size() < listed)
+            model_.warnings.push_back(
+                fmt::format("*RIGIDWALL_PLANAR {}: {} of its nodes are held or belong to rigid "
+                            "bodies and pass it freely",
+                            card.id, listed - card.nodes.size()));
+        std::erase_if(card.nodes, [&](Index n) { return !(nodes_.mass[n] > 0.0); });
         walls_.emplace_back(card);
     }
 }
@@ -193,7 +200,8 @@ StepLimit Simulation::stable_step() const {
         limit.tighten(model_.step_start, StepLimit::Who::START, 0);
     const double rest = model_.end_time - clock_.t;
     if (limit.dt >= rest * (1.0 - 1e-9)) return {rest, StepLimit::Who::END, 0};
-    if (2.0 * limit.dt > rest) limit.dt = 0.5 * rest;  // two like steps, not a last one that is tiny
+    if (2.0 * limit.dt > rest)
+        limit.dt = 0.5 * rest;  // two like steps, not a last one that is tiny
     return limit;
 }
 
