@@ -15,8 +15,9 @@ namespace corpuscle::fabric {
 /// Two directions for each of at most four corners, on the stack.
 using CornerMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 8, 8>;
 
-/// Stiffness of an element at rest in its plane, from its own kernel: the force of unit strain rates,
-/// one corner and direction at a time. Order: corner 0 along warp, along weft, corner 1 ...      [N/m]
+/// Stiffness of an element at rest in its plane, from its own kernel: the force of unit strain
+/// rates, one corner and direction at a time. Order: corner 0 along warp, along weft, corner 1 ...
+/// [N/m]
 template <class Element>
 CornerMatrix rest_stiffness(const Element& element, const ReferenceShape& r,
                             const PlaneModuli& moduli) {
@@ -42,8 +43,8 @@ CornerMatrix rest_stiffness(const Element& element, const ReferenceShape& r,
     return k;
 }
 
-/// Highest frequency squared of an element whose corners weigh mass[0], mass[1], ... For equal corners
-/// of a triangle it is (3/(rho·h)) λmax(D^½ B Bᵀ D^½).                                        [1/s^2]
+/// Highest frequency squared of an element whose corners weigh mass[0], mass[1], ... For equal
+/// corners of a triangle it is (3/(rho·h)) λmax(D^½ B Bᵀ D^½). [1/s^2]
 inline double highest_frequency_squared(const CornerMatrix& stiffness, const double* mass) {
     CornerMatrix k = stiffness;
     for (Eigen::Index i = 0; i < k.rows(); ++i)
@@ -64,9 +65,9 @@ inline double step_rate(double frequency_squared, double damping_time) {
     return frequency_squared * factor * factor;
 }
 
-/// The mass, as a multiple of the element's own, for which dt is just stable.                  [-]
-inline double mass_factor(double frequency_squared, double damping_time, double dt) {
-    return 0.5 * frequency_squared * dt * (damping_time + 0.5 * dt);
+/// The mass that makes dt just stable, over the mass that makes dt_0 so.                        [-]
+inline double mass_factor(double dt_0, double dt, double damping_time) {
+    return dt * (damping_time + 0.5 * dt) / (dt_0 * (damping_time + 0.5 * dt_0));
 }
 
 }  // namespace corpuscle::fabric

@@ -12,7 +12,8 @@ namespace corpuscle::fabric {
 
 namespace {
 
-/// Rounds of sharing; the bound changes by less than 1 % after these on meshes jittered by 30 %.
+/// Rounds of sharing. On discs and on grids jittered by up to 30 % these come within 2 % of 40
+/// rounds.
 constexpr int ROUNDS = 8;
 
 using Blocks = std::vector<std::unique_ptr<MembraneBlock>>;
@@ -22,8 +23,8 @@ void for_corners(const Blocks& blocks, const Body& body) {
     for (const auto& block : blocks)
         for (std::size_t e = 0; e < block->size(); ++e)
             for (int c = 0; c < block->corners; ++c)
-                body(*block, e, e * static_cast<std::size_t>(block->corners) +
-                                    static_cast<std::size_t>(c),
+                body(*block, e,
+                     e * static_cast<std::size_t>(block->corners) + static_cast<std::size_t>(c),
                      static_cast<std::size_t>(block->node(e, c)));
 }
 
@@ -56,8 +57,8 @@ double find_rates(const Blocks& blocks) {
 }  // namespace
 
 /// No mesh vibrates faster than its fastest element, however the nodes' masses are shared among the
-/// elements [Irons 1970]. With equal shares small elements are held to be light that in truth lean on
-/// heavy neighbours; so mass is handed to whoever vibrates faster, and the best round is kept.
+/// elements [Irons 1970]. With equal shares small elements are held to be light that in truth lean
+/// on heavy neighbours; so mass is handed to whoever vibrates faster, and the best round is kept.
 void Membranes::find_rest_rates(const std::vector<double>& mass) {
     double least = INF;
     std::vector<std::vector<double>> best(blocks_.size());
@@ -96,7 +97,8 @@ Membranes::AddedMass Membranes::scale_mass(double step, Scaling where) {
     AddedMass added{std::vector<double>(node_count_, 0.0), 0.0};
     for (const auto& block : blocks_)
         for (std::size_t e = 0; e < block->size(); ++e) {
-            const double factor = mass_factor(block->rate(e), block->damping_time(e), step);
+            const double factor =
+                mass_factor(2.0 / std::sqrt(block->rate(e)), step, block->damping_time(e));
             if (where == Scaling::WHERE_NEEDED && factor <= 1.0) continue;
             for (int c = 0; c < block->corners; ++c) {
                 const double more =

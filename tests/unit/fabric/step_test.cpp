@@ -46,11 +46,14 @@ double mesh_frequency(Sheet& sheet) {
     return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k).eigenvalues().maxCoeff());
 }
 
-/// Greatest kinetic energy of many steps after a small disturbance, over that at the start.
-double growth(Sheet& sheet, double dt, int steps) {
+/// Greatest kinetic energy of many steps after a small disturbance in the plane, over that at the
+/// start. Loads that do not change hold x as it is.
+double growth(Sheet& sheet, double dt, int steps, Points x) {
     Membranes membranes = sheet.membranes();
     const std::vector<double> mass = lumped_mass(sheet.setup());
-    Points x = sheet.x, v = noise(x.size(), 1e-6, 21);
+    const Points held = force(membranes, x);
+    Points v = noise(x.size(), 1e-6, 21);
+    for (Vec3& at : v) at.z() = 0.0;
     const auto kinetic = [&] {
         double sum = 0.0;
         for (std::size_t n = 0; n < x.size(); ++n) sum += 0.5 * mass[n] * v[n].squaredNorm();
@@ -61,7 +64,7 @@ double growth(Sheet& sheet, double dt, int steps) {
     for (int i = 0; i < steps && most < 1e20 * start; ++i) {
         const Points f = force(membranes, x, v);
         for (std::size_t n = 0; n < x.size(); ++n) {
-            v[n] += dt / mass[n] * f[n];
+            v[n] += dt / mass[n] * (f[n] - held[n]);
             x[n] += dt * v[n];
         }
         most = std::max(most, kinetic());
@@ -69,7 +72,8 @@ double growth(Sheet& sheet, double dt, int steps) {
     return most / start;
 }
 
-/// In a stable mode K(t + dt/2) may reach 1/(1 - (ω dt/2)²) times its start: 50 at 0.99 of the limit.
+/// In a stable mode K(t + dt/2) may reach 1/(1 - (ω dt/2)²) times its start: 50 at 0.99 of the
+/// limit.
 constexpr double STABLE = 60.0, UNSTABLE = 1e6;
 
 }  // namespace
@@ -98,8 +102,9 @@ TEST_CASE("a triangle's frequency is that of its closed form", "[fabric][step]")
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(root * B * B.transpose() * root)
             .eigenvalues()
             .maxCoeff();
-    const double mass = c.density * h * r.area;
-    CHECK(highest_frequency_squared(t, r, d, mass) == Approx(expected).epsilon(1e-12));
+    const std::vector<double> mass(3, c.density * h * r.area / 3);
+    CHECK(highest_frequency_squared(rest_stiffness(t, r, d), mass.data()) ==
+          Approx(expected).epsilon(1e-12));
 }
 
 TEST_CASE("the step bounds the mesh, and closely", "[fabric][step]") {
@@ -112,7 +117,7 @@ TEST_CASE("the step bounds the mesh, and closely", "[fabric][step]") {
     const double dt = sheet.membranes().stable_step().dt;
     const double exact = 2 / mesh_frequency(sheet);
     CHECK(dt <= exact * (1 + 1e-6));
-    CHECK(dt > 0.5 * exact);
+    CHECK(dt > 0.8 * exact);
 }
 
 TEST_CASE("a mesh is stable just below its limit and not above", "[fabric][step]") {
@@ -122,7 +127,7 @@ TEST_CASE("a mesh is stable just below its limit and not above", "[fabric][step]
     c.damping = damping;
     Sheet sheet = jittered(c, mesh, 4);
     const double dt = sheet.membranes().stable_step().dt;
-    CHECK(growth(sheet, 0.99 * dt, 2000) < STABLE);
+    CHECK(growth(sheet, 0.99 * dt, 2000, sheet.x) < STABLE);
     // One element is its own mesh: its bound is exact
     sheet.shells.resize(1);
     sheet.reference.clear();
@@ -138,8 +143,24 @@ TEST_CASE("a mesh is stable just below its limit and not above", "[fabric][step]
     }
     const Membranes::Step one = sheet.membranes().stable_step();
     CHECK(one.shell == 0);
-    CHECK(growth(sheet, 0.99 * one.dt, 2000) < STABLE);
-    CHECK(growth(sheet, 1.01 * one.dt, 2000) > UNSTABLE);
+    CHECK(growth(sheet, 0.99 * one.dt, 2000, sheet.x) < STABLE);
+    CHECK(growth(sheet, 1.01 * one.dt, 2000, sheet.x) > UNSTABLE);
+}
+
+TEST_CASE("a stretched or sheared mesh is stable just below the step that it then has",
+          "[fabric][step]") {
+    const Mesh mesh = GENERATE(from_range(std::begin(MESHES), std::end(MESHES)));
+    const bool isotropic = GENERATE(false, true);
+    // No compression: yarns of a plain fabric would buckle in their plane, at any step
+    const auto map = GENERATE(Vec3(1.2, 1.2, 0), Vec3(1.3, 1.1, 0), Vec3(1.3, 1.3, 0.6));
+    Sheet sheet =
+        jittered(isotropic ? MaterialCard(ElasticCard{900, 200e6, 0.3}) : fabric_card(), mesh, 8);
+    const Points x = moved(sheet.x, [&](const Vec3& p) {
+        return Vec3(map.x() * p.x() + map.z() * p.y(), map.y() * p.y(), 0);
+    });
+    Membranes membranes = sheet.membranes();
+    force(membranes, x);
+    CHECK(growth(sheet, 0.99 * membranes.stable_step().dt, 2000, x) < STABLE);
 }
 
 TEST_CASE("stretching shortens the step, folding does not", "[fabric][step]") {
