@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t CHUNK = 8;  ///< patch pairs; some thousand triangle pairs
 
 constexpr double STEPS = 100.0;  ///< greatest life of the lists
-constexpr double SWEEP = 0.5;   ///< farthest that a patch may sweep in that time, in edge lengths
+constexpr double SWEEP = 0.5;    ///< farthest that a patch may sweep in that time, in edge lengths
 constexpr double STRAY =
     0.3;  ///< part of its way that a patch may well stray from what is predicted
 constexpr double LEAST =

@@ -60,8 +60,8 @@ double look_at_edges(PairMemory& memory, const Points& x, double range, Contact&
 
 }  // namespace
 
-bool look_at(Candidate& pair, const Points& x, double t, double range, double thickness,
-             double& nearest, Contact& contact) {
+bool look_at(Candidate& pair, const Points& x, double t, double growth_time, double range,
+             double thickness, double& nearest, Contact& contact) {
     contact.node = pair.node;
     contact.normal.setZero();
     PairMemory& memory = pair.memory;
@@ -74,11 +74,11 @@ bool look_at(Candidate& pair, const Points& x, double t, double range, double th
     if (contact.normal.isZero()) return false;
     double missing = 0.0;
     if (memory.short_by > 0.0) {
-        missing = memory.short_by * std::exp(-(t - memory.born) / GROWTH_TIME);
+        missing = memory.short_by * std::exp(-(t - memory.born) / growth_time);
         if (missing < 1e-6 * thickness) memory.short_by = missing = 0.0;
     }
     contact.rest = std::max(0.0, thickness - missing);
-    contact.rest_rate = missing < thickness ? missing / GROWTH_TIME : 0.0;
+    contact.rest_rate = missing < thickness ? missing / growth_time : 0.0;
     return true;
 }
 

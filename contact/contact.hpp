@@ -31,20 +31,18 @@ struct Contact {
     [[nodiscard]] double rate(const Points& v) const { return normal.dot(relative(v)); }
 };
 
-/// Time in which a gap that starts below the contact thickness grows to it: long against a step, so
-/// that nothing is thrown, and short against a deployment. [s]
-inline constexpr double GROWTH_TIME = 2e-4;
-
 /// Looks at a pair at x and t.
 ///
 /// @param range     gap below which it is a contact, and its memory is kept                    [m]
+/// @param growth_time  in which a gap that starts below the contact thickness grows to it (to 1/e)
+/// [s]
 /// @param thickness contact thickness now                                                      [m]
 /// @param nearest   receives the distance                                                      [m]
 /// @returns whether `contact` has been filled (all but mass and what forces make of it)
 /// Departs from a plain distance: a node that was on one side of a triangle, or an edge of an edge,
 /// remains there until it has gone round it; when it is found on the other side, the gap is
 /// negative.
-bool look_at(Candidate& pair, const Points& x, double t, double range, double thickness,
-             double& nearest, Contact& contact);
+bool look_at(Candidate& pair, const Points& x, double t, double growth_time, double range,
+             double thickness, double& nearest, Contact& contact);
 
 }  // namespace corpuscle::contact

@@ -15,8 +15,13 @@ namespace {
 /// sides.
 constexpr double REACH = 1.5;
 
-/// Part of the contact thickness that near places may approach by in one step.
-constexpr double APPROACH = 0.5;
+/// Time in which a gap that starts below the contact thickness grows to it, in steps like the
+/// first: long against a step, so that nothing is thrown, and short against a deployment.
+constexpr double GROWTH_STEPS = 50.0;
+
+/// Approach in one step, in contact thicknesses, beyond which the step is asked to be shorter. The
+/// limit of approach holds at any speed, but what it stops at once is stopped without rebound.
+constexpr double APPROACH = 3.0;
 
 }  // namespace
 
@@ -31,6 +36,7 @@ struct SelfContact::State {
     SelfContactCounts counts;
     Vec3 force = Vec3::Zero();
     double dt_last = 0.0, span = 0.0;  ///< [s]
+    double growth_time = NaN;          ///< of gaps that start below the contact thickness  [s]
     bool is_started = false;
 
     explicit State(const SelfContactSetup& setup)
@@ -63,6 +69,7 @@ void SelfContact::find(const Points& x, const Points& v, double t, double dt) {
         s.pairs.start(x, v, t, dt);
         for (std::size_t i = 0; i < s.pairs.size(); ++i)
             s.counts.close_starts += s.pairs[i].memory.short_by > 0.0;
+        s.growth_time = GROWTH_STEPS * dt;
         s.is_started = true;
     }
     s.look_at_pairs(x, v, t);
@@ -80,8 +87,8 @@ void SelfContact::State::look_at_pairs(const Points& x, const Points& v, double 
                 if (!pairs.is_due(i)) continue;
                 double nearest = 0.0;
                 const double thickness = std::min(pairs[i].thickness, most);
-                const bool is_near =
-                    look_at(pairs[i], x, t, pairs.range(i), thickness, nearest, contact);
+                const bool is_near = look_at(pairs[i], x, t, growth_time, pairs.range(i), thickness,
+                                             nearest, contact);
                 pairs.tell_distance(i, nearest);
                 if (!is_near) continue;
                 contact.pair = i;
