@@ -27,6 +27,7 @@ struct RunArguments {
     DeckArguments deck;
     std::string folder;  ///< empty: the deck's name without its suffix + ".out"
     bool quiet = false;
+    bool restart = false;
 };
 
 struct MeshArguments {

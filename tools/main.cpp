@@ -44,6 +44,7 @@ int run(int argc, char** argv) {
     CLI::App* run = app.add_subcommand("run", "run a deck; results go to DECK.out/results.h5");
     add_deck_options(*run, to_run.deck);
     run->add_option("-o,--output", to_run.folder, "folder for the results; default: DECK.out");
+    run->add_flag("--restart", to_run.restart, "go on from the last checkpoint (not there yet: refused)");
     run->add_flag("-q,--quiet", to_run.quiet, "no progress, no summary");
 
     tools::DeckArguments to_check;
@@ -58,7 +59,11 @@ int run(int argc, char** argv) {
     mesh->add_option("IN", to_mesh.input, "mesh file")->required();
     mesh->add_option("-o,--output", to_mesh.output, "deck to write")->required();
 
-    CLI11_PARSE(app, argc, argv);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
     if (*run) return tools::run(to_run);
     if (*check) return tools::check(to_check);
     return tools::mesh(to_mesh);
