@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -15,62 +14,61 @@
 
 namespace corpuscle::contact {
 
-/// What a pair remembers while it is near.
+/// What a pair remembers.
 struct PairMemory {
-    int side = 0;  ///< node-triangle: side of the triangle that the node is on; 0: beside it
-    Vec3 normal = Vec3::Zero();  ///< edge-edge: from the second edge to the first; zero: not known
-    double account = 0.0;        ///< energy that it has taken and not given back             [J]
-    double short_by = 0.0;       ///< contact thickness less the gap it was first seen with    [m]
-    double born = 0.0;           ///< when that was                                            [s]
+    std::uint64_t key;      ///< names the pair
+    double account = 0.0;   ///< energy that repulsion has taken and not given back            [J]
+    double short_by = 0.0;  ///< contact thickness less the gap it was first seen with         [m]
+    double born = 0.0;      ///< when that was                                                 [s]
 };
-
-/// A node and a triangle, or two edges, that may touch before the lists are built anew.
-struct Candidate {
-    std::array<Index, 4> node;  ///< node, triangle's three; or first edge's two, second edge's two
-    bool is_edges;
-    double thickness;   ///< gap below which they push                               [m]
-    std::uint64_t key;  ///< names the pair
-    PairMemory memory;
-};
-
-/// Nearest distance, both ends of an edge included.                                            [m]
-[[nodiscard]] double distance(const Candidate& pair, const Points& x);
 
 /// Pairs that are near enough to be looked at.
 ///
-/// Lists are built from FCL's patch pairs with a budget of motion for each patch, and live until a
-/// patch has spent its own. Between builds a pair is looked at only when the motion since could
-/// have brought it within reach: a sum of two numbers tells.
+/// Lists are built from FCL's patch pairs for what is ahead: each patch sweeps on as it moves, and
+/// may stray from that within a budget. They live until that time is over or a patch is about to
+/// overspend. Between builds a pair is looked at only when the motion since could have brought it
+/// within reach: a sum of two numbers tells.
 class Candidates {
 public:
     /// @param reach  gap below which pairs matter, in contact thicknesses
     Candidates(const Cloth& cloth, double reach);
 
-    /// Lists all pairs at x. Pairs in triangles that cross are left out, see crossing().
+    /// Lists all pairs at x, at the beginning; those nearer than their contact thickness are
+    /// remembered with the gap that they have. Pairs of triangles that cross are left out, see
+    /// crossing().
     void start(const Points& x, const Points& v, double t, double dt);
 
-    /// Follows the cloth to x; builds the lists anew when it has to.
-    void follow(const Points& x, double t);
+    /// Follows the cloth to x.
+    void follow(const Points& x, double t) { motion_.follow(x, t); }
+
+    /// Makes sure that the lists hold all pairs that can meet in the step ahead, from x to x + dt
+    /// v.
+    void foresee(const Points& x, const Points& v, double t, double dt);
 
     [[nodiscard]] std::size_t size() const { return list_.size(); }
-    [[nodiscard]] Candidate& operator[](std::size_t i) { return list_[i]; }
-    [[nodiscard]] const Candidate& operator[](std::size_t i) const { return list_[i]; }
+    [[nodiscard]] const Pair& operator[](std::size_t i) const { return list_[i].pair; }
 
-    /// Whether pair i may come within reach in the step ahead.
+    /// Gap below which pair i pushes, at most.                                                 [m]
+    [[nodiscard]] double thickness(std::size_t i);
+
+    /// Whether pair i may be within reach now.
     [[nodiscard]] bool is_due(std::size_t i) const {
-        const Watch& w = watch_[i];
-        return motion_.way(w.first) + motion_.way(w.second) + step_ahead(w) >= w.due;
+        return least_distance(i) <= reach_ * list_[i].thickness;
     }
-    /// Gap below which pair i may touch in the step ahead.                                     [m]
-    [[nodiscard]] double range(std::size_t i) const {
-        return reach_ * list_[i].thickness + step_ahead(watch_[i]);
-    }
+
+    /// Whether pair i may meet in the step that was foreseen last.
+    [[nodiscard]] bool may_meet(std::size_t i) const;
+
     /// Takes the distance of pair i at the present x.
     void tell_distance(std::size_t i, double distance) {
-        Watch& w = watch_[i];
-        w.due =
-            motion_.way(w.first) + motion_.way(w.second) + distance - reach_ * list_[i].thickness;
+        watch_[i].sum = distance + motion_.way(watch_[i].first) + motion_.way(watch_[i].second);
     }
+
+    /// What pair i remembers, or nothing.
+    [[nodiscard]] PairMemory* memory(std::size_t i) {
+        return list_[i].memory < 0 ? nullptr : &memories_[list_[i].memory];
+    }
+    PairMemory& make_memory(std::size_t i);
 
     /// Triangles that crossed at the start and still do, rows i < j, sorted. Their pairs do not
     /// push.
@@ -78,49 +76,54 @@ public:
     [[nodiscard]] std::size_t builds() const { return builds_; }
 
 private:
+    struct Candidate {
+        Pair pair;
+        Index memory;      ///< row in memories_, or -1
+        double thickness;  ///< [m]
+        std::uint64_t key;
+        bool is_settled;  ///< thickness allows for neighbours on the cloth
+    };
     struct Watch {
-        double due;           ///< sum of the patches' ways at which the pair is looked at      [m]
+        double sum;           ///< distance when it was last known, and the patches' ways then   [m]
         Index first, second;  ///< patches
     };
-    using Pairs = std::vector<std::pair<Index, Index>>;
+    struct Chunk {
+        std::vector<Candidate> list;
+        std::vector<Watch> watch;
+    };
 
-    [[nodiscard]] double step_ahead(const Watch& w) const {
-        return GROWTH * (motion_.step(w.first) + motion_.step(w.second));
+    [[nodiscard]] double least_distance(std::size_t i) const {
+        const Watch& w = watch_[i];
+        return w.sum - motion_.way(w.first) - motion_.way(w.second);
     }
-    static constexpr double GROWTH =
-        1.5;  ///< the step ahead may be so much longer than the last one
-
-    void build(const Points& x, double t);
-    [[nodiscard]] bool are_spent() const;
-    void set_budgets();
-    void list_pairs(const Points& x);
-    void list_pairs_of(Index a, Index b, const Points& x, std::vector<Candidate>& list,
-                       std::vector<Watch>& watch) const;
-    void consider(Candidate pair, Index a, Index b, const Points& x, std::vector<Candidate>& list,
-                  std::vector<Watch>& watch) const;
     [[nodiscard]] Box grown(const Box& box, Index patch) const {
         return {box.low + growth_[patch].low, box.high + growth_[patch].high};
     }
-    [[nodiscard]] double neighbours_thickness(const Candidate& pair) const;
-    [[nodiscard]] bool is_barred(std::uint64_t key) const;
-    void bar_crossing_pairs();
-    void give_gentle_gaps(const std::vector<std::uint64_t>& keys, const Points& x, double t);
-    void remember(std::vector<Candidate> old);
+    [[nodiscard]] bool are_spent(double dt) const;
+    void build(const Points& x, const Points& v, double t, double dt);
+    void set_budgets(double dt);
+    void list_pairs(const Points& x);
+    void list_pairs_of(Index a, Index b, const Points& x, Chunk& out) const;
+    void consider(const Pair& pair, double thickness, std::uint64_t key, Index p, Index q,
+                  const Points& x, Chunk& out) const;
+    [[nodiscard]] double neighbours_thickness(const Pair& pair) const;
+    void bar_crossing_pairs(const Points& x);
+    void find_memories(const std::vector<std::uint64_t>& freed, double t);
 
     const Cloth& cloth_;
     double reach_;
     Motion motion_;
     TrianglePairs near_triangles_;
-    std::vector<Box> boxes_;
-    std::vector<double> budget_;  ///< by patch: stray at which the lists are spent           [m]
     double most_budget_;          ///< [m]
-    double life_ = 0.0;           ///< age at which they are                                  [s]
-    std::vector<Box> growth_;     ///< by patch: what is added to the box of anything in it   [m]
+    double life_ = 0.0;           ///< age at which the lists are spent               [s]
+    std::vector<double> budget_;  ///< by patch: stray at which they are              [m]
+    std::vector<Box> growth_;     ///< by patch: added to the box of anything in it   [m]
+    std::vector<Box> boxes_;      ///< of triangles, grown                            [m]
     std::vector<Candidate> list_;
     std::vector<Watch> watch_;
-    std::vector<std::vector<Candidate>> chunk_list_;
-    std::vector<std::vector<Watch>> chunk_watch_;
-    Pairs crossing_;
+    std::vector<Chunk> chunks_;
+    std::vector<PairMemory> memories_;
+    std::vector<std::pair<Index, Index>> crossing_;
     std::vector<std::uint64_t> barred_;  ///< pairs of crossing triangles, ascending
     std::size_t builds_ = 0;
 };

@@ -56,19 +56,38 @@ EdgeFeet feet_of_edges(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec
     const double dr = d.dot(r), er = e.dot(r);
     const double cross = dd * ee - de * de;  // |d × e|²
 
-    // Below an angle of 1e-3 the nearest places run along the edges at the least motion: the ends'
-    // own node-triangle pairs hold such edges apart.
-    constexpr double PARALLEL = 1e-6;
-    const bool is_parallel = cross <= PARALLEL * dd * ee;
+    // below an angle of 1e-6 the inner solution is rounding, and no nearer than an end's by 1e-6 of
+    // a length
+    constexpr double PARALLEL = 1e-12;
+    if (cross > PARALLEL * dd * ee) {
+        const double s = (de * er - dr * ee) / cross, t = (dd * er - de * dr) / cross;
+        if (s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0) return {EdgeRegion::INSIDE, s, t};
+    }
 
-    double s = is_parallel ? 0.0 : (de * er - dr * ee) / cross;
-    double t = is_parallel ? -1.0 : (dd * er - de * dr) / cross;
-    if (s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0) return {EdgeRegion::INSIDE, s, t};
+    EdgeFeet best{EdgeRegion::END, 0.0, 0.0};
+    double least = INF;
+    const auto consider = [&](double s, double t) {
+        const double distance = (r + s * d - t * e).squaredNorm();
+        if (distance >= least) return;
+        least = distance;
+        best.s = s;
+        best.t = t;
+    };
+    consider(0.0, share(er, ee));
+    consider(1.0, share(er + de, ee));
+    consider(share(-dr, dd), 0.0);
+    consider(share(de - dr, dd), 1.0);
+    return best;
+}
 
-    s = std::clamp(s, 0.0, 1.0);
-    t = share(de * s + er, ee);
-    s = share(de * t - dr, dd);
-    return {is_parallel ? EdgeRegion::PARALLEL : EdgeRegion::END, s, t};
+Nearest nearest(const Pair& pair, const Corners& x) {
+    if (pair.is_edges) {
+        const auto [region, s, t] = feet_of_edges(x[0], x[1], x[2], x[3]);
+        const Vec3 apart = x[0] + s * (x[1] - x[0]) - x[2] - t * (x[3] - x[2]);
+        return {{1.0 - s, s, t - 1.0, -t}, apart, region == EdgeRegion::INSIDE};
+    }
+    const Vec3 w = foot_on_triangle(x[0], x[1], x[2], x[3]).weights;
+    return {{1.0, -w[0], -w[1], -w[2]}, x[0] - w[0] * x[1] - w[1] * x[2] - w[2] * x[3], true};
 }
 
 }  // namespace corpuscle::contact

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+
 #include "solver/base/vec.hpp"
 
 namespace corpuscle::contact {
@@ -24,9 +26,8 @@ struct TriangleFoot {
 
 /// Where two segments are nearest to each other.
 enum class EdgeRegion {
-    INSIDE,   ///< within both
-    END,      ///< at an end of one or both: a node-triangle pair sees that too
-    PARALLEL  ///< nowhere in particular; the places given are ends
+    INSIDE,  ///< within both
+    END      ///< at an end of one or both: a node-triangle pair sees that too
 };
 
 struct EdgeFeet {
@@ -34,11 +35,40 @@ struct EdgeFeet {
     double s, t;  ///< the places are p0 + s (p1 - p0) and q0 + t (q1 - q0), in [0, 1]
 };
 
-/// Nearest places of segments p0 p1 and q0 q1. Segments without length are legal.
+/// Nearest places of segments p0 p1 and q0 q1. Segments that are parallel or have no length are
+/// legal.
 ///
-/// cost: at most 3 div, no sqrt
-/// Source: [Ericson 2005, 5.1.9].
+/// cost: at most 5 div, no sqrt
+/// Source: the solution within both [Ericson 2005, 5.1.9], else the best of the four ends.
 [[nodiscard]] EdgeFeet feet_of_edges(const Vec3& p0, const Vec3& p1, const Vec3& q0,
                                      const Vec3& q1);
+
+/// A node and a triangle (its three nodes), or two edges (first's two nodes, second's two).
+struct Pair {
+    std::array<Index, 4> node;
+    bool is_edges;
+};
+
+/// Their nearest places: the vector between them is sum of weight · x, from the second to the
+/// first.
+struct Nearest {
+    std::array<double, 4> weight;  ///< add up to zero
+    Vec3 apart;                    ///< [m]
+    bool is_inside;                ///< within both edges; for a node and a triangle always
+};
+
+/// A value of each of a pair's nodes: positions, displacements.
+using Corners = std::array<Vec3, 4>;
+
+[[nodiscard]] inline Corners corners(const Pair& pair, const Points& of) {
+    return {of[pair.node[0]], of[pair.node[1]], of[pair.node[2]], of[pair.node[3]]};
+}
+
+/// The nearest places of a pair whose nodes are at x.
+[[nodiscard]] Nearest nearest(const Pair& pair, const Corners& x);
+
+[[nodiscard]] inline Nearest nearest(const Pair& pair, const Points& x) {
+    return nearest(pair, corners(pair, x));
+}
 
 }  // namespace corpuscle::contact

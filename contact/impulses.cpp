@@ -20,16 +20,17 @@ constexpr double HALF = 0.5;      ///< of the remaining gap that one step may us
 Impulses::Impulses(const Cloth& cloth, const SelfContactCard& card) : cloth_(cloth), card_(card) {}
 
 void Impulses::apply(double span, double dt, ContactList& contacts, Candidates& pairs, Points& v) {
-    contacts.for_each_apart([&](Contact& c) {
+    contacts.for_each([&](Contact& c) {
         c.impulse = span * c.force;
-        double& account = pairs[c.pair].memory.account;
-        if (c.force > 0.0)
-            account += c.impulse * (c.rest_rate - 0.5 * (c.rate_before + c.rate(v)));
-        else
-            account = std::min(account, 0.0);  // parted: what it has kept is lost
+        if (c.force == 0.0) {
+            if (PairMemory* parted = pairs.memory(c.pair)) parted->account = 0.0;
+            return;
+        }
+        PairMemory& memory = pairs.make_memory(c.pair);
+        memory.account += c.impulse * (c.rest_rate - 0.5 * (c.rate_before + c.rate(v)));
     });
     contacts.for_each([&](Contact& c) {
-        if (c.force > 0.0) settle(span, c, pairs[c.pair].memory.account, v);
+        if (c.force > 0.0) settle(span, c, pairs.make_memory(c.pair), v);
     });
     bool is_stopped = true;
     for (int sweep = 0; sweep < SWEEPS && is_stopped; ++sweep) {
@@ -39,16 +40,17 @@ void Impulses::apply(double span, double dt, ContactList& contacts, Candidates& 
 }
 
 /// Repayment, damping and friction of a contact that pushes.
-void Impulses::settle(double span, Contact& c, double& account, Points& v) {
+void Impulses::settle(double span, Contact& c, PairMemory& memory, Points& v) {
     const double rate = c.rate(v);
     double repay = 0.0;
-    if (account < 0.0 && rate > 0.0) {
-        const double left = rate * rate + 2.0 * account / c.mass;
+    if (memory.account < 0.0 && rate > 0.0) {
+        const double left = rate * rate + 2.0 * memory.account / c.mass;
         repay = c.mass * ((left > 0.0 ? std::sqrt(left) : 0.0) - rate);
         repay = std::max(repay, -c.impulse);  // contacts do not pull
-        account -= repay * (rate + 0.5 * repay / c.mass);
+        memory.account -= repay * (rate + 0.5 * repay / c.mass);
     }
-    // c dt / m of a dashpot c = 2 zeta k / omega, k / omega² being the mass that it was found for
+    // c dt / m of a dashpot c = 2 zeta k / omega, with the omega dt that the stiffness was found
+    // for
     const double zeta = 0.01 * card_.damping;
     const double strength =
         2.0 * zeta * c.stiffness * span * span / (std::sqrt(STIFFNESS) * c.mass);
@@ -62,16 +64,41 @@ void Impulses::settle(double span, Contact& c, double& account, Points& v) {
 bool Impulses::limit_approach(double dt, Contact& c, Points& v) {
     const double spare = c.gap - QUARTER * c.rest;
     const double limit = spare > 0.0 ? -HALF * spare / dt : 0.0;
-    const double rate = c.rate(v);
-    if (rate >= limit || c.mass == INF) return false;
-    const double impulse = c.mass * (limit - rate);
-    c.impulse += impulse;
-    books_.normal += push(impulse, c.normal, c, v);
-    rub(impulse, c, v);
+    if (c.rate(v) >= limit || c.mass == INF) return false;
+    raise_rate(limit, c, v);
     return true;
 }
 
-void Impulses::rub(double normal_impulse, Contact& c, Points& v) {
+void Impulses::raise_rate(double rate, Contact& c, Points& v) {
+    const double impulse = c.mass * (rate - c.rate(v));
+    c.impulse += impulse;
+    books_.normal += push(impulse, c.normal, c, v);
+    rub(impulse, c, v);
+}
+
+void Impulses::clump(std::span<const Index> nodes, std::span<const double> mass, Points& v) {
+    Vec3 momentum = Vec3::Zero(), held_velocity = Vec3::Zero();
+    double total = 0.0, kinetic = 0.0;
+    int held = 0;
+    for (const Index n : nodes) {
+        if (cloth_.inverse_mass[n] == 0.0) {
+            held_velocity += v[n];
+            ++held;
+            continue;
+        }
+        momentum += mass[n] * v[n];
+        kinetic += 0.5 * mass[n] * v[n].squaredNorm();
+        total += mass[n];
+    }
+    const Vec3 common = held > 0 ? Vec3(held_velocity / held) : Vec3(momentum / total);
+    for (const Index n : nodes)
+        if (cloth_.inverse_mass[n] > 0.0) v[n] = common;
+    const double work = held > 0 ? (total * common - momentum).dot(common) : 0.0;
+    books_.held_work += work;
+    books_.normal += kinetic + work - 0.5 * total * common.squaredNorm();
+}
+
+void Impulses::rub(double normal_impulse, const Contact& c, Points& v) {
     const double most = std::max(card_.friction_static, card_.friction_dynamic);
     if (most == 0.0 || c.mass == INF) return;
     const Vec3 relative = c.relative(v);

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+
+#include "contact/candidates.hpp"
+#include "contact/cards.hpp"
 #include "contact/contact_list.hpp"
 
 namespace corpuscle::contact {
@@ -16,8 +20,8 @@ struct ImpulseBooks {
 /// All of contact that loses energy: impulses on the velocities between the kick and the drift.
 ///
 /// Each goes to the two places of one contact in opposite directions (momentum is kept) and can
-/// only take kinetic energy; one contact after the other [Gauss-Seidel], so any number may share a
-/// node. Being implicit, they ask nothing of the time step.
+/// only take energy; one contact after the other [Gauss-Seidel], so any number may share a node.
+/// Being implicit, they ask nothing of the time step.
 ///
 /// 1. Damping with the fraction VDC of critical, and repayment: what repulsion has given beyond
 /// what it took (a
@@ -26,7 +30,7 @@ struct ImpulseBooks {
 /// it.
 /// 3. Limit of approach: in the step ahead no gap may shrink by more than half of what it has above
 /// a quarter of
-///    its rest value: whatever the speed, nothing passes through.
+///    its rest value.
 class Impulses {
 public:
     Impulses(const Cloth& cloth, const SelfContactCard& card);
@@ -35,12 +39,20 @@ public:
     /// @param dt    the step ahead                                                            [s]
     void apply(double span, double dt, ContactList& contacts, Candidates& pairs, Points& v);
 
+    /// Changes a contact's rate, and rubs.
+    /// @param rate  wanted, not below the present one                                         [m/s]
+    void raise_rate(double rate, Contact& contact, Points& v);
+
+    /// Gives nodes one velocity, that of their momentum, or the held ones' if there are any: a
+    /// rigid clump.
+    void clump(std::span<const Index> nodes, std::span<const double> mass, Points& v);
+
     [[nodiscard]] const ImpulseBooks& books() const { return books_; }
 
 private:
-    void settle(double span, Contact& contact, double& account, Points& v);
+    void settle(double span, Contact& contact, PairMemory& memory, Points& v);
     bool limit_approach(double dt, Contact& contact, Points& v);
-    void rub(double normal_impulse, Contact& contact, Points& v);
+    void rub(double normal_impulse, const Contact& contact, Points& v);
     double push(double impulse, const Vec3& direction, const Contact& contact, Points& v);
 
     const Cloth& cloth_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "contact/cloth.hpp"
 #include "contact/contact_list.hpp"
 
 namespace corpuscle::contact {

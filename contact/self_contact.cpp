@@ -3,8 +3,10 @@
 #include "contact/self_contact.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
+#include "contact/crossing_guard.hpp"
 #include "contact/impulses.hpp"
 #include "contact/repulsion.hpp"
 
@@ -32,12 +34,13 @@ struct SelfContact::State {
     Candidates pairs;
     Repulsion repulsion;
     Impulses impulses;
+    CrossingGuard guard;
     ContactList contacts;
     SelfContactCounts counts;
     Vec3 force = Vec3::Zero();
-    double dt_last = 0.0, span = 0.0;  ///< [s]
-    double growth_time = NaN;          ///< of gaps that start below the contact thickness  [s]
-    bool is_started = false;
+    double t = 0.0, dt_last = 0.0, span = 0.0;  ///< [s]
+    double growth_time = NaN;  ///< of gaps that start below the contact thickness  [s]
+    bool is_started = false, is_on = false;
 
     explicit State(const SelfContactSetup& setup)
         : card(setup.card),
@@ -46,11 +49,12 @@ struct SelfContact::State {
           cloth(setup),
           pairs(cloth, REACH),
           repulsion(cloth),
-          impulses(cloth, setup.card) {}
+          impulses(cloth, setup.card),
+          guard(cloth) {}
 
-    void look_at_pairs(const Points& x, const Points& v, double t);
+    void look_at_pairs(const Points& x, const Points& v);
+    void set_rest_gap(double thickness, Contact& contact);
     void count();
-    [[nodiscard]] double mass(const Contact& c) const;
     [[nodiscard]] Vec3 force_on_free_nodes() const;
 };
 
@@ -62,55 +66,66 @@ SelfContact& SelfContact::operator=(SelfContact&&) noexcept = default;
 void SelfContact::find(const Points& x, const Points& v, double t, double dt) {
     State& s = *state_;
     s.contacts.clear(0);
-    if (s.cloth.triangles.empty() || t < s.card.birth || t > s.card.death) return;
+    s.t = t;
+    s.is_on = !s.cloth.triangles.empty() && t >= s.card.birth && t <= s.card.death;
+    if (!s.is_on) return;
     if (s.is_started) {
         s.pairs.follow(x, t);
     } else {
         s.pairs.start(x, v, t, dt);
         for (std::size_t i = 0; i < s.pairs.size(); ++i)
-            s.counts.close_starts += s.pairs[i].memory.short_by > 0.0;
+            s.counts.close_starts += s.pairs.memory(i) != nullptr;
         s.growth_time = GROWTH_STEPS * dt;
         s.is_started = true;
     }
-    s.look_at_pairs(x, v, t);
+    s.look_at_pairs(x, v);
     s.count();
 }
 
-void SelfContact::State::look_at_pairs(const Points& x, const Points& v, double t) {
+void SelfContact::State::look_at_pairs(const Points& x, const Points& v) {
     const double most = thickness_curve ? (*thickness_curve)(t) : INF;
     contacts.clear(pairs.size());
-    parallel::for_chunks(
-        pairs.size(),
-        [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-            Contact contact{};
-            for (std::size_t i = begin; i < end; ++i) {
-                if (!pairs.is_due(i)) continue;
-                double nearest = 0.0;
-                const double thickness = std::min(pairs[i].thickness, most);
-                const bool is_near = look_at(pairs[i], x, t, growth_time, pairs.range(i), thickness,
-                                             nearest, contact);
-                pairs.tell_distance(i, nearest);
-                if (!is_near) continue;
-                contact.pair = i;
-                contact.mass = mass(contact);
-                contact.rate_before = contact.rate(v);
-                contacts.chunk(chunk).push_back(contact);
-            }
-        },
-        ContactList::CHUNK);
+    const auto look = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (!pairs.is_due(i)) continue;
+            const Nearest places = nearest(pairs[i], x);
+            const double gap = places.apart.norm();
+            pairs.tell_distance(i, gap);
+            const double thickness = std::min(pairs.thickness(i), most);
+            if (!places.is_inside || gap >= REACH * thickness || gap == 0.0) continue;
+            Contact& contact = contacts.chunk(chunk).emplace_back(
+                contact_at(pairs[i], places, gap, cloth.inverse_mass));
+            contact.pair = i;
+            contact.rate_before = contact.rate(v);
+            set_rest_gap(thickness, contact);
+        }
+    };
+    parallel::for_chunks(pairs.size(), look, ContactList::CHUNK);
 }
 
-double SelfContact::State::mass(const Contact& c) const {
-    double inverse = 0.0;
-    for (int i = 0; i < 4; ++i)
-        inverse += c.weight[i] * c.weight[i] * cloth.inverse_mass[c.node[i]];
-    return 1.0 / inverse;
+/// A pair that began nearer than its thickness starts with the gap that it had.
+void SelfContact::State::set_rest_gap(double thickness, Contact& contact) {
+    contact.rest = thickness;
+    PairMemory* const memory = pairs.memory(contact.pair);
+    if (memory == nullptr || memory->short_by == 0.0) return;
+    const double missing = memory->short_by * std::exp(-(t - memory->born) / growth_time);
+    if (missing < 1e-6 * thickness) {
+        memory->short_by = 0.0;
+    } else if (missing < thickness) {
+        contact.rest = thickness - missing;
+        contact.rest_rate = missing / growth_time;
+    } else {
+        contact.rest = 0.0;
+    }
 }
 
 void SelfContact::State::count() {
     counts.builds = pairs.builds();
     counts.candidates = pairs.size();
     counts.near = counts.touching = 0;
+    counts.impacts = guard.impacts();
+    counts.clumps = guard.clumps();
+    counts.unstopped = guard.unstopped();
     contacts.for_each([&](const Contact& c) {
         ++counts.near;
         counts.touching += c.gap < c.rest;
@@ -126,9 +141,11 @@ void SelfContact::add_force(const Points& /*x*/, const Points& /*v*/, double dt,
     s.dt_last = dt;
 }
 
-void SelfContact::filter(const Points& /*x*/, double dt, Points& v) {
+void SelfContact::filter(const Points& x, double dt, Points& v) {
     State& s = *state_;
+    if (!s.is_on) return;
     s.impulses.apply(s.span, dt, s.contacts, s.pairs, v);
+    s.guard.stop(x, s.t, dt, s.pairs, s.impulses, v);
     s.force = s.force_on_free_nodes();
 }
 

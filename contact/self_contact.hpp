@@ -17,8 +17,10 @@ struct SelfContactCounts {
     std::size_t near = 0;          ///< pairs within reach in this step
     std::size_t touching = 0;      ///< pairs that push now
     std::size_t close_starts = 0;  ///< pairs nearer than the contact thickness at the start
-    double least_gap =
-        INF;  ///< smallest gap over its rest value so far; negative: passed through  [-]
+    double least_gap = INF;        ///< smallest gap over its rest value so far                 [-]
+    std::size_t impacts = 0;       ///< pairs stopped at the last moment, so far
+    std::size_t clumps = 0;        ///< tangles joined for a step, so far
+    std::size_t unstopped = 0;     ///< pairs that held nodes drove through each other, so far
 };
 
 /// Fabric that touches itself: nodes against triangles and edges against edges, both sides.

@@ -1,0 +1,150 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "contact/crossing_guard.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "contact/time_of_impact.hpp"
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle::contact {
+namespace {
+
+constexpr std::size_t CHUNK = 2048;  ///< candidates
+constexpr int ROUNDS = 8;            ///< of impulses before clumps are made
+constexpr int LOOKS = 4;             ///< at new dangers, before they are met with clumps at once
+constexpr double KEPT = 0.5;  ///< part of the way to the impact that a stopped pair may still go
+
+Corners moves(const Pair& pair, double dt, const Points& v) {
+    Corners move = corners(pair, v);
+    for (Vec3& m : move) m *= dt;
+    return move;
+}
+
+}  // namespace
+
+CrossingGuard::CrossingGuard(const Cloth& cloth)
+    : cloth_(cloth), mass_(cloth.inverse_mass), changed_(mass_.size(), 0), parent_(mass_.size()) {
+    for (double& m : mass_) m = m > 0.0 ? 1.0 / m : 0.0;
+    std::iota(parent_.begin(), parent_.end(), 0);
+}
+
+void CrossingGuard::stop(const Points& x, double t, double dt, Candidates& pairs,
+                         Impulses& impulses, Points& v) {
+    // Impulses change velocities, and so what may meet: look again until nothing new has to be
+    // stopped.
+    for (int look = 0;; ++look) {
+        pairs.foresee(x, v, t, dt);
+        list_dangers(pairs);
+        if (!stop_dangers(look < LOOKS ? ROUNDS : 0, x, dt, pairs, impulses, v)) break;
+    }
+    for (const Index node : joined_) parent_[node] = node;
+    joined_.clear();
+}
+
+/// Stops the listed pairs, by impulses for so many rounds, then by clumps.
+/// @returns whether there was anything to stop
+bool CrossingGuard::stop_dangers(int rounds, const Points& x, double dt, Candidates& pairs,
+                                 Impulses& impulses, Points& v) {
+    checked_ = 0;
+    int n = 0;
+    for (; find_impacts(x, dt, pairs, v); ++n) {
+        checked_ = ++round_;
+        if (n < rounds && joined_.empty()) {
+            stop_impacts(x, dt, pairs, impulses, v);
+        } else if (!make_clumps(pairs, impulses, v)) {
+            for (const auto& some : found_) unstopped_ += some.size();
+            return false;
+        }
+    }
+    return n > 0;
+}
+
+void CrossingGuard::list_dangers(const Candidates& pairs) {
+    const std::size_t chunks = parallel::chunk_count(pairs.size(), CHUNK);
+    near_.resize(std::max(near_.size(), chunks));
+    found_.resize(near_.size());
+    for (auto& near : near_) near.clear();
+    for (auto& found : found_) found.clear();
+    const auto search = [&](std::size_t begin, std::size_t end, std::size_t c) {
+        for (std::size_t i = begin; i < end; ++i)
+            if (pairs.may_meet(i)) near_[c].push_back(i);
+    };
+    parallel::for_chunks(pairs.size(), search, CHUNK);
+}
+
+/// Finds impacts among the pairs that may meet, after the first round only where a velocity has
+/// changed since.
+/// @returns whether there are any
+bool CrossingGuard::find_impacts(const Points& x, double dt, const Candidates& pairs,
+                                 const Points& v) {
+    const auto search = [&](std::size_t begin, std::size_t, std::size_t) {
+        found_[begin].clear();
+        for (const std::size_t i : near_[begin]) {
+            const Pair& pair = pairs[i];
+            if (checked_ > 0 && std::none_of(pair.node.begin(), pair.node.end(),
+                                             [&](Index n) { return changed_[n] == checked_; }))
+                continue;
+            const double time = time_of_impact(pair, corners(pair, x), moves(pair, dt, v),
+                                               cloth_.greatest_thickness);
+            if (time != NO_IMPACT) found_[begin].push_back({i, time});
+        }
+    };
+    parallel::for_chunks(near_.size(), search, 1);
+    return std::any_of(found_.begin(), found_.end(),
+                       [](const auto& some) { return !some.empty(); });
+}
+
+/// Stops each pair as it is at its time of impact.
+void CrossingGuard::stop_impacts(const Points& x, double dt, const Candidates& pairs,
+                                 Impulses& impulses, Points& v) {
+    for (const auto& some : found_)
+        for (const auto& [i, time] : some) {
+            const Pair& pair = pairs[i];
+            for (const Index node : pair.node) mark(node);
+            Corners there = corners(pair, x);
+            const Corners move = moves(pair, dt, v);
+            for (int k = 0; k < 4; ++k) there[k] += time * move[k];
+            const Nearest places = nearest(pair, there);
+            const double gap = places.apart.norm();
+            if (gap == 0.0) continue;  // an earlier impulse has changed its course: next round
+            Contact contact = contact_at(pair, places, gap, cloth_.inverse_mass);
+            const double rate = contact.rate(v);
+            if (rate >= 0.0 || contact.mass == INF) continue;
+            impulses.raise_rate(KEPT * time * rate, contact, v);
+            ++impacts_;
+        }
+}
+
+/// Joins the nodes of all pairs that collide, with clumps that they belong to already.
+/// @returns whether anything was joined that was not before
+bool CrossingGuard::make_clumps(const Candidates& pairs, Impulses& impulses, Points& v) {
+    bool is_new = false;
+    for (const auto& some : found_)
+        for (const auto& impact : some)
+            for (const Index node : pairs[impact.pair].node) {
+                joined_.push_back(node);
+                const Index a = root(node), b = root(pairs[impact.pair].node[0]);
+                is_new |= a != b;
+                parent_[std::max(a, b)] = std::min(a, b);
+            }
+    std::sort(joined_.begin(), joined_.end());
+    joined_.erase(std::unique(joined_.begin(), joined_.end()), joined_.end());
+    std::stable_sort(joined_.begin(), joined_.end(),
+                     [&](Index a, Index b) { return root(a) < root(b); });
+    for (std::size_t i = 0, j = 0; i < joined_.size(); i = j) {
+        while (j < joined_.size() && root(joined_[j]) == root(joined_[i])) mark(joined_[j++]);
+        impulses.clump(std::span(joined_).subspan(i, j - i), mass_, v);
+        ++clumps_;
+    }
+    return is_new;
+}
+
+/// Name of the clump that a node belongs to.
+Index CrossingGuard::root(Index node) {
+    while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
+    return node;
+}
+
+}  // namespace corpuscle::contact

@@ -1,0 +1,61 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "contact/candidates.hpp"
+#include "contact/impulses.hpp"
+
+namespace corpuscle::contact {
+
+/// The last look before the cloth moves: no pair of nodes and triangles, or of edges, passes
+/// through another between x and x + dt v.
+///
+/// Pairs with a time of impact in the step are stopped by impulses, for a few rounds; what still
+/// collides then, in tangles of many layers, is joined into rigid clumps for this step [Provot
+/// 1997, impact zones], which always ends: nodes of one clump do not move against each other.
+/// Momentum is kept, energy only lost. Pairs that touch exactly (gap 0) are beyond help.
+class CrossingGuard {
+public:
+    explicit CrossingGuard(const Cloth& cloth);
+
+    /// Changes v so that the step is safe.
+    void stop(const Points& x, double t, double dt, Candidates& pairs, Impulses& impulses,
+              Points& v);
+
+    [[nodiscard]] std::size_t impacts() const { return impacts_; }  ///< stopped by impulses so far
+    [[nodiscard]] std::size_t clumps() const { return clumps_; }    ///< made so far
+
+    /// Pairs that could not be stopped, summed over the steps: held nodes drive them through each
+    /// other.
+    [[nodiscard]] std::size_t unstopped() const { return unstopped_; }
+
+private:
+    struct Impact {
+        std::size_t pair;  ///< candidate row
+        double time;       ///< part of the step
+    };
+
+    bool stop_dangers(int rounds, const Points& x, double dt, Candidates& pairs, Impulses& impulses,
+                      Points& v);
+    void list_dangers(const Candidates& pairs);
+    bool find_impacts(const Points& x, double dt, const Candidates& pairs, const Points& v);
+    void stop_impacts(const Points& x, double dt, const Candidates& pairs, Impulses& impulses,
+                      Points& v);
+    bool make_clumps(const Candidates& pairs, Impulses& impulses, Points& v);
+    Index root(Index node);
+    void mark(Index node) { changed_[node] = round_; }
+
+    const Cloth& cloth_;
+    std::vector<double> mass_;  ///< by node row; of free nodes                    [kg]
+    std::vector<std::vector<std::size_t>> near_;  ///< by chunk: candidates that may meet
+    std::vector<std::vector<Impact>> found_;      ///< by chunk
+    std::vector<unsigned> changed_;  ///< round in which a node's velocity was changed last
+    unsigned round_ = 0, checked_ = 0;
+    std::vector<Index> parent_;  ///< of a node in its clump
+    std::vector<Index> joined_;  ///< nodes in clumps
+    std::size_t impacts_ = 0, clumps_ = 0, unstopped_ = 0;
+};
+
+}  // namespace corpuscle::contact
