@@ -21,13 +21,23 @@ const Vec3 BOX(1.0, 1.0, 1.0);
 const Grid CELLS = Grid::over(Vec3::Zero(), BOX, 0.2, 1000);
 
 /// Collisions and free flight in a mirror box, 0.25 of a cell's edge between collisions.
-void run_box(Collider& collider, int steps, double c_T, Particles& gas) {
-    for (int step = 0; step < steps; ++step) {
-        collider.find_groups(CELLS, {}, gas);
-        collider.collide(static_cast<std::uint64_t>(step), 1.0, gas);
-        drift_in_box(0.25 * CELLS.edge / c_T, BOX, gas);
+class Box {
+public:
+    Box(const Mixture& mixture, CollisionModel model)
+        : collider_(mixture.species(), mixture.moles_each(), 11, model) {}
+
+    void run(int steps, double c_T, Particles& gas) {
+        for (int i = 0; i < steps; ++i) {
+            collider_.find_groups(CELLS, {}, gas);
+            collider_.collide(step_++, 1.0, gas);
+            drift_in_box(0.25 * CELLS.edge / c_T, BOX, gas);
+        }
     }
-}
+
+private:
+    Collider collider_;
+    std::uint64_t step_ = 0;
+};
 
 /// Distance of the sample from the Maxwell-Boltzmann distribution of speeds (eq. 26), times
 /// sqrt(n).
@@ -124,12 +134,12 @@ TEST_CASE("unlike gases end at one temperature, light or heavy", "[gas]") {
     const auto model = GENERATE(CollisionModel::PAIRS, CollisionModel::LIN);
     const Mixture mixture = mixture_of({AIR, HELIUM});
     Particles gas = random_gas(4000, BOX, mixture, {300, 900});
-    Collider collider(mixture.species(), mixture.moles_each(), 11, model);
-    run_box(collider, 60, 800.0, gas);
+    Box box(mixture, model);
+    box.run(60, 800.0, gas);
 
     double T_air = 0.0, T_helium = 0.0;
     for (int sample = 0; sample < 30; ++sample) {
-        run_box(collider, 2, 800.0, gas);
+        box.run(2, 800.0, gas);
         T_air += motion_temperature(gas, mixture, 0) / 30;
         T_helium += motion_temperature(gas, mixture, 1) / 30;
     }
@@ -149,8 +159,8 @@ TEST_CASE("speeds become those of Maxwell and Boltzmann", "[gas]") {
         gas.v[i] =
             std::sqrt(6 * mixture.half_heat() * 300 / mixture.particle_mass(gas.species[i])) *
             gas.v[i].normalized();
-    Collider collider(mixture.species(), mixture.moles_each(), 11, model);
-    run_box(collider, 120, 800.0, gas);
+    Box box(mixture, model);
+    box.run(120, 800.0, gas);
     for (std::int32_t s : {0, 1}) {
         std::vector<double> speed;
         for (std::size_t i = 0; i < gas.size(); ++i)
@@ -173,10 +183,15 @@ TEST_CASE("internal energy takes the share that the heat capacity gives it", "[g
     for (Vec3& v : gas.v) v *= std::sqrt(motion * all / kinetic);
     for (double& e : gas.e) e = (1.0 - motion) * u;
 
-    Collider collider(mixture.species(), mixture.moles_each(), 3, model);
-    run_box(collider, 100, 600.0, gas);
-    // Cells hold some 24 particles; the mean of their equilibria is the whole's but for curvature.
-    CHECK(motion_temperature(gas, mixture, 0) == Approx(T).epsilon(0.01));
+    Box box(mixture, model);
+    box.run(60, 600.0, gas);
+    double mean = 0.0;
+    for (int sample = 0; sample < 20; ++sample) {
+        box.run(5, 600.0, gas);
+        mean += motion_temperature(gas, mixture, 0) / 20;
+    }
+    // A sample's standard deviation is 1.5 %. Few particles a cell (14 here) leave a bias of 0.4 %.
+    CHECK(mean == Approx(T).epsilon(0.01));
 }
 
 TEST_CASE("the same seed gives the same bits on any number of threads", "[gas]") {
@@ -186,8 +201,8 @@ TEST_CASE("the same seed gives the same bits on any number of threads", "[gas]")
     for (const int threads : {1, 2, 3}) {
         parallel::set_threads(threads);
         Particles gas = random_gas(20000, BOX, mixture, {300, 900});
-        Collider collider(mixture.species(), mixture.moles_each(), 11, model);
-        run_box(collider, 3, 800.0, gas);
+        Box box(mixture, model);
+        box.run(3, 800.0, gas);
         result.push_back(gas);
     }
     parallel::set_threads(2);
@@ -234,15 +249,14 @@ TEST_CASE("one pairing sweep halves the stress, LIN turns it round", "[gas]") {
         }
         return (x - yz) / (x + 2 * yz);
     };
-    Particles gas = random_gas(40000, BOX, mixture, {300});
-    for (Vec3& v : gas.v) v.x() *= 1.2;
+    Particles gas = random_gas(100000, BOX, mixture, {300});
+    for (Vec3& v : gas.v) v.x() *= 1.05;
     const double before = anisotropy(gas);
     const auto model = GENERATE(CollisionModel::PAIRS, CollisionModel::LIN);
     Collider collider(mixture.species(), mixture.moles_each(), 3, model);
-    collider.find_groups(Grid::over(Vec3::Zero(), BOX, 0.125, 1000), {}, gas);
+    collider.find_groups(Grid::over(Vec3::Zero(), BOX, 0.3, 1000), {}, gas);
     collider.collide(0, 1.0, gas);
-    // Half of the relative motion is the partner's: the isotropic scatter takes its stress and
-    // leaves half.
+    // Pairs: half of the motion is the partners' centre's, and keeps its stress.
     const double expected = model == CollisionModel::PAIRS ? 0.5 : -0.8;
-    CHECK(anisotropy(gas) / before == Approx(expected).margin(0.1));
+    CHECK(anisotropy(gas) / before == Approx(expected).margin(0.1));  // noise: .04
 }
