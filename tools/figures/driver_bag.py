@@ -39,15 +39,15 @@ def gas(axes, frame, colours):
 
 def strip(run):
     quads = run["mesh/shell_nodes"][:]
-    figure = plt.figure(figsize=(18, 3.4))
+    figure = plt.figure(figsize=(18, 4.2))
     colours = plt.Normalize(0.0, 1500.0)
     for i, instant in enumerate(INSTANTS):
         frame, at = frame_at(run, instant)
         axes = figure.add_subplot(1, len(INSTANTS), i + 1, projection="3d", computed_zorder=False)
         cut_open(axes, frame["coordinates"][:].astype(float), quads)
         gas(axes, frame, colours)
-        axes.set(xlim=(-370, 370), ylim=(-370, 370), zlim=(-60, 340), title=f"{at:.0f} ms")
-        axes.set_box_aspect((740, 740, 400), zoom=1.6)
+        axes.set(xlim=(-370, 370), ylim=(-370, 370), zlim=(-60, 500), title=f"{at:.0f} ms")
+        axes.set_box_aspect((740, 740, 560), zoom=1.75)
         axes.view_init(elev=16, azim=-80)
         axes.set_axis_off()
     figure.subplots_adjust(0, 0, 1, 0.95, 0, 0)
