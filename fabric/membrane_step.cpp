@@ -57,7 +57,7 @@ double find_rates(const Blocks& blocks) {
 }  // namespace
 
 /// No mesh vibrates faster than its fastest element, however the nodes' masses are shared among the
-/// elements [Irons 1970]. With equal shares small elements are held to be light that in truth lean
+/// elements [Irons & Treharne 1971]. With equal shares small elements are held to be light that in truth lean
 /// on heavy neighbours; so mass is handed to whoever vibrates faster, and the best round is kept.
 void Membranes::find_rest_rates(const std::vector<double>& mass) {
     double least = INF;
