@@ -3,6 +3,7 @@
 //
 // Building the lists of candidates.
 #include <algorithm>
+#include <cmath>
 
 #include "contact/candidates.hpp"
 #include "contact/intersections.hpp"
@@ -12,6 +13,7 @@
 namespace corpuscle::contact {
 namespace {
 
+constexpr double SWEEP = 0.5;  ///< farthest that a node may sweep while lists live, in edge lengths
 constexpr std::size_t CHUNK = 8;  ///< patch pairs; some thousand triangle pairs
 
 std::uint64_t key_of(bool is_edges, Index first, Index second) {
@@ -44,9 +46,13 @@ void Candidates::start(const Points& x, const Points& v, double t, double dt) {
 }
 
 void Candidates::build(const Points& x, const Points& v, double t, double dt) {
+    set_budget(dt);
     motion_.restart(x);
     motion_.foresee(x, v, dt);
-    set_budgets(dt);
+    life_ = steps_ * dt;
+    const double fastest = motion_.fastest();
+    if (fastest * life_ > SWEEP * cloth_.mean_edge)
+        life_ = std::max(dt, SWEEP * cloth_.mean_edge / fastest);
     ++builds_;
 
     std::vector<std::uint64_t> freed;
@@ -54,8 +60,11 @@ void Candidates::build(const Points& x, const Points& v, double t, double dt) {
         freed = barred_;
         bar_crossing_pairs(x);
     }
-    for (std::size_t i = 0; i < boxes_.size(); ++i)
-        boxes_[i] = grown(triangle_box(cloth_.triangles[i], x, x, 0.0), cloth_.patch_of[i]);
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+        boxes_[i] = Box{};
+        for (const Index node : cloth_.triangles[i]) include(node, x, boxes_[i]);
+        boxes_[i].inflate(0.5 * reach_ * cloth_.greatest_thickness + budget_);
+    }
     near_triangles_.update(boxes_);
     list_pairs(x);
     find_memories(freed, t);
@@ -87,26 +96,52 @@ void Candidates::list_pairs_of(Index a, Index b, const Points& x, Chunk& out) co
     const Triangle& ta = cloth_.triangles[a];
     const Triangle& tb = cloth_.triangles[b];
     const Index p = cloth_.patch_of[a], q = cloth_.patch_of[b];
+    const double margin = 0.5 * reach_ * cloth_.greatest_thickness + budget_;
     const double h = 0.5 * (cloth_.thickness[a] + cloth_.thickness[b]);
-    const auto node_against = [&](Index node, Index patch, Index t) {
+    const auto node_against = [&](Index node, Index t) {
         const Triangle& n = cloth_.triangles[t];
-        if (has_node(n, node) || !grown({x[node], x[node]}, patch).overlaps(boxes_[t])) return;
+        if (has_node(n, node)) return;
+        Box box;
+        include(node, x, box);
+        box.inflate(margin);
+        if (!box.overlaps(boxes_[t])) return;
         consider({{node, n[0], n[1], n[2]}, false}, h, key_of(false, node, t), p, q, x, out);
     };
     for (int k = 0; k < 3; ++k) {
-        if (cloth_.owns_node(a, k)) node_against(ta[k], p, b);
-        if (cloth_.owns_node(b, k)) node_against(tb[k], q, a);
+        if (cloth_.owns_node(a, k)) node_against(ta[k], b);
+        if (cloth_.owns_node(b, k)) node_against(tb[k], a);
         if (!cloth_.owns_edge(a, k)) continue;
         const Index i = ta[k], j = ta[(k + 1) % 3];
-        const Box edge = grown({x[i].cwiseMin(x[j]), x[i].cwiseMax(x[j])}, p);
+        Box edge = edge_box(i, j, x);
+        edge.inflate(2.0 * margin);
         for (int m = 0; m < 3; ++m) {
             const Index r = tb[m], s = tb[(m + 1) % 3];
             if (!cloth_.owns_edge(b, m) || i == r || i == s || j == r || j == s) continue;
-            if (!edge.overlaps(grown({x[r].cwiseMin(x[s]), x[r].cwiseMax(x[s])}, q))) continue;
+            if (!edge.overlaps(edge_box(r, s, x))) continue;
             consider({{i, j, r, s}, true}, h, key_of(true, cloth_.edge[a][k], cloth_.edge[b][m]), p,
                      q, x, out);
         }
     }
+}
+
+Box Candidates::edge_box(Index a, Index b, const Points& x) const {
+    Box box;
+    include(a, x, box);
+    include(b, x, box);
+    return box;
+}
+
+/// Bound of the predicted rate at which a pair's gap shrinks.
+double Candidates::approach_speed(const Pair& pair) const {
+    const auto& n = pair.node;
+    Vec3 mean = Vec3::Zero();
+    for (const Index node : n) mean += 0.25 * motion_.velocity(node);
+    std::array<double, 4> square;
+    for (int k = 0; k < 4; ++k) square[k] = (motion_.velocity(n[k]) - mean).squaredNorm();
+    return pair.is_edges
+               ? std::sqrt(std::max(square[0], square[1])) +
+                     std::sqrt(std::max(square[2], square[3]))
+               : std::sqrt(square[0]) + std::sqrt(std::max({square[1], square[2], square[3]}));
 }
 
 /// Keeps a pair that may come within reach while the lists live.
@@ -116,10 +151,8 @@ void Candidates::consider(const Pair& pair, double thickness, std::uint64_t key,
     for (const Index node : pair.node) mobility += cloth_.inverse_mass[node];
     if (mobility == 0.0) return;  // held against held
 
-    const double approach =
-        p == q ? 0.0 : life_ * (motion_.velocity(p) - motion_.velocity(q)).norm();
     const double gap = nearest(pair, x).apart.norm();
-    if (gap > reach_ * thickness + budget_[p] + budget_[q] + approach) return;
+    if (gap > reach_ * thickness + 2.0 * budget_ + life_ * approach_speed(pair)) return;
     if (std::binary_search(barred_.begin(), barred_.end(), key)) return;
     out.list.push_back({pair, -1, thickness, key, false});
     out.watch.push_back({gap + motion_.way(p) + motion_.way(q), p, q});

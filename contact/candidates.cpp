@@ -9,18 +9,15 @@
 namespace corpuscle::contact {
 namespace {
 
-constexpr double STEPS = 100.0;  ///< greatest life of the lists
-constexpr double SWEEP = 0.5;    ///< farthest that a patch may sweep in that time, in edge lengths
-constexpr double LIVES = 2.0;    ///< steps like the one ahead for which any budget is enough
-
-/// The common budget grows while lists are short and shrinks while they are long, between these
-/// numbers of candidates a triangle: in open cloth a wide list costs nothing, in folded cloth every
-/// thickness adds a layer.
+/// The budget grows while lists are short and shrinks while they are long, between these numbers of
+/// candidates a triangle: in open cloth a wide list costs nothing, in folded cloth every thickness
+/// adds a layer.
 constexpr std::size_t FEW = 2, MANY = 10;
-constexpr double ADAPTATION = 1.3;
-constexpr double LEAST = 1.0;  ///< common budget, in contact thicknesses
-constexpr double GREATEST =
-    0.2;  ///< likewise, in edge lengths: neighbours on the cloth would come in
+constexpr double LEAST_BUDGET = 1.0;     ///< in contact thicknesses
+constexpr double GREATEST_BUDGET = 0.2;  ///< in edge lengths: neighbours on the cloth would come in
+
+constexpr double LEAST_LIFE = 2.0, GREATEST_LIFE = 100.0;  ///< of the lists, in steps
+constexpr double ADAPTATION = 1.25;  ///< by which budget and life change from one build to the next
 
 }  // namespace
 
@@ -29,9 +26,7 @@ Candidates::Candidates(const Cloth& cloth, double reach)
       reach_(reach),
       motion_(cloth),
       near_triangles_(cloth.patches),
-      most_budget_(4.0 * cloth.greatest_thickness),
-      budget_(cloth.patches.size()),
-      growth_(cloth.patches.size()),
+      budget_(4.0 * cloth.greatest_thickness),
       boxes_(cloth.triangles.size()) {}
 
 void Candidates::foresee(const Points& x, const Points& v, double t, double dt) {
@@ -41,10 +36,7 @@ void Candidates::foresee(const Points& x, const Points& v, double t, double dt) 
 
 /// Whether the lists might miss a pair in the step ahead.
 bool Candidates::are_spent(double dt) const {
-    if (motion_.age() + dt > life_) return true;
-    for (std::size_t p = 0; p < budget_.size(); ++p)
-        if (motion_.stray(static_cast<Index>(p)) > budget_[p]) return true;
-    return false;
+    return motion_.age() + dt > life_ || motion_.stray() > budget_;
 }
 
 bool Candidates::may_meet(std::size_t i) const {
@@ -89,29 +81,16 @@ PairMemory& Candidates::make_memory(std::size_t i) {
     return memories_[list_[i].memory];
 }
 
-/// Sweeps and budgets for the time ahead.
-void Candidates::set_budgets(double dt) {
-    const double h = cloth_.greatest_thickness;
-    if (builds_ > 0 && list_.size() < FEW * cloth_.triangles.size()) most_budget_ *= ADAPTATION;
-    if (list_.size() > MANY * cloth_.triangles.size()) most_budget_ /= ADAPTATION;
-    most_budget_ =
-        std::clamp(most_budget_, LEAST * h, std::max(LEAST * h, GREATEST * cloth_.mean_edge));
-
-    double fastest = 0.0;
-    for (std::size_t p = 0; p < budget_.size(); ++p)
-        fastest = std::max(fastest, motion_.velocity(static_cast<Index>(p)).norm());
-    life_ = STEPS * dt;
-    if (fastest * life_ > SWEEP * cloth_.mean_edge) life_ = SWEEP * cloth_.mean_edge / fastest;
-    life_ = std::max(life_, LIVES * dt);
-
-    for (std::size_t p = 0; p < budget_.size(); ++p) {
-        const auto patch = static_cast<Index>(p);
-        budget_[p] = std::max(most_budget_, LIVES * motion_.stray(patch));
-        // two boxes overlap where a gap may come within reach
-        const Vec3 sweep = life_ * motion_.velocity(patch);
-        const Vec3 margin = Vec3::Constant(0.5 * reach_ * h + budget_[p]);
-        growth_[p] = {sweep.cwiseMin(0.0) - margin, sweep.cwiseMax(0.0) + margin};
+/// Budget and life of the next lists, from how the last ones ended.
+void Candidates::set_budget(double dt) {
+    if (builds_ > 0) {
+        if (list_.size() < FEW * cloth_.triangles.size()) budget_ *= ADAPTATION;
+        if (list_.size() > MANY * cloth_.triangles.size()) budget_ /= ADAPTATION;
+        steps_ *= motion_.age() + dt > life_ ? ADAPTATION : 1.0 / ADAPTATION;
     }
+    const double least = LEAST_BUDGET * cloth_.greatest_thickness;
+    budget_ = std::clamp(budget_, least, std::max(least, GREATEST_BUDGET * cloth_.mean_edge));
+    steps_ = std::clamp(steps_, LEAST_LIFE, GREATEST_LIFE);
 }
 
 }  // namespace corpuscle::contact

@@ -96,16 +96,21 @@ private:
         const Watch& w = watch_[i];
         return w.sum - motion_.way(w.first) - motion_.way(w.second);
     }
-    [[nodiscard]] Box grown(const Box& box, Index patch) const {
-        return {box.low + growth_[patch].low, box.high + growth_[patch].high};
+    /// Box of what a node may reach while the lists live; two of them overlap where a gap may come
+    /// within reach.
+    void include(Index node, const Points& x, Box& box) const {
+        box.include(x[node]);
+        box.include(Vec3(x[node] + life_ * motion_.velocity(node)));
     }
+    [[nodiscard]] Box edge_box(Index a, Index b, const Points& x) const;
     [[nodiscard]] bool are_spent(double dt) const;
     void build(const Points& x, const Points& v, double t, double dt);
-    void set_budgets(double dt);
+    void set_budget(double dt);
     void list_pairs(const Points& x);
     void list_pairs_of(Index a, Index b, const Points& x, Chunk& out) const;
     void consider(const Pair& pair, double thickness, std::uint64_t key, Index p, Index q,
                   const Points& x, Chunk& out) const;
+    [[nodiscard]] double approach_speed(const Pair& pair) const;
     [[nodiscard]] double neighbours_thickness(const Pair& pair) const;
     void bar_crossing_pairs(const Points& x);
     void find_memories(const std::vector<std::uint64_t>& freed, double t);
@@ -114,11 +119,10 @@ private:
     double reach_;
     Motion motion_;
     TrianglePairs near_triangles_;
-    double most_budget_;          ///< [m]
-    double life_ = 0.0;           ///< age at which the lists are spent               [s]
-    std::vector<double> budget_;  ///< by patch: stray at which they are              [m]
-    std::vector<Box> growth_;     ///< by patch: added to the box of anything in it   [m]
-    std::vector<Box> boxes_;      ///< of triangles, grown                            [m]
+    double budget_;           ///< stray at which the lists are spent             [m]
+    double steps_ = 4.0;      ///< that they are meant to live
+    double life_ = 0.0;       ///< age at which they are spent                    [s]
+    std::vector<Box> boxes_;  ///< of what triangles may reach                    [m]
     std::vector<Candidate> list_;
     std::vector<Watch> watch_;
     std::vector<Chunk> chunks_;

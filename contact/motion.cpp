@@ -24,14 +24,14 @@ Vec3 mean_over(const std::vector<Index>& nodes, Value&& value) {
 Motion::Motion(const Cloth& cloth)
     : cloth_(cloth),
       nodes_(cloth.patch_node),
+      velocity_(cloth.inverse_mass.size(), Vec3::Zero()),
+      relative_(velocity_),
       way_(cloth.patches.size(), 0.0),
       ahead_(way_.size()),
-      stray_(way_.size()),
-      node_ahead_(cloth.inverse_mass.size(), 0.0),
-      velocity_(way_.size(), Vec3::Zero()),
-      mean_(way_.size()) {
+      node_ahead_(velocity_.size(), 0.0) {
     std::sort(nodes_.begin(), nodes_.end());
     nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+    chunk_stray_.resize(parallel::chunk_count(nodes_.size()), 0.0);
 }
 
 void Motion::start(const Points& x, double t) {
@@ -56,30 +56,40 @@ void Motion::follow(const Points& x, double t) {
 
 void Motion::foresee(const Points& x, const Points& v, double dt) {
     const Vec3 common = mean_over(nodes_, [&](Index n) -> Vec3 { return v[n]; });
-    parallel::for_each(nodes_.size(), [&](std::size_t i) {
-        node_ahead_[nodes_[i]] = dt * (v[nodes_[i]] - common).norm();
-    });
-    const auto measure = [&](std::size_t p) {
-        const Vec3 predicted = common_ + dt * common + (age_ + dt) * velocity_[p];
-        double farthest = 0.0, stray = 0.0;
-        Vec3 sum = Vec3::Zero();
-        for (const Index n : cloth_.nodes_of_patch(p)) {
-            farthest = std::max(farthest, node_ahead_[n]);
-            stray = std::max(stray, (x[n] + dt * v[n] - base_[n] - predicted).squaredNorm());
-            sum += v[n] - common;
+    const Vec3 moved = common_ + dt * common;
+    std::vector<double>& strays = chunk_stray_;
+    std::fill(strays.begin(), strays.end(), 0.0);
+    parallel::for_chunks(nodes_.size(), [&](std::size_t begin, std::size_t end, std::size_t c) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Index n = nodes_[i];
+            relative_[n] = v[n] - common;
+            node_ahead_[n] = dt * relative_[n].norm();
+            const Vec3 predicted = base_[n] + moved + (age_ + dt) * velocity_[n];
+            strays[c] = std::max(strays[c], (x[n] + dt * v[n] - predicted).squaredNorm());
         }
-        ahead_[p] = farthest;
-        stray_[p] = std::sqrt(stray);
-        mean_[p] = sum / static_cast<double>(cloth_.nodes_of_patch(p).size());
+    });
+    stray_ = std::sqrt(*std::max_element(strays.begin(), strays.end()));
+    const auto measure = [&](std::size_t p) {
+        ahead_[p] = 0.0;
+        for (const Index n : cloth_.nodes_of_patch(p))
+            ahead_[p] = std::max(ahead_[p], node_ahead_[n]);
     };
     parallel::for_each(way_.size(), measure, CHUNK);
 }
 
+double Motion::fastest() const {
+    double square = 0.0;
+    for (const Index n : nodes_) square = std::max(square, velocity_[n].squaredNorm());
+    return std::sqrt(square);
+}
+
 void Motion::restart(const Points& x) {
-    for (const Index n : nodes_) base_[n] = x[n];
+    for (const Index n : nodes_) {
+        base_[n] = x[n];
+        velocity_[n] = relative_[n];
+    }
     common_.setZero();
-    age_ = 0.0;
-    velocity_ = mean_;
+    age_ = stray_ = 0.0;
 }
 
 }  // namespace corpuscle::contact

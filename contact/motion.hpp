@@ -23,7 +23,7 @@ public:
     /// Looks at the step ahead, from x to x + dt v.
     void foresee(const Points& x, const Points& v, double dt);
 
-    /// Predicts from x on: each patch keeps the mean of the velocities that were foreseen.
+    /// Predicts from x on: each node keeps the velocity that was foreseen, less that of all.
     void restart(const Points& x);
 
     /// Bound of a patch's displacements, summed since the start: two nodes of patches a and b
@@ -34,22 +34,23 @@ public:
     [[nodiscard]] double node_ahead(Index node) const { return node_ahead_[node]; }
     [[nodiscard]] double ahead(Index patch) const { return ahead_[patch]; }
 
-    /// How far from its prediction a node of the patch will be after the step ahead.          [m]
-    [[nodiscard]] double stray(Index patch) const { return stray_[patch]; }
-
-    [[nodiscard]] const Vec3& velocity(Index patch) const {
-        return velocity_[patch];
-    }                                                  ///< predicted
+    /// How far at most a node will be from its prediction after the step ahead.               [m]
+    [[nodiscard]] double stray() const { return stray_; }
+    [[nodiscard]] const Vec3& velocity(Index node) const {
+        return velocity_[node];
+    }                                                  ///< predicted [m/s]
+    [[nodiscard]] double fastest() const;              ///< of them  [m/s]
     [[nodiscard]] double age() const { return age_; }  ///< of the prediction                  [s]
 
 private:
     const Cloth& cloth_;
     std::vector<Index> nodes_;    ///< of the cloth, ascending
     Points base_, last_;          ///< positions at the restart and at the last call, N × 3   [m]
+    Points velocity_, relative_;  ///< predicted, and ahead; less that of all, N × 3          [m/s]
     Vec3 common_ = Vec3::Zero();  ///< mean displacement of all since the restart             [m]
     double t_ = 0.0, age_ = 0.0;  ///< [s]
-    std::vector<double> way_, ahead_, stray_, node_ahead_;
-    Points velocity_, mean_;  ///< by patch: predicted; mean in the step ahead            [m/s]
+    double stray_ = 0.0;          ///< [m]
+    std::vector<double> way_, ahead_, node_ahead_, chunk_stray_;
 };
 
 }  // namespace corpuscle::contact
