@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include <array>
 #include <cmath>
@@ -45,13 +45,7 @@ CornerMatrix rest_stiffness(const Element& element, const ReferenceShape& r,
 
 /// Highest frequency squared of an element whose corners weigh mass[0], mass[1], ... For equal
 /// corners of a triangle it is (3/(rho·h)) λmax(D^½ B Bᵀ D^½). [1/s^2]
-inline double highest_frequency_squared(const CornerMatrix& stiffness, const double* mass) {
-    CornerMatrix k = stiffness;
-    for (Eigen::Index i = 0; i < k.rows(); ++i)
-        for (Eigen::Index j = 0; j < k.cols(); ++j) k(i, j) /= std::sqrt(mass[i / 2] * mass[j / 2]);
-    const Eigen::SelfAdjointEigenSolver<CornerMatrix> modes(k, Eigen::EigenvaluesOnly);
-    return modes.eigenvalues().maxCoeff();
-}
+double highest_frequency_squared(const CornerMatrix& stiffness, const double* mass);
 
 /// Central differences with damping of the velocity half a step back keep every mode below
 /// 1 - β·ω²·dt/2 - ω²·dt²/4 > 0, so with ζ = β·ω/2

@@ -103,7 +103,8 @@ Membranes::Membranes(const MembraneSetup& setup)
     if (damped > 0) damping_force_.assign(setup.node_count, Vec3::Zero());
     gather_ = gather_of(setup.node_count, /*damped=*/false);
     damping_gather_ = gather_of(setup.node_count, /*damped=*/true);
-    gather_check_.resize(gather_chunks());
+    gather_check_.resize(chunks_of(gather_));
+    damping_check_.resize(chunks_of(damping_gather_));
     find_rest_rates(lumped_mass(setup));
 }
 

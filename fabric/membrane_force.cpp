@@ -27,8 +27,8 @@ Vec3 gathered(const std::vector<std::uint32_t>& places, std::uint32_t begin, std
 
 }  // namespace
 
-std::size_t Membranes::gather_chunks() const {
-    return parallel::chunk_count(gather_.nodes.size(), GATHER_NODES);
+std::size_t Membranes::chunks_of(const Gather& gather) {
+    return parallel::chunk_count(gather.nodes.size(), GATHER_NODES);
 }
 
 Index Membranes::add_force(const Points& x, const Points& v, Points& f) {
@@ -67,14 +67,17 @@ Index Membranes::add_force(const Points& x, const Points& v, Points& f) {
 void Membranes::gather_damping(Points& f) {
     parallel::for_chunks(
         damping_gather_.nodes.size(),
-        [&](std::size_t begin, std::size_t end, std::size_t) {
+        [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+            double total = 0.0;
             for (std::size_t i = begin; i < end; ++i) {
                 const auto node = static_cast<std::size_t>(damping_gather_.nodes[i]);
                 damping_force_[node] =
                     gathered(damping_gather_.places, damping_gather_.starts[i],
                              damping_gather_.starts[i + 1], corner_damping_.data());
                 f[node] += damping_force_[node];
+                total += damping_force_[node].sum();
             }
+            damping_check_[chunk] = total;
         },
         GATHER_NODES);
 }
@@ -111,8 +114,7 @@ double Membranes::damping_energy(const Points& v_0, const Points& v_1, double dt
 bool Membranes::all_finite() const {
     double sum = strain_energy();
     for (const double check : gather_check_) sum += check;
-    for (const Index node : damping_gather_.nodes)
-        sum += damping_force_[static_cast<std::size_t>(node)].sum();
+    for (const double check : damping_check_) sum += check;
     return std::isfinite(sum);
 }
 

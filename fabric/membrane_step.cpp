@@ -57,8 +57,9 @@ double find_rates(const Blocks& blocks) {
 }  // namespace
 
 /// No mesh vibrates faster than its fastest element, however the nodes' masses are shared among the
-/// elements [Irons & Treharne 1971]. With equal shares small elements are held to be light that in truth lean
-/// on heavy neighbours; so mass is handed to whoever vibrates faster, and the best round is kept.
+/// elements [Irons & Treharne 1971]. With equal shares small elements are held to be light that in
+/// truth lean on heavy neighbours; so mass is handed to whoever vibrates faster, and the best round
+/// is kept.
 void Membranes::find_rest_rates(const std::vector<double>& mass) {
     double least = INF;
     std::vector<std::vector<double>> best(blocks_.size());

@@ -87,7 +87,7 @@ private:
     };
 
     [[nodiscard]] Gather gather_of(std::size_t node_count, bool damped) const;
-    [[nodiscard]] std::size_t gather_chunks() const;
+    [[nodiscard]] static std::size_t chunks_of(const Gather& gather);
     void find_rest_rates(const std::vector<double>& mass);
     void find_rest_step();
     void gather_damping(Points& f);
@@ -102,7 +102,8 @@ private:
     std::vector<Found> found_;
     std::vector<double> corner_force_, corner_damping_;
     Gather gather_, damping_gather_;
-    std::vector<double> gather_check_;  ///< sums that are finite when all forces are
+    std::vector<double> gather_check_,
+        damping_check_;  ///< sums that are finite when all forces are
     std::vector<double> part_energy_;
     Points damping_force_;
     std::size_t element_count_ = 0, node_count_ = 0;
