@@ -55,7 +55,8 @@ std::vector<double> particle_masses(const Inflators& inflators) {
 }  // namespace
 
 BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curves,
-               std::span<const int> node_id, const Points& x, std::uint64_t seed)
+               std::span<const int> node_id, std::span<const std::uint8_t> held, const Points& x,
+               std::uint64_t seed)
     : card_(card),
       walls_(std::move(walls)),
       enclosure_(closing(walls_), x, node_id, name_of(card)),
@@ -63,7 +64,7 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
       mass_(particle_masses(inflators_)),
       lists_(turned(enclosure_, walls_), x),
       side_lists_(lists_.triangles(), x),
-      store_(x.size(), lists_.nodes(), RELEASE_TIME * card.second * card.smoothing),
+      store_(x.size(), lists_.nodes(), held, RELEASE_TIME * card.second * card.smoothing),
       collider_(inflators_.species(), inflators_.moles_each(), seed),
       orifices_(card.orifices, lists_.triangles(), walls_.triangles, walls_.shell),
       area_(x.size(), Vec3::Zero()),

@@ -53,8 +53,10 @@ struct PartState {
 /// The gas of one bag: particles, inflators, initial air, and what they do to the walls.
 class BagGas {
 public:
+    /// @param held  N: 1 for nodes that supports, motions or rigid bodies carry
     BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curves,
-           std::span<const int> node_id, const Points& x, std::uint64_t seed);
+           std::span<const int> node_id, std::span<const std::uint8_t> held, const Points& x,
+           std::uint64_t seed);
 
     /// f += impulse released over `span`, air pressure inside, atmosphere outside, at t.
     void add_load(const Points& x, double span, Points& f);

@@ -22,16 +22,19 @@ std::array<int, 3> ascending(const Triangle& nodes) {
 /// The six corners of the swept triangle as the particle sees them: 0-2 at t, 3-5 at t + dt.
 using Corners = std::array<Vec3, 6>;
 
-bool origin_is_outside_box(const Corners& r) {
-    for (int axis = 0; axis < 3; ++axis) {
-        double low = r[0][axis], high = r[0][axis];
-        for (int i = 1; i < 6; ++i) {
-            low = std::min(low, r[i][axis]);
-            high = std::max(high, r[i][axis]);
-        }
-        if (low > 0.0 || high < 0.0) return true;
+/// Are all corners on one side of the plane through the origin that is parallel to the triangle at t, and
+/// farther from it than rounding can be wrong? Cost: one cross product, four dot products.
+bool all_on_one_side(const Corners& r) {
+    constexpr double ROUNDING = 1e-13;  // of the products below, generously
+    const Vec3 normal = (r[1] - r[0]).cross(r[2] - r[0]);
+    double low = INF, high = -INF, size = 0.0;
+    for (const Vec3& corner : r) {
+        const double height = normal.dot(corner);
+        low = std::min(low, height);
+        high = std::max(high, height);
+        size = std::max(size, normal.cwiseAbs().dot(corner.cwiseAbs()));
     }
-    return false;
+    return low > ROUNDING * size || high < -ROUNDING * size;
 }
 
 /// Faces of the three tetrahedra; vertices in ascending order, so that neighbours compute the same
@@ -69,7 +72,7 @@ std::optional<Crossing> cross(const Path& path, const Triangle& triangle, const 
         r[i] = x_0[node] - path.at_0;
         r[i + 3] = x_1[node] - path.at_1;
     }
-    if (origin_is_outside_box(r)) return std::nullopt;
+    if (all_on_one_side(r)) return std::nullopt;
 
     std::array<double, FACES> value;
     std::array<bool, FACES>

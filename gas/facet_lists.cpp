@@ -50,6 +50,8 @@ void FacetLists::build(const Grid& grid, std::span<const Vec3> x_0, std::span<co
     facet_.resize(static_cast<std::size_t>(start_.back()));
     fill_.assign(start_.begin(), start_.end() - 1);
     for_each_entry([&](std::size_t cell, Index facet) { facet_[fill_[cell]++] = facet; });
+    entry_box_.resize(facet_.size());
+    for (std::size_t e = 0; e < facet_.size(); ++e) entry_box_[e] = SmallBox(facet_box_[facet_[e]]);
 }
 
 void FacetLists::pair_patches_with_blocks() {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -10,6 +12,24 @@
 #include "solver/base/surface.hpp"
 
 namespace corpuscle::gas {
+
+/// Box in single precision, rounded outward: enough to tell what cannot meet, in half the memory.   [m]
+struct SmallBox {
+    std::array<float, 3> low, high;
+
+    SmallBox() = default;
+    explicit SmallBox(const contact::Box& box) {
+        for (int a = 0; a < 3; ++a) {
+            low[a] = std::nextafter(static_cast<float>(box.low[a]), -HUGE_VALF);
+            high[a] = std::nextafter(static_cast<float>(box.high[a]), HUGE_VALF);
+        }
+    }
+    [[nodiscard]] bool overlaps(const SmallBox& o) const {
+        bool apart = false;  // no early exit: six comparisons are cheaper than one wrong guess
+        for (int a = 0; a < 3; ++a) apart |= (low[a] > o.high[a]) | (o.low[a] > high[a]);
+        return !apart;
+    }
+};
 
 /// Which facets a particle may meet in each grid cell.
 ///
@@ -36,8 +56,10 @@ public:
         return {facet_.data() + start_[cell],
                 static_cast<std::size_t>(start_[cell + 1] - start_[cell])};
     }
-    /// Box that a facet stays in while the lists hold.
-    [[nodiscard]] const contact::Box& box(Index facet) const { return facet_box_[facet]; }
+    /// Boxes that the facets of in(cell) stay in while the lists hold, in the same order.
+    [[nodiscard]] std::span<const SmallBox> boxes_in(std::size_t cell) const {
+        return {entry_box_.data() + start_[cell], in(cell).size()};
+    }
     [[nodiscard]] std::span<const Index> starts() const { return start_; }
     [[nodiscard]] std::span<const Index> facets() const { return facet_; }
     [[nodiscard]] std::size_t builds() const { return builds_; }
@@ -58,6 +80,7 @@ private:
     Points built_at_;  ///< x_1 of the build, for nodes_
     std::vector<contact::Box> facet_box_, box_;
     std::vector<std::pair<Index, Index>> pairs_;  ///< patch, block
+    std::vector<SmallBox> entry_box_;             ///< of facet_, so that a cell reads straight on
     std::vector<Index> start_, fill_, facet_;     ///< cells -> facets, compressed rows
 };
 

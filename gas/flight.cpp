@@ -31,6 +31,15 @@ struct Scene {
     double dt;
 };
 
+/// Keeps the facet in `first` if the path crosses it earlier.
+void meet(const Scene& scene, const Path& path, Index facet, double after, const Meeting& last,
+          Meeting& first) {
+    if (facet == first.facet) return;  // entered in several cells
+    const auto hit = cross(path, scene.triangles[facet], scene.x_0, scene.x_1, after,
+                           facet == last.facet ? last.where.piece : -1);
+    if (hit && (first.facet < 0 || hit->tau < first.where.tau)) first = {facet, *hit};
+}
+
 /// First facet that the path crosses after `after`; `last` is the meeting it has just left.
 Meeting first_meeting(const Scene& scene, const Path& path, const Vec3& from, double after,
                       const Meeting& last) {
@@ -41,18 +50,18 @@ Meeting first_meeting(const Scene& scene, const Path& path, const Vec3& from, do
         c0[a] = grid.along(a, flown.low[a]);
         c1[a] = grid.along(a, flown.high[a]);
     }
+    const SmallBox way(flown);
     Meeting first;
     for (int k = c0[2]; k <= c1[2]; ++k)
         for (int j = c0[1]; j <= c1[1]; ++j)
-            for (int i = c0[0]; i <= c1[0]; ++i)
-                for (const Index facet : scene.lists.in(grid.row(i, j, k))) {
-                    if (facet == first.facet) continue;  // entered in several cells
-                    if (!scene.lists.box(facet).overlaps(flown)) continue;
-                    const auto hit = cross(path, scene.triangles[facet], scene.x_0, scene.x_1,
-                                           after, facet == last.facet ? last.where.piece : -1);
-                    if (hit && (first.facet < 0 || hit->tau < first.where.tau))
-                        first = {facet, *hit};
-                }
+            for (int i = c0[0]; i <= c1[0]; ++i) {
+                const std::size_t cell = grid.row(i, j, k);
+                const auto facets = scene.lists.in(cell);
+                const auto boxes = scene.lists.boxes_in(cell);
+                for (std::size_t f = 0; f < facets.size(); ++f)
+                    if (boxes[f].overlaps(way))
+                        meet(scene, path, facets[f], after, last, first);
+            }
     return first;
 }
 

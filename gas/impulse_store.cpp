@@ -8,11 +8,14 @@
 
 namespace corpuscle::gas {
 
-ImpulseStore::ImpulseStore(std::size_t node_count, std::span<const Index> nodes, double time)
+ImpulseStore::ImpulseStore(std::size_t node_count, std::span<const Index> nodes,
+                           std::span<const std::uint8_t> held, double time)
     : nodes_(nodes.begin(), nodes.end()),
       time_(time),
       owed_(node_count, Vec3::Zero()),
-      force_(node_count, Vec3::Zero()) {}
+      force_(node_count, Vec3::Zero()) {
+    for (const Index n : nodes_) held_.push_back(held[n]);
+}
 
 void ImpulseStore::receive(const FlightResult& flight, std::span<const Triangle> triangles) {
     for (const auto& hits : flight.hits)
@@ -21,9 +24,10 @@ void ImpulseStore::receive(const FlightResult& flight, std::span<const Triangle>
 }
 
 void ImpulseStore::release(double span, std::span<Vec3> f) {
-    const double share = time_ > 0.0 ? -std::expm1(-span / time_) : 1.0;
+    const double late = -std::expm1(-span / time_);
     parallel::for_each(nodes_.size(), [&](std::size_t i) {
         const Index n = nodes_[i];
+        const double share = held_[i] ? 1.0 : late;
         force_[n] = share / span * owed_[n];
         owed_[n] -= share * owed_[n];
         f[n] += force_[n];

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -13,10 +14,14 @@ namespace corpuscle::gas {
 ///
 /// One hit on a light facet is a kick of tens of m/s, so what hits bring is owed to the nodes and
 /// released at the rate owed / time: dP = owed (1 - exp(-dt / time)). Nothing is lost: what is owed
-/// goes to the node in the end. Each hit is shared among its facet's nodes by barycentric weight.
+/// goes to the node in the end. Each hit is shared among its facet's nodes by barycentric weight. A
+/// held node moves as it is told, whatever hits it: there impulse is passed on at once, so that the
+/// work is done where it arose.
 class ImpulseStore {
 public:
-    ImpulseStore(std::size_t node_count, std::span<const Index> nodes, double time);
+    /// @param held  N: 1 for nodes that supports, motions or rigid bodies carry
+    ImpulseStore(std::size_t node_count, std::span<const Index> nodes,
+                 std::span<const std::uint8_t> held, double time);
 
     /// Takes in a step's hits, in their order.
     void receive(const FlightResult& flight, std::span<const Triangle> triangles);
@@ -36,6 +41,7 @@ public:
 
 private:
     std::vector<Index> nodes_;
+    std::vector<std::uint8_t> held_;  ///< by place in nodes_
     double time_;              ///< [s]
     std::vector<Vec3> owed_;   ///< N × 3   [N s]
     std::vector<Vec3> force_;  ///< N × 3, of the last release  [N]

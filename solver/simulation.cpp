@@ -129,12 +129,21 @@ void Simulation::build_fabric() {
     }
 }
 
+/// 1 for nodes that supports, motions or rigid bodies carry in every direction.
+std::vector<std::uint8_t> Simulation::held_nodes() const {
+    std::vector<std::uint8_t> held(model_.x.size(), 0);
+    for (std::size_t n = 0; n < held.size(); ++n) held[n] = supports_.held()[n] == 7;
+    for (const RigidBody& body : bodies_)
+        for (const Index node : body.nodes()) held[node] = 1;
+    return held;
+}
+
 void Simulation::build_bags(std::uint64_t seed) {
     std::vector<std::string> faults;
     for (const gas::BagCard& card : model_.bags) {
         try {
             bags_.emplace_back(card, bag_walls(model_, card), model_.curves, model_.node_id,
-                               model_.x, seed);
+                               held_nodes(), model_.x, seed);
             const auto& found = bags_.back().warnings();
             model_.warnings.insert(model_.warnings.end(), found.begin(), found.end());
         } catch (const InputError& error) {
@@ -145,11 +154,7 @@ void Simulation::build_bags(std::uint64_t seed) {
 }
 
 void Simulation::build_contacts() {
-    std::vector<std::uint8_t> held(model_.x.size(), 0);
-    for (std::size_t n = 0; n < held.size(); ++n) held[n] = supports_.held()[n] == 7;
-    for (const RigidBody& body : bodies_)
-        for (const Index node : body.nodes()) held[node] = 1;
-
+    const std::vector<std::uint8_t> held = held_nodes();
     for (const contact::SelfContactCard& card : model_.contacts) {
         SceneTriangles facets = triangles_of(model_, marked(card.parts, model_.parts.size()));
         std::vector<double> thickness;

@@ -78,6 +78,7 @@ private:
     void build_fabric();
     void build_bags(std::uint64_t seed);
     void build_contacts();
+    [[nodiscard]] std::vector<std::uint8_t> held_nodes() const;
 
     void find_forces(double dt, double span, Stopwatch& lap);
     void add_mass_damping();
