@@ -36,30 +36,6 @@ constexpr double STRESS_FROM = 5.0;
 /// Of a matrix's trace: with smaller pivots it is singular but for noise.
 constexpr double FLATTEST = 1e-9;
 
-/// Sum of m a bᵀ.
-Mat3 moment(const std::vector<double>& m, const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-    Mat3 sum = Mat3::Zero();
-    for (std::size_t i = 0; i < m.size(); ++i) {
-        const Vec3 ma = m[i] * a[i];
-        sum += ma * b[i].transpose();
-    }
-    return sum;
-}
-
-/// Positions from the centre of mass.
-void gather_places(std::span<const Index> rows, const Particles& particles, const Swarm& swarm,
-                   std::vector<Vec3>& dx) {
-    dx.resize(rows.size());
-    const Vec3 near = particles.x[rows[0]];
-    Vec3 mean = Vec3::Zero();
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        dx[i] = particles.x[rows[i]] - near;
-        mean += swarm.m[i] * dx[i];
-    }
-    mean /= swarm.mass;
-    for (Vec3& d : dx) d -= mean;
-}
-
 /// L with L Lᵀ = P, unless P is all but singular: Cholesky, 3 sqrt.
 std::optional<Mat3> lower_factor(const Mat3& P) {
     const double least = FLATTEST * P.trace();
@@ -89,16 +65,16 @@ Mat3 inverse_of(const Mat3& L) {
 class GradientFit {
 public:
     /// None for a group that is too small, or all but in a plane.
-    static std::optional<GradientFit> of(const Swarm& swarm, const std::vector<Vec3>& dx) {
+    static std::optional<GradientFit> of(const Swarm& swarm) {
         if (swarm.size() < FIT_FROM) return std::nullopt;
-        const std::optional<Mat3> L = lower_factor(moment(swarm.m, dx, dx));
+        const std::optional<Mat3> L = lower_factor(swarm.moment(swarm.dx, swarm.dx));
         if (!L) return std::nullopt;
         return GradientFit(inverse_of(*L));
     }
     /// Takes the gradient out of c and returns it: G = sum m c dxᵀ S⁻¹, S = sum m dx dxᵀ.  [1/s]
-    Mat3 take_out(const std::vector<Vec3>& dx, Swarm& swarm) const {
-        const Mat3 G = moment(swarm.m, swarm.c, dx) * inverse_L_.transpose() * inverse_L_;
-        add_gradient(-G, dx, swarm);
+    Mat3 take_out(Swarm& swarm) const {
+        const Mat3 G = swarm.moment(swarm.c, swarm.dx) * inverse_L_.transpose() * inverse_L_;
+        swarm.add_gradient(-G);
         return G;
     }
     /// A gradient as thermal agitation makes it at kT: rows are normal with covariance kT S⁻¹.
@@ -106,9 +82,6 @@ public:
         Mat3 normal;
         for (int i = 0; i < 9; ++i) normal(i) = draw.normal();
         return std::sqrt(kT) * normal * inverse_L_;
-    }
-    static void add_gradient(const Mat3& G, const std::vector<Vec3>& dx, Swarm& swarm) {
-        for (std::size_t i = 0; i < dx.size(); ++i) swarm.c[i] += G * dx[i];
     }
 
 private:
@@ -124,14 +97,6 @@ Mat3 random_rotation(Random& draw) {
     const double r = std::sqrt(1.0 - u), s = std::sqrt(u);
     return Eigen::Quaterniond(s * std::cos(b), r * std::sin(a), r * std::cos(a), s * std::sin(b))
         .toRotationMatrix();
-}
-
-/// Close to standard normal: the sum of four uniform numbers. Stress noise needs no tails.
-double nearly_normal(Random& draw) {
-    constexpr double SQRT_3 = std::numbers::sqrt3;
-    const std::uint32_t a = draw.bits(), b = draw.bits();
-    const std::uint32_t sum = (a & 0xffffU) + (a >> 16) + (b & 0xffffU) + (b >> 16);
-    return SQRT_3 * ((sum + 2.0) * 0x1p-16 - 2.0);
 }
 
 /// A factor, F Fᵀ ~ P', of the stress wanted after the collision: that of P turned round.
@@ -177,45 +142,42 @@ Mat3 mapping(const Mat3& P, const Mat3& F, Random& draw) {
 /// temperature but slowly. They would lose angular momentum: so c, which has no gradient, is lent a
 /// thermal one, and whatever gradient it has afterwards is taken out. At equilibrium that leaves c
 /// as it was distributed.
-void exchange(const std::optional<GradientFit>& fit, const std::vector<Vec3>& dx, double kT,
-              Swarm& swarm, Random& draw) {
-    if (fit) GradientFit::add_gradient(fit->thermal(kT, draw), dx, swarm);
+void exchange(const std::optional<GradientFit>& fit, double kT, Swarm& swarm, Random& draw) {
+    if (fit) swarm.add_gradient(fit->thermal(kT, draw));
     swarm.collide_pairs(draw);
-    if (fit) fit->take_out(dx, swarm);
+    if (fit) fit->take_out(swarm);
 }
 
-bool collide_group(const CollisionStep& step, const std::vector<Vec3>& dx, Swarm& swarm,
-                   Random& draw) {
+bool collide_group(const CollisionStep& step, Swarm& swarm, Random& draw) {
     const double E_all = swarm.translational();
-    if (is_rigid(swarm, E_all)) return relax(step.heat, step.mixture, swarm);
+    if (is_rigid(swarm, E_all)) return relax(step.heat, step.mixture, swarm, draw);
     const double energy = step.heat * (E_all + swarm.internal());
 
     // Motion in common: U and, where it can be fitted, G. What is left is c, of energy E_0.
-    const std::optional<GradientFit> fit = GradientFit::of(swarm, dx);
-    const Mat3 G = fit ? fit->take_out(dx, swarm) : Mat3::Zero();
-    const Mat3 P_0 = moment(swarm.m, swarm.c, swarm.c);
+    const std::optional<GradientFit> fit = GradientFit::of(swarm);
+    const Mat3 G = fit ? fit->take_out(swarm) : Mat3::Zero();
+    const Mat3 P_0 = swarm.moment(swarm.c, swarm.c);
     const double E_0 = 0.5 * P_0.trace();
     const double E_gradient = E_all - E_0;
 
     // Its energy at equilibrium, E_1.
     const double along_each_axis = static_cast<double>(swarm.size()) - (fit ? 4.0 : 1.0);
     const double freedom = 3.0 * along_each_axis;
-    const double T = equilibrium_temperature(energy - E_gradient, freedom, step.mixture.half_heat(),
-                                             swarm.internal_at());
-    if (!(T > 0.0) || is_rigid(swarm, E_0)) {
-        GradientFit::add_gradient(G, dx, swarm);
-        return relax(step.heat, step.mixture, swarm);
+    std::optional<double> E_1;
+    if (!is_rigid(swarm, E_0)) E_1 = share(energy - E_gradient, freedom, step.mixture, swarm, draw);
+    if (!E_1) {
+        swarm.add_gradient(G);
+        return relax(step.heat, step.mixture, swarm, draw);
     }
-    const double E_1 = energy - E_gradient - set_internal(T, step.mixture, swarm);
 
-    if (swarm.is_mixed()) exchange(fit, dx, 2.0 * E_0 / freedom, swarm, draw);
-    const Mat3 P = swarm.is_mixed() ? moment(swarm.m, swarm.c, swarm.c) : P_0;
+    if (swarm.is_mixed()) exchange(fit, 2.0 * E_0 / freedom, swarm, draw);
+    const Mat3 P = swarm.is_mixed() ? swarm.moment(swarm.c, swarm.c) : P_0;
     const Mat3 A = along_each_axis >= STRESS_FROM
                        ? mapping(P, turned_factor(P_0, along_each_axis, draw), draw)
                        : random_rotation(draw);
-    const double exact = std::sqrt(2.0 * E_1 / (A * P * A.transpose()).trace());
-    for (std::size_t i = 0; i < swarm.size(); ++i)
-        swarm.c[i] = exact * (A * swarm.c[i]) + G * dx[i];
+    const double exact = std::sqrt(2.0 * *E_1 / (A * P * A.transpose()).trace());
+    swarm.transform(exact * A);
+    swarm.add_gradient(G);
     return true;
 }
 
@@ -223,9 +185,8 @@ bool collide_group(const CollisionStep& step, const std::vector<Vec3>& dx, Swarm
 
 CollisionReport collide_lin(const CollisionStep& step, Particles& particles) {
     return for_each_group(step, particles, [&](Swarm& swarm, Random& draw, auto rows) {
-        thread_local std::vector<Vec3> dx;
-        gather_places(rows, particles, swarm, dx);
-        return collide_group(step, dx, swarm, draw);
+        swarm.gather_places(rows, particles);
+        return collide_group(step, swarm, draw);
     });
 }
 

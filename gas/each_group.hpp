@@ -22,6 +22,7 @@ CollisionReport for_each_group(const CollisionStep& step, Particles& particles,
         [&](std::size_t g) -> std::size_t {
             thread_local Swarm swarm;
             const auto rows = step.groups[g];
+            if (g + 1 < step.groups.size()) prefetch(step.groups[g + 1], particles);
             swarm.gather(rows, step.mixture, particles);
             Random draw(step.seed, Stream::COLLISION, step.step, g);
             const bool is_relaxed = collide_one(swarm, draw, rows);

@@ -4,10 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {
+
+namespace {
+
+constexpr double MOST_NOISE = 0.8;  ///< share of the smaller part that fluctuation may take away
+
+}  // namespace
 
 double thermal_energy(const Lists& groups, const Mixture& mixture, const Particles& particles) {
     constexpr std::size_t GROUPS_A_CHUNK = 64;
@@ -34,38 +41,46 @@ bool is_rigid(const Swarm& swarm, double translational) {
     return translational <= ROUNDING * 0.5 * swarm.mass * swarm.U.squaredNorm();
 }
 
-double set_internal(double T, const Mixture& mixture, Swarm& swarm) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < swarm.size(); ++i) {
-        swarm.e[i] = mixture.particle_internal(swarm.species[i])(T);
-        sum += swarm.e[i];
-    }
-    return sum;
+std::optional<double> share(double energy, double freedom, const Mixture& mixture, Swarm& swarm,
+                            Random& draw) {
+    const EnergyPolynomial& internal_at = swarm.internal_at();
+    const double T = equilibrium_temperature(energy, freedom, mixture.half_heat(), internal_at);
+    if (!(T > 0.0)) return std::nullopt;
+    const double internal = swarm.set_internal(T, mixture);
+
+    const double C_t = freedom * mixture.half_heat(), C_i = internal_at.slope(T);
+    const double least = std::min(internal, energy - internal);
+    if (!(C_i > 0.0 && least > 0.0)) return energy - internal;  // a monatomic gas
+    const double spread = T * std::sqrt(2.0 * mixture.half_heat() * C_t * C_i / (C_t + C_i));
+    // In groups of two or three the tails are cut, evenly, so that no part is used up.
+    const double more =
+        std::clamp(spread * nearly_normal(draw), -MOST_NOISE * least, MOST_NOISE * least);
+    swarm.scale_internal(1.0 + more / internal);
+    return energy - swarm.internal();
 }
 
-void scale_energies(double heat, Swarm& swarm) {
-    swarm.scale(std::sqrt(heat));
-    for (double& e : swarm.e) e *= heat;
-}
-
-bool relax(double heat, const Mixture& mixture, Swarm& swarm) {
+bool relax(double heat, const Mixture& mixture, Swarm& swarm, Random& draw) {
     const double translational = swarm.translational();
-    const double internal = swarm.internal();
-    const double energy = heat * (translational + internal);
+    const double energy = heat * (translational + swarm.internal());
     if (is_rigid(swarm, translational)) {
-        for (double& e : swarm.e) e *= heat;
+        swarm.scale_internal(heat);
         return true;
     }
     const double freedom = 3.0 * (static_cast<double>(swarm.size()) - 1.0);
-    const double T =
-        equilibrium_temperature(energy, freedom, mixture.half_heat(), swarm.internal_at());
-    if (std::isnan(T)) {
-        scale_energies(heat, swarm);
-        return false;
+    const std::optional<double> left = share(energy, freedom, mixture, swarm, draw);
+    if (left) {
+        swarm.scale(std::sqrt(*left / translational));
+    } else {
+        swarm.scale(std::sqrt(heat));
+        swarm.scale_internal(heat);
     }
-    const double left = energy - set_internal(T, mixture, swarm);
-    swarm.scale(std::sqrt(std::max(0.0, left) / translational));  // 0 at T = 0, but for rounding
-    return true;
+    return left.has_value();
+}
+
+double nearly_normal(Random& draw) {
+    const std::uint32_t a = draw.bits(), b = draw.bits();
+    const std::uint32_t sum = (a & 0xffffU) + (a >> 16) + (b & 0xffffU) + (b >> 16);
+    return std::numbers::sqrt3 * ((sum + 2.0) * 0x1p-16 - 2.0);
 }
 
 }  // namespace corpuscle::gas

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "gas/groups.hpp"
 #include "gas/swarm.hpp"
 
@@ -19,16 +21,23 @@ double equilibrium_temperature(double energy, double freedom, double half_heat,
 /// Is c nothing but rounding? A lone particle and a cold jet have no thermal motion to be scaled.
 bool is_rigid(const Swarm& swarm, double translational);
 
-/// Gives every particle its internal energy at T; returns the sum.                             [J]
-double set_internal(double T, const Mixture& mixture, Swarm& swarm);
+/// Shares `energy` between translation and internal energy as at equilibrium (eq. 18-21): sets e
+/// and returns what is left for translation, exactly. None, and nothing done, when no temperature
+/// holds it.
+///
+/// At a given energy the shares fluctuate, with variance k T² C_t C_i / (C_t + C_i) (C: the two
+/// parts' heat capacities), and so they do here. Without this the groups' common motion, that
+/// compression and relaxation damp, would be colder than the gas.
+std::optional<double> share(double energy, double freedom, const Mixture& mixture, Swarm& swarm,
+                            Random& draw);
 
-/// Shares a swarm's thermal energy, times `heat`, between translation and internal energy as at
-/// equilibrium (eq. 18-21): one factor on c, a new e each. Exact in energy and momentum. The heat
-/// of a rigid swarm goes to its internal energy. Where no temperature holds the energy both parts
-/// are multiplied by `heat`, and false is returned.
-bool relax(double heat, const Mixture& mixture, Swarm& swarm);
+/// Shares out a swarm's thermal energy times `heat`: one factor on c, a new e each. Exact in energy
+/// and momentum. The heat of a rigid swarm goes to its internal energy. Where no temperature holds
+/// the energy both parts are multiplied by `heat`, and false is returned.
+bool relax(double heat, const Mixture& mixture, Swarm& swarm, Random& draw);
 
-/// As relax(), where nothing can be shared.
-void scale_energies(double heat, Swarm& swarm);
+/// Close to standard normal, never beyond 3.5: the sum of four uniform numbers. Noise needs no
+/// tails.
+double nearly_normal(Random& draw);
 
 }  // namespace corpuscle::gas
