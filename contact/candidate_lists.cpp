@@ -25,10 +25,6 @@ bool has_node(const Triangle& t, Index node) {
     return t[0] == node || t[1] == node || t[2] == node;
 }
 
-bool by_key(const PairMemory& memory, std::uint64_t key) {
-    return memory.key < key;
-}
-
 }  // namespace
 
 void Candidates::start(const Points& x, const Points& v, double t, double dt) {
@@ -37,12 +33,7 @@ void Candidates::start(const Points& x, const Points& v, double t, double dt) {
     crossing_ = crossings(cloth_.triangles, cloth_.patches, x);
     bar_crossing_pairs(x);
     build(x, v, t, dt);
-    for (std::size_t i = 0; i < list_.size(); ++i)
-        if (least_distance(i) < thickness(i)) {
-            PairMemory& memory = make_memory(i);
-            memory.short_by = thickness(i) - least_distance(i);
-            memory.born = t;
-        }
+    for (std::size_t i = 0; i < list_.size(); ++i) give_gentle_gap(i, t);
 }
 
 void Candidates::build(const Points& x, const Points& v, double t, double dt) {
@@ -60,14 +51,29 @@ void Candidates::build(const Points& x, const Points& v, double t, double dt) {
         freed = barred_;
         bar_crossing_pairs(x);
     }
-    for (std::size_t i = 0; i < boxes_.size(); ++i) {
-        boxes_[i] = Box{};
-        for (const Index node : cloth_.triangles[i]) include(node, x, boxes_[i]);
-        boxes_[i].inflate(0.5 * reach_ * cloth_.greatest_thickness + budget_);
-    }
-    near_triangles_.update(boxes_);
+    sort_memories();
+    set_boxes(x);
+    near_triangles_.update(triangle_box_);
     list_pairs(x);
-    find_memories(freed, t);
+    forget_parted_pairs();
+    if (!freed.empty()) give_gentle_gaps(freed, t);
+}
+
+/// Boxes of what nodes and triangles may reach; two of them overlap where a gap may come within
+/// reach.
+void Candidates::set_boxes(const Points& x) {
+    const double margin = 0.5 * reach_ * cloth_.greatest_thickness + budget_;
+    parallel::for_each(x.size(), [&](std::size_t n) {
+        const Vec3 sweep = life_ * motion_.velocity(static_cast<Index>(n));
+        node_box_[n] = {x[n] + sweep.cwiseMin(0.0), x[n] + sweep.cwiseMax(0.0)};
+        node_box_[n].inflate(margin);
+    });
+    parallel::for_each(triangle_box_.size(), [&](std::size_t t) {
+        const auto& [a, b, c] = cloth_.triangles[t];
+        triangle_box_[t] = node_box_[a];
+        triangle_box_[t].include(node_box_[b]);
+        triangle_box_[t].include(node_box_[c]);
+    });
 }
 
 void Candidates::list_pairs(const Points& x) {
@@ -96,15 +102,10 @@ void Candidates::list_pairs_of(Index a, Index b, const Points& x, Chunk& out) co
     const Triangle& ta = cloth_.triangles[a];
     const Triangle& tb = cloth_.triangles[b];
     const Index p = cloth_.patch_of[a], q = cloth_.patch_of[b];
-    const double margin = 0.5 * reach_ * cloth_.greatest_thickness + budget_;
     const double h = 0.5 * (cloth_.thickness[a] + cloth_.thickness[b]);
     const auto node_against = [&](Index node, Index t) {
         const Triangle& n = cloth_.triangles[t];
-        if (has_node(n, node)) return;
-        Box box;
-        include(node, x, box);
-        box.inflate(margin);
-        if (!box.overlaps(boxes_[t])) return;
+        if (has_node(n, node) || !node_box_[node].overlaps(triangle_box_[t])) return;
         consider({{node, n[0], n[1], n[2]}, false}, h, key_of(false, node, t), p, q, x, out);
     };
     for (int k = 0; k < 3; ++k) {
@@ -112,22 +113,20 @@ void Candidates::list_pairs_of(Index a, Index b, const Points& x, Chunk& out) co
         if (cloth_.owns_node(b, k)) node_against(tb[k], a);
         if (!cloth_.owns_edge(a, k)) continue;
         const Index i = ta[k], j = ta[(k + 1) % 3];
-        Box edge = edge_box(i, j, x);
-        edge.inflate(2.0 * margin);
+        const Box edge = edge_box(i, j);
         for (int m = 0; m < 3; ++m) {
             const Index r = tb[m], s = tb[(m + 1) % 3];
             if (!cloth_.owns_edge(b, m) || i == r || i == s || j == r || j == s) continue;
-            if (!edge.overlaps(edge_box(r, s, x))) continue;
+            if (!edge.overlaps(edge_box(r, s))) continue;
             consider({{i, j, r, s}, true}, h, key_of(true, cloth_.edge[a][k], cloth_.edge[b][m]), p,
                      q, x, out);
         }
     }
 }
 
-Box Candidates::edge_box(Index a, Index b, const Points& x) const {
-    Box box;
-    include(a, x, box);
-    include(b, x, box);
+Box Candidates::edge_box(Index a, Index b) const {
+    Box box = node_box_[a];
+    box.include(node_box_[b]);
     return box;
 }
 
@@ -147,14 +146,13 @@ double Candidates::approach_speed(const Pair& pair) const {
 /// Keeps a pair that may come within reach while the lists live.
 void Candidates::consider(const Pair& pair, double thickness, std::uint64_t key, Index p, Index q,
                           const Points& x, Chunk& out) const {
-    double mobility = 0.0;
-    for (const Index node : pair.node) mobility += cloth_.inverse_mass[node];
-    if (mobility == 0.0) return;  // held against held
-
     const double gap = nearest(pair, x).apart.norm();
-    if (gap > reach_ * thickness + 2.0 * budget_ + life_ * approach_speed(pair)) return;
-    if (std::binary_search(barred_.begin(), barred_.end(), key)) return;
-    out.list.push_back({pair, -1, thickness, key, false});
+    const double certain = reach_ * thickness + 2.0 * budget_;
+    if (gap > certain && gap > certain + life_ * approach_speed(pair)) return;
+    if (cloth_.is_held(pair) || std::binary_search(barred_.begin(), barred_.end(), key)) return;
+    // only what is near has anything to remember
+    const Index memory = gap <= reach_ * thickness ? memory_row(key) : -1;
+    out.list.push_back({pair, memory, thickness, key, false});
     out.watch.push_back({gap + motion_.way(p) + motion_.way(q), p, q});
 }
 
@@ -176,26 +174,46 @@ void Candidates::bar_crossing_pairs(const Points& x) {
     std::sort(barred_.begin(), barred_.end());
 }
 
-/// Gives the new list what the old one remembered; pairs that were barred until now start with
-/// their gap.
-void Candidates::find_memories(const std::vector<std::uint64_t>& freed, double t) {
-    std::vector<PairMemory> old;
-    old.swap(memories_);
-    std::erase_if(old, [](const PairMemory& m) { return m.account == 0.0 && m.short_by == 0.0; });
-    std::sort(old.begin(), old.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
-    if (old.empty() && freed.empty()) return;
-    for (std::size_t i = 0; i < list_.size(); ++i) {
-        if (!is_due(i)) continue;  // only what is near has anything to remember
-        const auto known = std::lower_bound(old.begin(), old.end(), list_[i].key, by_key);
-        if (known != old.end() && known->key == list_[i].key) {
-            make_memory(i) = *known;
-        } else if (std::binary_search(freed.begin(), freed.end(), list_[i].key) &&
-                   least_distance(i) < thickness(i)) {
-            PairMemory& memory = make_memory(i);
-            memory.short_by = thickness(i) - least_distance(i);
-            memory.born = t;
-        }
+/// Keeps the memories that say something, in the order of their keys.
+void Candidates::sort_memories() {
+    std::erase_if(memories_, [](const PairMemory& m) { return m.is_empty(); });
+    std::sort(memories_.begin(), memories_.end(),
+              [](const auto& a, const auto& b) { return a.key < b.key; });
+}
+
+/// Forgets the memories of pairs that are not in the list any more; their accounts are not lost.
+void Candidates::forget_parted_pairs() {
+    std::vector<std::uint8_t> is_used(memories_.size(), 0);
+    for (const Candidate& c : list_)
+        if (c.memory >= 0) is_used[c.memory] = 1;
+    for (std::size_t m = 0; m < memories_.size(); ++m) {
+        if (is_used[m]) continue;
+        parted_accounts_ += memories_[m].account;
+        memories_[m].account = memories_[m].short_by = 0.0;
     }
+}
+
+Index Candidates::memory_row(std::uint64_t key) const {
+    const auto by_key = [](const PairMemory& memory, std::uint64_t k) { return memory.key < k; };
+    const auto known = std::lower_bound(memories_.begin(), memories_.end(), key, by_key);
+    const bool is_known = known != memories_.end() && known->key == key;
+    return is_known ? static_cast<Index>(known - memories_.begin()) : -1;
+}
+
+/// Pairs that are nearer than their contact thickness start with the gap that they have.
+void Candidates::give_gentle_gaps(const std::vector<std::uint64_t>& keys, double t) {
+    for (std::size_t i = 0; i < list_.size(); ++i) {
+        if (!std::binary_search(keys.begin(), keys.end(), list_[i].key)) continue;
+        give_gentle_gap(i, t);
+    }
+}
+
+void Candidates::give_gentle_gap(std::size_t i, double t) {
+    const double short_by = thickness(i) - least_distance(i);
+    if (short_by <= 0.0) return;
+    PairMemory& memory = make_memory(i);
+    memory.short_by = short_by;
+    memory.born = t;
 }
 
 }  // namespace corpuscle::contact

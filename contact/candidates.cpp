@@ -27,7 +27,8 @@ Candidates::Candidates(const Cloth& cloth, double reach)
       motion_(cloth),
       near_triangles_(cloth.patches),
       budget_(4.0 * cloth.greatest_thickness),
-      boxes_(cloth.triangles.size()) {}
+      node_box_(cloth.inverse_mass.size()),
+      triangle_box_(cloth.triangles.size()) {}
 
 void Candidates::foresee(const Points& x, const Points& v, double t, double dt) {
     motion_.foresee(x, v, dt);

@@ -20,6 +20,8 @@ struct PairMemory {
     double account = 0.0;   ///< energy that repulsion has taken and not given back            [J]
     double short_by = 0.0;  ///< contact thickness less the gap it was first seen with         [m]
     double born = 0.0;      ///< when that was                                                 [s]
+
+    [[nodiscard]] bool is_empty() const { return account == 0.0 && short_by == 0.0; }
 };
 
 /// Pairs that are near enough to be looked at.
@@ -70,6 +72,9 @@ public:
     }
     PairMemory& make_memory(std::size_t i);
 
+    /// Sum of the accounts of pairs that have gone out of reach since the last call.           [J]
+    double take_parted_accounts() { return std::exchange(parted_accounts_, 0.0); }
+
     /// Triangles that crossed at the start and still do, rows i < j, sorted. Their pairs do not
     /// push.
     [[nodiscard]] const std::vector<std::pair<Index, Index>>& crossing() const { return crossing_; }
@@ -96,37 +101,37 @@ private:
         const Watch& w = watch_[i];
         return w.sum - motion_.way(w.first) - motion_.way(w.second);
     }
-    /// Box of what a node may reach while the lists live; two of them overlap where a gap may come
-    /// within reach.
-    void include(Index node, const Points& x, Box& box) const {
-        box.include(x[node]);
-        box.include(Vec3(x[node] + life_ * motion_.velocity(node)));
-    }
-    [[nodiscard]] Box edge_box(Index a, Index b, const Points& x) const;
     [[nodiscard]] bool are_spent(double dt) const;
     void build(const Points& x, const Points& v, double t, double dt);
     void set_budget(double dt);
+    void set_boxes(const Points& x);
     void list_pairs(const Points& x);
+    [[nodiscard]] Box edge_box(Index a, Index b) const;
     void list_pairs_of(Index a, Index b, const Points& x, Chunk& out) const;
     void consider(const Pair& pair, double thickness, std::uint64_t key, Index p, Index q,
                   const Points& x, Chunk& out) const;
     [[nodiscard]] double approach_speed(const Pair& pair) const;
     [[nodiscard]] double neighbours_thickness(const Pair& pair) const;
     void bar_crossing_pairs(const Points& x);
-    void find_memories(const std::vector<std::uint64_t>& freed, double t);
+    void sort_memories();
+    void forget_parted_pairs();
+    [[nodiscard]] Index memory_row(std::uint64_t key) const;
+    void give_gentle_gaps(const std::vector<std::uint64_t>& keys, double t);
+    void give_gentle_gap(std::size_t i, double t);
 
     const Cloth& cloth_;
     double reach_;
     Motion motion_;
     TrianglePairs near_triangles_;
-    double budget_;           ///< stray at which the lists are spent             [m]
-    double steps_ = 4.0;      ///< that they are meant to live
-    double life_ = 0.0;       ///< age at which they are spent                    [s]
-    std::vector<Box> boxes_;  ///< of what triangles may reach                    [m]
+    double budget_;       ///< stray at which the lists are spent             [m]
+    double steps_ = 4.0;  ///< that they are meant to live
+    double life_ = 0.0;   ///< age at which they are spent                    [s]
+    std::vector<Box> node_box_, triangle_box_;  ///< of what they may reach                     [m]
     std::vector<Candidate> list_;
     std::vector<Watch> watch_;
     std::vector<Chunk> chunks_;
     std::vector<PairMemory> memories_;
+    double parted_accounts_ = 0.0;  ///< [J]
     std::vector<std::pair<Index, Index>> crossing_;
     std::vector<std::uint64_t> barred_;  ///< pairs of crossing triangles, ascending
     std::size_t builds_ = 0;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact/cards.hpp"
+#include "contact/distance.hpp"
 #include "contact/patches.hpp"
 #include "solver/base/curve.hpp"
 #include "solver/base/surface.hpp"
@@ -57,6 +58,12 @@ struct Cloth {
     [[nodiscard]] bool owns_node(Index triangle, int k) const { return owned[triangle] >> k & 1; }
     [[nodiscard]] bool owns_edge(Index triangle, int k) const {
         return owned[triangle] >> (3 + k) & 1;
+    }
+    /// Whether nothing can move the pair.
+    [[nodiscard]] bool is_held(const Pair& pair) const {
+        double mobility = 0.0;
+        for (const Index node : pair.node) mobility += inverse_mass[node];
+        return mobility == 0.0;
     }
     [[nodiscard]] bool are_beside(Index node, Index other) const;
 };

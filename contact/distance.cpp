@@ -12,10 +12,37 @@ double share(double part, double whole) {
     return whole > 0.0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0;
 }
 
+/// Foot on the nearest of the three edges.
+TriangleFoot foot_on_edges(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+    constexpr std::array REGION{TriangleRegion::EDGE_01, TriangleRegion::EDGE_12,
+                                TriangleRegion::EDGE_20};
+    const std::array<const Vec3*, 3> x{&a, &b, &c};
+    TriangleFoot best{};
+    double least = INF;
+    for (int k = 0; k < 3; ++k) {
+        const int next = (k + 1) % 3;
+        const Vec3 edge = *x[next] - *x[k];
+        const double t = share(edge.dot(p - *x[k]), edge.squaredNorm());
+        const double distance = (p - *x[k] - t * edge).squaredNorm();
+        if (distance >= least) continue;
+        least = distance;
+        best.region = REGION[k];
+        best.weights.setZero();
+        best.weights[k] = 1.0 - t;
+        best.weights[next] = t;
+    }
+    return best;
+}
+
 }  // namespace
 
 TriangleFoot foot_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 ab = b - a, ac = c - a;
+    // without area the signs below are rounding; the edges are all there is, to 1e-6 of a length
+    constexpr double SLIVER = 1e-12;
+    if (ab.cross(ac).squaredNorm() <= SLIVER * ab.squaredNorm() * ac.squaredNorm())
+        return foot_on_edges(p, a, b, c);
+
     const Vec3 ap = p - a;
     const double d1 = ab.dot(ap), d2 = ac.dot(ap);
     if (d1 <= 0.0 && d2 <= 0.0) return {TriangleRegion::NODE_0, {1, 0, 0}};

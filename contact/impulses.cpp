@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "contact/repulsion.hpp"
 
@@ -20,17 +21,18 @@ constexpr double HALF = 0.5;      ///< of the remaining gap that one step may us
 Impulses::Impulses(const Cloth& cloth, const SelfContactCard& card) : cloth_(cloth), card_(card) {}
 
 void Impulses::apply(double span, double dt, ContactList& contacts, Candidates& pairs, Points& v) {
+    pool_ += pairs.take_parted_accounts();
     contacts.for_each([&](Contact& c) {
         c.impulse = span * c.force;
-        if (c.force == 0.0) {
-            if (PairMemory* parted = pairs.memory(c.pair)) parted->account = 0.0;
-            return;
-        }
-        PairMemory& memory = pairs.make_memory(c.pair);
-        memory.account += c.impulse * (c.rest_rate - 0.5 * (c.rate_before + c.rate(v)));
+        if (c.force > 0.0)
+            pairs.make_memory(c.pair).account +=
+                c.impulse * (c.rest_rate - 0.5 * (c.rate_before + c.rate(v)));
+        else if (PairMemory* const parted = pairs.memory(c.pair);
+                 parted != nullptr && c.gap >= c.rest)
+            pool_ += std::exchange(parted->account, 0.0);
     });
     contacts.for_each([&](Contact& c) {
-        if (c.force > 0.0) settle(span, c, pairs.make_memory(c.pair), v);
+        if (c.force > 0.0) settle(span, c, pairs.make_memory(c.pair).account, v);
     });
     bool is_stopped = true;
     for (int sweep = 0; sweep < SWEEPS && is_stopped; ++sweep) {
@@ -40,25 +42,45 @@ void Impulses::apply(double span, double dt, ContactList& contacts, Candidates& 
 }
 
 /// Repayment, damping and friction of a contact that pushes.
-void Impulses::settle(double span, Contact& c, PairMemory& memory, Points& v) {
+void Impulses::settle(double span, Contact& c, double& account, Points& v) {
     const double rate = c.rate(v);
-    double repay = 0.0;
-    if (memory.account < 0.0 && rate > 0.0) {
-        const double left = rate * rate + 2.0 * memory.account / c.mass;
-        repay = c.mass * ((left > 0.0 ? std::sqrt(left) : 0.0) - rate);
-        repay = std::max(repay, -c.impulse);  // contacts do not pull
-        memory.account -= repay * (rate + 0.5 * repay / c.mass);
-    }
+    const double repay = repay_debt(rate, c, account);
+    const double repaid = -repay * (rate + 0.5 * repay / c.mass);
     // c dt / m of a dashpot c = 2 zeta k / omega, with the omega dt that the stiffness was found
     // for
     const double zeta = 0.01 * card_.damping;
     const double strength =
         2.0 * zeta * c.stiffness * span * span / (std::sqrt(STIFFNESS) * c.mass);
     const double damp = -c.mass * (rate + repay / c.mass) * strength / (1.0 + strength);
-    const double impulse = std::max(repay + damp, -c.impulse);
+    const double impulse = std::max(repay + damp, -c.impulse);  // contacts do not pull
     c.impulse += impulse;
-    books_.normal += push(impulse, c.normal, c, v);
+    const double taken = push(impulse, c.normal, c, v);
+    account += taken - repaid;
+    books_.normal += taken;
     rub(c.impulse, c, v);
+}
+
+/// Impulse, <= 0, that takes back from a parting pair what repulsion has given beyond what it took,
+/// here or where pairs have parted; none while pairs that have parted took more than they gave.
+double Impulses::repay_debt(double rate, const Contact& c, double& account) {
+    if (account < 0.0 && pool_ > 0.0) {
+        const double drawn = std::min(pool_, -account);
+        account += drawn;
+        pool_ -= drawn;
+    }
+    const double owed = -std::min(account, 0.0) - std::min(pool_, 0.0);
+    if (owed == 0.0 || rate <= 0.0) return 0.0;
+    const double left = rate * rate - 2.0 * owed / c.mass;
+    const double impulse =
+        std::max(c.mass * ((left > 0.0 ? std::sqrt(left) : 0.0) - rate), -c.impulse);
+    double taken = -impulse * (rate + 0.5 * impulse / c.mass);
+    if (account < 0.0) {
+        const double here = std::min(taken, -account);
+        account += here;
+        taken -= here;
+    }
+    pool_ += taken;
+    return impulse;
 }
 
 bool Impulses::limit_approach(double dt, Contact& c, Points& v) {

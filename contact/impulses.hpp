@@ -23,9 +23,10 @@ struct ImpulseBooks {
 /// only take energy; one contact after the other [Gauss-Seidel], so any number may share a node.
 /// Being implicit, they ask nothing of the time step.
 ///
-/// 1. Damping with the fraction VDC of critical, and repayment: what repulsion has given beyond
-/// what it took (a
-///    contact that begins or ends within a step does) is taken back while the pair parts.
+/// 1. Damping with the fraction VDC of critical, and repayment: each pair has an account of what
+/// repulsion and
+///    damping have taken; what it has given beyond that (a contact that begins or ends within a
+///    step does, or one that stiffens) is taken back while it parts.
 /// 2. Friction, Coulomb with FS, FD, DC: full stop of sliding if mu times the normal impulse allows
 /// it.
 /// 3. Limit of approach: in the step ahead no gap may shrink by more than half of what it has above
@@ -50,7 +51,8 @@ public:
     [[nodiscard]] const ImpulseBooks& books() const { return books_; }
 
 private:
-    void settle(double span, Contact& contact, PairMemory& memory, Points& v);
+    void settle(double span, Contact& contact, double& account, Points& v);
+    double repay_debt(double rate, const Contact& contact, double& account);
     bool limit_approach(double dt, Contact& contact, Points& v);
     void rub(double normal_impulse, const Contact& contact, Points& v);
     double push(double impulse, const Vec3& direction, const Contact& contact, Points& v);
@@ -58,6 +60,7 @@ private:
     const Cloth& cloth_;
     const SelfContactCard card_;
     ImpulseBooks books_;
+    double pool_ = 0.0;  ///< what pairs that have parted took, less what they gave back         [J]
 };
 
 }  // namespace corpuscle::contact

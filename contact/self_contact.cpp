@@ -54,6 +54,7 @@ struct SelfContact::State {
 
     void look_at_pairs(const Points& x, const Points& v);
     void set_rest_gap(double thickness, Contact& contact);
+    void let_debtors_part();
     void count();
     [[nodiscard]] Vec3 force_on_free_nodes() const;
 };
@@ -136,6 +137,7 @@ void SelfContact::State::count() {
 void SelfContact::add_force(const Points& /*x*/, const Points& /*v*/, double dt, Points& f) {
     State& s = *state_;
     s.repulsion.find(std::max(dt, s.dt_last), s.contacts);
+    s.let_debtors_part();
     s.repulsion.add(s.contacts, f);
     s.span = 0.5 * (s.dt_last + dt);
     s.dt_last = dt;
@@ -147,6 +149,15 @@ void SelfContact::filter(const Points& x, double dt, Points& v) {
     s.impulses.apply(s.span, dt, s.contacts, s.pairs, v);
     s.guard.stop(x, s.t, dt, s.pairs, s.impulses, v);
     s.force = s.force_on_free_nodes();
+}
+
+/// A pair that has given more energy than it took, and is parting, does not push on.
+void SelfContact::State::let_debtors_part() {
+    contacts.for_each([&](Contact& c) {
+        const PairMemory* const memory = pairs.memory(c.pair);
+        if (memory != nullptr && memory->account < 0.0 && c.rate_before > 0.0)
+            c.force = c.stiffness = 0.0;
+    });
 }
 
 /// Normal impulses alone; friction on held nodes is not in it.

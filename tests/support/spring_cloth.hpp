@@ -14,15 +14,19 @@
 
 namespace corpuscle::support {
 
-/// Point masses and linear springs along the edges of a sheet: the least cloth that contact can be tried on.
-/// Airbag fabric: E 300 MPa, 750 kg/m³, 0.33 mm.
+/// Point masses and linear springs along the edges of a sheet: the least cloth that contact can be
+/// tried on. Airbag fabric: E 300 MPa, 750 kg/m³, 0.33 mm.
 class SpringCloth {
 public:
     static constexpr double THICKNESS = 0.33e-3;  ///< [m]
 
     /// @param rest  node positions at which the springs are free of force
     SpringCloth(const Sheet& sheet, const Points& rest)
-        : x(sheet.x), v(sheet.x.size(), Vec3::Zero()), f(v), mass(x.size(), 0.0), held(x.size(), 0),
+        : x(sheet.x),
+          v(sheet.x.size(), Vec3::Zero()),
+          f(v),
+          mass(x.size(), 0.0),
+          held(x.size(), 0),
           triangles(sheet.triangles) {
         std::set<std::pair<Index, Index>> edges;
         for (const Triangle& t : triangles) {
@@ -49,7 +53,8 @@ public:
     }
     [[nodiscard]] contact::SelfContactSetup setup(const contact::SelfContactCard& card,
                                                   const Points& reference_x) const {
-        return {card, triangles, std::vector<double>(triangles.size(), THICKNESS), mass, reference_x, x,
+        return {card,    triangles,   std::vector<double>(triangles.size(), THICKNESS),
+                mass,    reference_x, x,
                 nullptr, held};
     }
     void add_spring_force() {
@@ -99,20 +104,25 @@ private:
         Index a, b;
         double length;
     };
-    static constexpr double STIFFNESS = 300e6 * THICKNESS * 0.6;  ///< about that of the fabric   [N/m]
+    static constexpr double STIFFNESS =
+        300e6 * THICKNESS * 0.6;  ///< about that of the fabric   [N/m]
     std::vector<Spring> springs_;
 };
 
 /// What a run with contact has come to.
 struct ClothRun {
-    double work_of_contact = 0.0;    ///< of repulsion on the cloth: sum of f · (v before + after) / 2 dt   [J]
-    double work_of_loads = 0.0;      ///< likewise                                                         [J]
-    double work_of_springs = 0.0;    ///< likewise: what leapfrog makes of them, not their energy's change  [J]
-    double peak_strain = 0.0;        ///< greatest strain energy                                           [J]
+    double work_of_contact =
+        0.0;  ///< of repulsion on the cloth: sum of f · (v before + after) / 2 dt   [J]
+    double work_of_loads = 0.0;  ///< likewise [J]
+    double work_of_springs =
+        0.0;  ///< likewise: what leapfrog makes of them, not their energy's change  [J]
+    double work_of_contact_on_free = 0.0;  ///< the same, held nodes left out  [J]
+    double work_of_springs_on_free = 0.0;  ///< likewise  [J]
+    double peak_strain = 0.0;              ///< greatest strain energy [J]
 };
 
-/// n steps of dt and a last half kick, so that velocities live at the same time as positions at both ends.
-/// `load` adds forces to f at t, `watch` sees every state before it moves on.
+/// n steps of dt and a last half kick, so that velocities live at the same time as positions at
+/// both ends. `load` adds forces to f at t, `watch` sees every state before it moves on.
 inline ClothRun run_cloth(SpringCloth& cloth, contact::SelfContact& contact, double dt, int steps,
                           const std::function<void(double, SpringCloth&)>& load,
                           const std::function<void(int)>& watch) {
@@ -133,9 +143,13 @@ inline ClothRun run_cloth(SpringCloth& cloth, contact::SelfContact& contact, dou
         cloth.kick(span);
         for (std::size_t i = 0; i < pushed.size(); ++i) {
             const Vec3 way = 0.5 * span * (before[i] + cloth.v[i]);
+            const Vec3 spring = cloth.f[i] - pushed[i] - loads[i];
             run.work_of_contact += pushed[i].dot(way);
             run.work_of_loads += loads[i].dot(way);
-            run.work_of_springs += (cloth.f[i] - pushed[i] - loads[i]).dot(way);
+            run.work_of_springs += spring.dot(way);
+            if (cloth.held[i]) continue;
+            run.work_of_contact_on_free += pushed[i].dot(way);
+            run.work_of_springs_on_free += spring.dot(way);
         }
         run.peak_strain = std::max(run.peak_strain, cloth.strain_energy());
         if (n == steps) break;
