@@ -59,8 +59,7 @@ Meeting first_meeting(const Scene& scene, const Path& path, const Vec3& from, do
                 const auto facets = scene.lists.in(cell);
                 const auto boxes = scene.lists.boxes_in(cell);
                 for (std::size_t f = 0; f < facets.size(); ++f)
-                    if (boxes[f].overlaps(way))
-                        meet(scene, path, facets[f], after, last, first);
+                    if (boxes[f].overlaps(way)) meet(scene, path, facets[f], after, last, first);
             }
     return first;
 }
@@ -89,14 +88,41 @@ Vec3 reflect(const Scene& scene, const Meeting& meeting, const Vec3& v) {
     return v - 2.0 * approach / plane.normal.squaredNorm() * plane.normal;
 }
 
+/// A particle caught between two closing facets rides with them to the end of the step: it goes to
+/// a point between the places where it last met them, and what it had in speed becomes internal
+/// energy. False when no way there is free.
+bool ride(const Scene& scene, double mass, const Meeting& a, const Meeting& b, const Vec3& from,
+          double now, Vec3& x, Vec3& v, double& internal, std::vector<Hit>& hits) {
+    if (b.facet < 0) return false;
+    const auto ends_at = [&](const Meeting& meeting) {
+        const Triangle& nodes = scene.triangles[meeting.facet];
+        Vec3 at = Vec3::Zero();
+        for (int c = 0; c < 3; ++c) at += meeting.where.at[c] * scene.x_1[nodes[c]];
+        return at;
+    };
+    for (const double share : {0.5, 0.25, 0.75, 0.1, 0.9}) {
+        const Vec3 to = ends_at(a) + share * (ends_at(b) - ends_at(a));
+        const Vec3 riding = (to - from) / ((1.0 - now) * scene.dt);
+        const double heat = 0.5 * mass * (v.squaredNorm() - riding.squaredNorm());
+        const Path path{to - scene.dt * riding, to};
+        if (internal + heat < 0.0 || first_meeting(scene, path, from, now, {}).facet >= 0) continue;
+        hits.push_back({a.facet, a.where.at, mass * (v - riding), 0.0});
+        internal += heat;
+        x = to;
+        v = riding;
+        return true;
+    }
+    return false;
+}
+
 /// Flies one particle to the end of the step; false when it is caught.
-bool fly_one(const Scene& scene, double mass, double born, Vec3& x, Vec3& v,
+bool fly_one(const Scene& scene, double mass, double born, Vec3& x, Vec3& v, double& internal,
              std::vector<Hit>& hits) {
     Vec3 from = x;
     double now = born;
     Path path{from - now * scene.dt * v, from + (1.0 - now) * scene.dt * v};
     double after = born > 0.0 ? born : -1.0;  // a full step counts every crossing, exactly
-    Meeting last;
+    Meeting last, before;
     for (int hit = 0; hit < MOST_HITS; ++hit) {
         const Meeting meeting = first_meeting(scene, path, from, after, last);
         if (meeting.facet < 0) {
@@ -110,11 +136,12 @@ bool fly_one(const Scene& scene, double mass, double born, Vec3& x, Vec3& v,
                         0.5 * mass * (v.squaredNorm() - away.squaredNorm())});
         v = away;
         now = after = stop;
+        before = last;
         last = meeting;
         path = {from - now * scene.dt * v, from + (1.0 - now) * scene.dt * v};
     }
     x = from;
-    return false;
+    return ride(scene, mass, last, before, from, now, x, v, internal, hits);
 }
 
 /// No facet in any cell that the path may touch.
@@ -152,7 +179,7 @@ void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec
             const Vec3 to = gas.x[i] + (1.0 - start) * dt * gas.v[i];
             if (meets_nothing(lists, gas.x[i], to))
                 gas.x[i] = to;
-            else if (!fly_one(scene, mass[gas.species[i]], start, gas.x[i], gas.v[i],
+            else if (!fly_one(scene, mass[gas.species[i]], start, gas.x[i], gas.v[i], gas.e[i],
                               result.hits[chunk]))
                 lost[chunk].push_back({i, gas.x[i]});
         }

@@ -92,7 +92,7 @@ TEST_CASE("parameters and expressions stand for numbers", "[io]") {
     CHECK(model.body_loads.at(0).scale == -0.125);
 }
 
-TEST_CASE("-D goes before *PARAMETER, and expressions see it", "[io]") {
+TEST_CASE("an override with -D goes before *PARAMETER, and expressions see it", "[io]") {
     const DeckFolder folder;
     const Model model = folder.read(WITH_PARAMETERS, {{{"PERIOD", "0.5"}}});
     CHECK(model.output.abstat == 0.5);
@@ -100,7 +100,7 @@ TEST_CASE("-D goes before *PARAMETER, and expressions see it", "[io]") {
     CHECK(model.output.nodout == 1.25);
 }
 
-TEST_CASE("-D of a name that the deck does not have names the nearest", "[io]") {
+TEST_CASE("an override with -D of a name that the deck does not have names the nearest", "[io]") {
     const DeckFolder folder;
     const auto faults = folder.faults(WITH_PARAMETERS, {{{"PEROID", "0.5"}}});
     REQUIRE(faults.size() == 1);
