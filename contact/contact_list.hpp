@@ -14,7 +14,7 @@ namespace corpuscle::contact {
 /// order.
 class ContactList {
 public:
-    static constexpr std::size_t CHUNK = 2048;  ///< candidates; most are skipped
+    static constexpr std::size_t CHUNK = 8192;  ///< candidates; most are skipped, and small scenes are one chunk
 
     void clear(std::size_t candidates) {
         used_ = parallel::chunk_count(candidates, CHUNK);
@@ -34,15 +34,16 @@ public:
         for (std::size_t c = 0; c < used_; ++c)
             for (const Contact& contact : chunk_[c]) body(contact);
     }
-    /// body(contact), in parallel.
+    /// body(contact), in parallel when there are many.
     template <class Body>
     void for_each_apart(Body&& body) {
-        parallel::for_chunks(
+        constexpr std::size_t CHUNKS = 4;
+        parallel::for_each(
             used_,
-            [&](std::size_t begin, std::size_t, std::size_t) {
-                for (Contact& contact : chunk_[begin]) body(contact);
+            [&](std::size_t c) {
+                for (Contact& contact : chunk_[c]) body(contact);
             },
-            1);
+            CHUNKS);
     }
 
 private:
