@@ -14,7 +14,7 @@ namespace corpuscle::contact {
 /// order.
 class ContactList {
 public:
-    static constexpr std::size_t CHUNK = 8192;  ///< candidates; most are skipped, and small scenes are one chunk
+    static constexpr std::size_t CHUNK = 2048;  ///< candidates; most are skipped
 
     void clear(std::size_t candidates) {
         used_ = parallel::chunk_count(candidates, CHUNK);
@@ -34,16 +34,15 @@ public:
         for (std::size_t c = 0; c < used_; ++c)
             for (const Contact& contact : chunk_[c]) body(contact);
     }
-    /// body(contact), in parallel when there are many.
+    /// body(contact), in parallel.
     template <class Body>
     void for_each_apart(Body&& body) {
-        constexpr std::size_t CHUNKS = 4;
-        parallel::for_each(
+        parallel::for_chunks(
             used_,
-            [&](std::size_t c) {
-                for (Contact& contact : chunk_[c]) body(contact);
+            [&](std::size_t begin, std::size_t, std::size_t) {
+                for (Contact& contact : chunk_[begin]) body(contact);
             },
-            CHUNKS);
+            1);
     }
 
 private:

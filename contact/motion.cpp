@@ -10,13 +10,12 @@
 namespace corpuscle::contact {
 namespace {
 
-// what is quickly done is not worth waking threads for
-constexpr std::size_t PATCHES = 400, NODES = 16384;  ///< a chunk
+constexpr std::size_t CHUNK = 16;  ///< patches
 
 template <class Value>
 Vec3 mean_over(const std::vector<Index>& nodes, Value&& value) {
     const auto term = [&](std::size_t i) -> Vec3 { return value(nodes[i]); };
-    return parallel::sum(nodes.size(), Vec3(Vec3::Zero()), term, NODES) /
+    return parallel::sum(nodes.size(), Vec3(Vec3::Zero()), term) /
            static_cast<double>(nodes.size());
 }
 
@@ -32,7 +31,7 @@ Motion::Motion(const Cloth& cloth)
       node_ahead_(velocity_.size(), 0.0) {
     std::sort(nodes_.begin(), nodes_.end());
     nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
-    chunk_stray_.resize(parallel::chunk_count(nodes_.size(), NODES), 0.0);
+    chunk_stray_.resize(parallel::chunk_count(nodes_.size()), 0.0);
 }
 
 void Motion::start(const Points& x, double t) {
@@ -51,7 +50,7 @@ void Motion::follow(const Points& x, double t) {
             farthest = std::max(farthest, (x[n] - last_[n] - common).squaredNorm());
         way_[p] += std::sqrt(farthest);
     };
-    parallel::for_each(way_.size(), measure, PATCHES);
+    parallel::for_each(way_.size(), measure, CHUNK);
     for (const Index n : nodes_) last_[n] = x[n];
 }
 
@@ -75,7 +74,7 @@ void Motion::foresee(const Points& x, const Points& v, double dt) {
         for (const Index n : cloth_.nodes_of_patch(p))
             ahead_[p] = std::max(ahead_[p], node_ahead_[n]);
     };
-    parallel::for_each(way_.size(), measure, PATCHES);
+    parallel::for_each(way_.size(), measure, CHUNK);
 }
 
 double Motion::fastest() const {
