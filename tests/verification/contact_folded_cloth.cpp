@@ -42,6 +42,8 @@ using Load = std::function<void(double, SpringCloth&)>;
 /// it has are the same.
 void fly(SpringCloth& cloth, const SelfContactCard& card, double time, double step_factor = 1.0,
          const Load& load = {}) {
+    parallel::set_threads(
+        1);  // scenes so small, in steps so short, only make threads wait for each other
     SelfContact contact(cloth.setup(card, cloth.x));
     const Patches patches = make_patches(cloth.x, cloth.triangles);
     const double dt = step_factor * cloth.stable_step();
