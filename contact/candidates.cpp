@@ -14,7 +14,7 @@ namespace {
 /// adds a layer.
 constexpr std::size_t FEW = 2, MANY = 20;
 constexpr double LEAST_BUDGET = 1.0;     ///< in contact thicknesses
-constexpr double GREATEST_BUDGET = 0.3;  ///< in edge lengths: neighbours on the cloth would come in
+constexpr double GREATEST_BUDGET = 0.2;  ///< in edge lengths: neighbours on the cloth would come in
 
 constexpr double LEAST_LIFE = 2.0, GREATEST_LIFE = 100.0;  ///< of the lists, in steps
 constexpr double ADAPTATION = 1.25;  ///< by which budget and life change from one build to the next
