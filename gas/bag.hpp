@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,8 @@
 
 /// What *AIRBAG_PARTICLE says of one bag, in deck units, defaults resolved, sets expanded to rows.
 namespace corpuscle::gas {
+
+enum class CollisionModel;  // collide.hpp
 
 /// One gas: molar heat capacity Cp(T) = A + B·T + C·T².
 struct SpeciesCard {
@@ -37,6 +40,8 @@ struct OrificeCard {
     double normal_sign = 0.0;       ///< VD = -1: +1, VD = -2: -1
     double cone = NaN;              ///< half angle between the axis and the rim of the jet       [rad]
     int inflator = 1;               ///< INFO
+    double offset = 0.0;    ///< XOFF: from the shell's centre, the way the gas flows               [m]
+    bool pushes = false;    ///< IMOM = 1: the jet pushes its node (or shell) back
 };
 
 /// Air that is in the bag at the start.
@@ -62,6 +67,9 @@ struct BagCard {
     std::vector<InflowCard> inflow;       ///< NGAS cards
     std::vector<OrificeCard> orifices;    ///< NORIF cards
     std::optional<InitialAirCard> air;    ///< IAIR = 1
+    std::array<Index, 3> frame{-1, -1, -1};///< NID1-3: node rows that directions turn with; -1: none
+    bool is_of_2007 = false;              ///< the cards mean what they meant in the course notes
+    std::optional<CollisionModel> collision;  ///< none: the collider's own choice
     double smoothing = 1.0;               ///< SFFDC, scales the time over which impulse is released [-]
 };
 

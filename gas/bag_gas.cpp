@@ -52,6 +52,22 @@ std::vector<double> particle_masses(const Inflators& inflators) {
     return mass;
 }
 
+/// All nodes of the walls, and those that the jets push.
+std::vector<Index> loaded_nodes(const FacetLists& lists, const Orifices& orifices) {
+    std::vector<Index> nodes(lists.nodes().begin(), lists.nodes().end());
+    for (std::size_t o = 0; o < orifices.size(); ++o)
+        nodes.insert(nodes.end(), orifices.pushed(o).begin(), orifices.pushed(o).end());
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+}
+
+Collider collider_of(const BagCard& card, const Inflators& inflators, std::uint64_t seed) {
+    if (card.collision)
+        return {inflators.species(), inflators.moles_each(), seed, *card.collision};
+    return {inflators.species(), inflators.moles_each(), seed};
+}
+
 }  // namespace
 
 BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curves,
@@ -64,9 +80,10 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
       mass_(particle_masses(inflators_)),
       lists_(turned(enclosure_, walls_), x),
       side_lists_(lists_.triangles(), x),
-      store_(x.size(), lists_.nodes(), held, RELEASE_TIME * card.second * card.smoothing),
-      collider_(inflators_.species(), inflators_.moles_each(), seed),
-      orifices_(card.orifices, lists_.triangles(), walls_.triangles, walls_.shell),
+      orifices_(card.orifices, lists_.triangles(), walls_.triangles, walls_.shell, card.frame, x),
+      store_(x.size(), loaded_nodes(lists_, orifices_), held,
+             RELEASE_TIME * card.second * card.smoothing),
+      collider_(collider_of(card, inflators_, seed)),
       area_(x.size(), Vec3::Zero()),
       part_impulse_(walls_.part_ids.size(), 0.0),
       triangle_impulse_(walls_.triangles.size(), 0.0) {
@@ -165,8 +182,21 @@ void BagGas::inject(double t, double dt, const Points& x_0, const Points& x_1) {
         born_.push_back(share);
         particles_.add(from + share * (to - from), v, entry.internal, entry.inflow, entry.id);
         inflow_energy_ += 0.5 * mass * v.squaredNorm() + entry.internal;
+        push_back(orifice, mass * entry.velocity, (to - from) / dt);
         mass_in_ += mass;
     }
+}
+
+/// IMOM = 1: the orifice's nodes are owed the impulse that the jet takes from them. What it does on
+/// nodes that move comes from the inflator: gas that is thrown forward brings m v·w more than at
+/// rest, and pushes back with m v·w less.
+void BagGas::push_back(std::size_t orifice, const Vec3& impulse, const Vec3& moving) {
+    const auto nodes = orifices_.pushed(orifice);
+    if (nodes.empty()) return;
+    for (const Index node : nodes) store_.owe(node, -impulse / static_cast<double>(nodes.size()));
+    const double work = -impulse.dot(moving);
+    inflow_energy_ += work;
+    taken_ += work;
 }
 
 void BagGas::fly(double t, double dt, const Points& x_0, const Points& x_1) {

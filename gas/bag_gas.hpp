@@ -120,6 +120,7 @@ private:
     double heat_from_smoothing(double thermal);
     void fit_cells(std::size_t occupied_cells);
     void measure_speed();
+    void push_back(std::size_t orifice, const Vec3& impulse, const Vec3& moving);
     void record_hits(const Points& x_1);
     void remove_lost(double t);
     [[nodiscard]] double air_pressure() const { return air_ ? air_->pressure(volume_) : 0.0; }
@@ -133,10 +134,10 @@ private:
     FacetLists lists_;         ///< for flight: cells of the facets' size
     FacetLists side_lists_;    ///< for collisions: cells that hold enough particles
     double facet_size_ = 0.0;  ///< mean edge of a facet                           [m]
+    Orifices orifices_;
     ImpulseStore store_;
     Collider collider_;
 
-    Orifices orifices_;
     Particles particles_;
     std::vector<Vec3> axes_;      ///< of the orifices
     std::vector<Entry> entries_;  ///< of this step

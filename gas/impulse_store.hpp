@@ -26,6 +26,9 @@ public:
     /// Takes in a step's hits, in their order.
     void receive(const FlightResult& flight, std::span<const Triangle> triangles);
 
+    /// Takes in one impulse more, for a node of nodes().
+    void owe(Index node, const Vec3& impulse) { owed_[node] += impulse; }
+
     /// Force that releases this span's share; f has a row a node, rows of nodes() are added to.
     void release(double span, std::span<Vec3> f);
 

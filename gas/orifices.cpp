@@ -13,12 +13,23 @@ namespace {
 constexpr double OFF_THE_WALL =
     1e-3;  ///< of the facets' size: inside, yet at the wall for any purpose
 
+/// The orifice's own node, or the corners of its shell.
+std::vector<Index> nodes_of(const OrificeCard& card, const auto& facets) {
+    if (card.shell < 0) return {card.node};
+    std::vector<Index> nodes;
+    for (const auto& facet : facets)
+        for (const Index node : facet.outward)
+            if (std::find(nodes.begin(), nodes.end(), node) == nodes.end()) nodes.push_back(node);
+    return nodes;
+}
+
 }  // namespace
 
 Orifices::Orifices(const std::vector<OrificeCard>& cards, const std::vector<Triangle>& outward,
-                   const std::vector<Triangle>& given, const std::vector<Index>& shell)
-    : cards_(cards), on_(cards.size()) {
-    for (std::size_t o = 0; o < cards_.size(); ++o)
+                   const std::vector<Triangle>& given, const std::vector<Index>& shell,
+                   const std::array<Index, 3>& frame, std::span<const Vec3> x)
+    : cards_(cards), on_(cards.size()), pushed_(cards.size()), frame_(frame) {
+    for (std::size_t o = 0; o < cards_.size(); ++o) {
         for (std::size_t t = 0; t < outward.size(); ++t) {
             const Triangle& c = outward[t];
             const bool touches = cards_[o].shell >= 0
@@ -26,6 +37,9 @@ Orifices::Orifices(const std::vector<OrificeCard>& cards, const std::vector<Tria
                                      : std::find(c.begin(), c.end(), cards_[o].node) != c.end();
             if (touches) on_[o].push_back({c, given[t]});
         }
+        if (cards_[o].pushes) pushed_[o] = nodes_of(cards_[o], on_[o]);
+    }
+    if (frame_[0] >= 0) frame_0_ = axes_of_frame(x);
 }
 
 Vec3 Orifices::place(std::size_t orifice, std::span<const Vec3> x) const {
@@ -40,26 +54,41 @@ Vec3 Orifices::place(std::size_t orifice, std::span<const Vec3> x) const {
         area += part.norm();
         out += part;
     }
+    if (card.offset != 0.0) return centre / area + card.offset * normal(orifice, x);
     const Vec3 at = card.shell >= 0 ? Vec3(centre / area) : x[card.node];
     return at - OFF_THE_WALL * std::sqrt(area) * out.normalized();
 }
 
+/// The way the gas of a shell's orifice flows, unit.
+Vec3 Orifices::normal(std::size_t orifice, std::span<const Vec3> x) const {
+    Vec3 normal = Vec3::Zero();
+    for (const Facet& facet : on_[orifice])
+        normal += vector_area(x[facet.given[0]], x[facet.given[1]], x[facet.given[2]]);
+    return cards_[orifice].normal_sign * normal.normalized();
+}
+
+/// x from the first node to the second, z at right angles to all three.
+Mat3 Orifices::axes_of_frame(std::span<const Vec3> x) const {
+    const Vec3 along = (x[frame_[1]] - x[frame_[0]]).normalized();
+    const Vec3 up = along.cross(x[frame_[2]] - x[frame_[0]]).normalized();
+    Mat3 axes;
+    axes << along, up.cross(along), up;
+    return axes;
+}
+
 void Orifices::axes(std::span<const Vec3> x, std::vector<Vec3>& out) const {
     out.resize(size());
-    for (std::size_t o = 0; o < size(); ++o) {
-        out[o] = cards_[o].direction.value_or(Vec3::Zero());
-        if (cards_[o].shell < 0) continue;
-        Vec3 normal = Vec3::Zero();
-        for (const Facet& facet : on_[o])
-            normal += vector_area(x[facet.given[0]], x[facet.given[1]], x[facet.given[2]]);
-        out[o] = cards_[o].normal_sign * normal.normalized();
-    }
+    Mat3 turn = Mat3::Identity();
+    if (frame_[0] >= 0) turn = axes_of_frame(x) * frame_0_.transpose();
+    for (std::size_t o = 0; o < size(); ++o)
+        out[o] = cards_[o].shell >= 0 ? normal(o, x)
+                                      : Vec3(turn * cards_[o].direction.value_or(Vec3::Zero()));
 }
 
 int Orifices::passed_by_fabric(const FacetLists& lists, std::span<const Vec3> x_0,
                                std::span<const Vec3> x_1) const {
     for (std::size_t o = 0; o < size(); ++o) {
-        if (!on_[o].empty()) continue;
+        if (!on_[o].empty() && cards_[o].offset == 0.0) continue;
         const Path path{place(o, x_0), place(o, x_1)};
         for (const Vec3& end : {path.at_0, path.at_1})
             for (const Index facet : lists.in(lists.grid().cell_of(end)))

@@ -16,6 +16,8 @@ target_sources(corpuscle_io PRIVATE
     keywords/sets_general.cpp
     keywords/airbag_particle.cpp
     keywords/airbag_gas.cpp
+    keywords/mole_fraction.cpp
+    keywords/airbag_uniform.cpp
     keywords/reference_geometry.cpp
     keywords/boundary.cpp
     keywords/motion.cpp

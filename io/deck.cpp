@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gas/collision_name.hpp"
 #include "io/draft.hpp"
 #include "io/faults.hpp"
 #include "io/keyword_reader.hpp"
@@ -31,6 +32,19 @@ Dialect dialect(Parameters& parameters, Faults& faults) {
     if (year == 2007.0) return Dialect::NOTES_2007;
     if (year != 0.0) faults.fault(deck, "DIALECT, expected 2007, or 0 for today's cards");
     return Dialect::TODAY;
+}
+
+/// COLLISION, by -D or by *PARAMETER (type C): the collision model of all bags.
+std::optional<gas::CollisionModel> collision(Parameters& parameters, Faults& faults) {
+    std::optional<std::string> name = parameters.take_override("COLLISION");
+    if (const Parameter* p = parameters.find("COLLISION", 0); !name && p != nullptr)
+        name = p->text;
+    if (!name) return {};
+    const auto model = gas::collision_model(trim(*name));
+    if (!model)
+        faults.fault(Place{0, 1}, fmt::format("COLLISION = {}, expected one of {}", *name,
+                                              gas::collision_names()));
+    return model;
 }
 
 struct Task {
@@ -94,6 +108,7 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options) {
     model.unit_system = "consistent";
     Draft draft(model);
     draft.dialect = dialect(parameters, faults);
+    draft.collision = collision(parameters, faults);
     for (Task& task : sort_out(text, faults)) read_block(task, parameters, faults, draft);
     if (!text.files.empty()) check_whole(draft, text, faults);
 

@@ -48,6 +48,12 @@ void Simulation::book_forces(double span) {
         moved.ambient += bag.ambient_work();
         moved.smoothing += bag.smoothing_given();
     }
+    for (gas::UniformBag& bag : uniform_bags_) {
+        const double scaled = bag.scaling_work();
+        bag.book_load(v_mid_, span);
+        moved.ambient += bag.ambient_work();
+        moved.external += bag.scaling_work() - scaled;
+    }
     if (clock_.step == 0) ledger_.open(books());
 }
 
@@ -60,12 +66,18 @@ EnergyBooks Simulation::books() const {
         instant.inflow += bag.inflow_energy();
         instant.outflow += bag.lost_energy();
     }
+    for (const gas::UniformBag& bag : uniform_bags_) {
+        instant.gas += bag.energy();
+        instant.inflow += bag.inflow_energy();
+        instant.outflow += bag.outflow_energy();
+    }
     return ledger_.balance(instant);
 }
 
 Vec3 Simulation::contact_and_gas_force(Index node) const {
     Vec3 force = contact_force_.f.empty() ? Vec3(Vec3::Zero()) : contact_force_.f[node];
     for (const gas::BagGas& bag : bags_) force += bag.force(node);
+    for (const gas::UniformBag& bag : uniform_bags_) force += bag.force(node);
     return force;
 }
 

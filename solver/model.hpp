@@ -11,6 +11,7 @@
 #include "fabric/materials/fabric_card.hpp"
 #include "fabric/mesh.hpp"
 #include "gas/bag.hpp"
+#include "gas/uniform_card.hpp"
 #include "solver/base/curve.hpp"
 #include "solver/base/vec.hpp"
 
@@ -96,6 +97,7 @@ struct Model {
     double mass_damping = 0.0;      ///< *DAMPING_GLOBAL VALDMP                        [1/s]
     Index mass_damping_curve = -1;  ///< *DAMPING_GLOBAL LCID                          [1/s]
     std::vector<gas::BagCard> bags;
+    std::vector<gas::UniformBagCard> uniform_bags;  ///< that never hold particles
     std::vector<contact::SelfContactCard> contacts;
     std::vector<contact::PlanarWallCard> walls;
 
@@ -108,6 +110,7 @@ struct Model {
     OutputIntervals output;
     std::vector<Index> history_nodes;  ///< node rows of *DATABASE_HISTORY_NODE
 
+    std::vector<std::string> notes;     ///< what was decided where a deck may be read in two ways
     std::vector<std::string> warnings;  ///< each with file and line, for the user
 };
 

@@ -8,24 +8,35 @@
 namespace corpuscle {
 namespace {
 
-AirbagSample sample_of(gas::BagGas& bag, const Points& x, double since) {
-    const gas::GasState state = bag.state(x);
+AirbagSample row_of(const gas::GasState& state, const gas::PartState& parts) {
     AirbagSample row;
     row.volume = state.volume;
     row.pressure = state.pressure;
     row.temperature = state.temperature;
     row.mass = state.mass;
     row.mass_in = state.mass_in;
-    row.particles = static_cast<double>(bag.particles().size());
     row.energy = state.energy;
     row.translational_energy = state.translational;
-    row.mass_rate_in = bag.mass_rate_in(since);
     row.surface_area = state.area;
     for (const auto& share : state.species)
         row.species.push_back({share.mass, share.temperature, share.energy});
-    const gas::PartState parts = bag.part_state(x, since);
     for (std::size_t p = 0; p < parts.pressure.size(); ++p)
         row.parts.push_back({parts.pressure[p], parts.area[p], 0.0});
+    return row;
+}
+
+AirbagSample sample_of(gas::BagGas& bag, const Points& x, double since) {
+    AirbagSample row = row_of(bag.state(x), bag.part_state(x, since));
+    row.particles = static_cast<double>(bag.particles().size());
+    row.mass_rate_in = bag.mass_rate_in(since);
+    return row;
+}
+
+AirbagSample sample_of(const gas::UniformBag& bag, const Points& x) {
+    AirbagSample row = row_of(bag.state(x), bag.part_state(x));
+    row.mass_out_vent = bag.mass_out();
+    row.mass_rate_in = bag.rate_in();
+    row.mass_rate_out = bag.rate_out();
     return row;
 }
 
@@ -43,6 +54,8 @@ RecordLayout Simulation::layout() const {
         entry.parts = bag.walls().part_ids;
         layout.airbags.push_back(std::move(entry));
     }
+    for (const gas::UniformBag& bag : uniform_bags_)
+        layout.airbags.push_back({bag.card().id, false, {1}, bag.walls().part_ids});
     for (const Part& part : model_.parts) layout.parts.push_back(part.id);
     for (const RigidBody& body : bodies_)
         layout.rigid_bodies.push_back(model_.parts[body.part()].id);
@@ -74,6 +87,8 @@ Sample Simulation::sample() {
     const double since = clock_.t - last_sample_;
     last_sample_ = clock_.t;
     for (gas::BagGas& bag : bags_) row.airbags.push_back(sample_of(bag, nodes_.x, since));
+    for (const gas::UniformBag& bag : uniform_bags_)
+        row.airbags.push_back(sample_of(bag, nodes_.x));
 
     row.parts.resize(model_.parts.size());
     for (std::size_t s = 0; s < model_.shells.size(); ++s) {
@@ -122,6 +137,7 @@ Frame Simulation::frame() {
     const double since = clock_.t - last_frame_;
     last_frame_ = clock_.t;
     for (gas::BagGas& bag : bags_) bag.add_shell_load(nodes_.x, since, force, area);
+    for (const gas::UniformBag& bag : uniform_bags_) bag.add_shell_load(nodes_.x, force, area);
     state.shell_pressure.resize(shells);
     for (std::size_t s = 0; s < shells; ++s)
         state.shell_pressure[s] = area[s] > 0.0 ? static_cast<float>(force[s] / area[s]) : 0.0F;

@@ -61,6 +61,34 @@ std::vector<std::array<Vec3, 4>> reference_corners(const Model& model) {
     return corners;
 }
 
+/// Numbers the parts that the walls' shells belong to.
+void number_parts(const Model& model, gas::BagWalls& walls) {
+    std::vector<Index> row(model.parts.size(), -1);
+    for (const Index shell : walls.shell) {
+        const Index part = model.shells[shell].part;
+        if (row[part] < 0) {
+            row[part] = static_cast<Index>(walls.part_ids.size());
+            walls.part_ids.push_back(model.parts[part].id);
+        }
+        walls.part.push_back(row[part]);
+    }
+}
+
+gas::BagWalls bag_walls(const Model& model, const gas::UniformBagCard& card) {
+    std::vector<bool> wanted(model.shells.size(), false);
+    for (const Index shell : card.shells) wanted[shell] = true;
+    SceneTriangles all = triangles_of(model, std::vector<bool>(model.parts.size(), true));
+    gas::BagWalls walls;
+    for (std::size_t t = 0; t < all.triangles.size(); ++t) {
+        if (!wanted[all.shell[t]]) continue;
+        walls.triangles.push_back(all.triangles[t]);
+        walls.shell.push_back(all.shell[t]);
+    }
+    walls.closing = walls.triangles.size();
+    number_parts(model, walls);
+    return walls;
+}
+
 gas::BagWalls bag_walls(const Model& model, const gas::BagCard& card) {
     const std::size_t count = model.parts.size();
     gas::BagWalls walls;
@@ -140,16 +168,20 @@ std::vector<std::uint8_t> Simulation::held_nodes() const {
 
 void Simulation::build_bags(std::uint64_t seed) {
     std::vector<std::string> faults;
-    for (const gas::BagCard& card : model_.bags) {
+    const auto build = [&](auto& bags, auto&&... how) {
         try {
-            bags_.emplace_back(card, bag_walls(model_, card), model_.curves, model_.node_id,
-                               held_nodes(), model_.x, seed);
-            const auto& found = bags_.back().warnings();
+            const auto& found = bags.emplace_back(how...).warnings();
             model_.warnings.insert(model_.warnings.end(), found.begin(), found.end());
         } catch (const InputError& error) {
             faults.insert(faults.end(), error.faults.begin(), error.faults.end());
         }
-    }
+    };
+    for (const gas::BagCard& card : model_.bags)
+        build(bags_, card, bag_walls(model_, card), model_.curves, model_.node_id, held_nodes(),
+              model_.x, seed);
+    for (const gas::UniformBagCard& card : model_.uniform_bags)
+        build(uniform_bags_, card, bag_walls(model_, card), model_.curves, model_.node_id,
+              model_.x);
     if (!faults.empty()) throw InputError(std::move(faults));
 }
 
@@ -196,6 +228,8 @@ StepLimit Simulation::stable_step() const {
             limit.tighten(model_.step_factor * dt, StepLimit::Who::SHELL, model_.shells[shell].id);
     }
     for (const gas::BagGas& bag : bags_)
+        limit.tighten(bag.stable_step(), StepLimit::Who::GAS, bag.card().id);
+    for (const gas::UniformBag& bag : uniform_bags_)
         limit.tighten(bag.stable_step(), StepLimit::Who::GAS, bag.card().id);
     for (std::size_t c = 0; c < contacts_.size(); ++c)
         limit.tighten(contacts_[c].stable_step(nodes_.v), StepLimit::Who::CONTACT,

@@ -12,6 +12,7 @@
 #include "fabric/membranes.hpp"
 #include "fabric/nodes.hpp"
 #include "gas/bag_gas.hpp"
+#include "gas/uniform_bag.hpp"
 #include "solver/base/stopwatch.hpp"
 #include "solver/clock.hpp"
 #include "solver/constraints.hpp"
@@ -61,6 +62,9 @@ public:
     [[nodiscard]] const Model& model() const { return model_; }
     [[nodiscard]] const fabric::Nodes& nodes() const { return nodes_; }
     [[nodiscard]] const std::vector<gas::BagGas>& bags() const { return bags_; }
+    [[nodiscard]] const std::vector<gas::UniformBag>& uniform_bags() const {
+        return uniform_bags_;
+    }
     [[nodiscard]] const std::vector<contact::SelfContact>& contacts() const { return contacts_; }
     [[nodiscard]] const Timings& timings() const { return timings_; }
     [[nodiscard]] std::size_t active_shells() const { return active_shells_; }
@@ -101,6 +105,7 @@ private:
     std::vector<std::array<Vec3, 4>> reference_;  ///< E × 4, stress-free corners           [m]
     std::vector<fabric::Membranes> fabric_;       ///< one, or none
     std::vector<gas::BagGas> bags_;
+    std::vector<gas::UniformBag> uniform_bags_;
     std::vector<contact::SelfContact> contacts_;
     std::vector<contact::PlanarWall> walls_;
     std::vector<RigidBody> bodies_;

@@ -39,6 +39,7 @@ StepReport Simulation::step(const Observer& observe) {
         bag.collide(dt, nodes_.x);                                              lap("collisions");
         bag.fly(t, dt, nodes_.x, nodes_.x_1);                                   lap("flight");
     }
+    for (gas::UniformBag& bag : uniform_bags_) bag.flow(t, dt);
 
     // 5. Page and clock
     ledger_.turn_page();
@@ -57,6 +58,9 @@ void Simulation::find_forces(double dt, double span, Stopwatch& lap) {
     }
     for (gas::BagGas& bag : bags_) {
         bag.add_load(nodes_.x, span, nodes_.f);                                 lap("gas load");
+    }
+    for (gas::UniformBag& bag : uniform_bags_) {
+        bag.add_load(clock_.t, nodes_.x, nodes_.f);                             lap("gas load");
     }
     std::fill(contact_force_.f.begin(), contact_force_.f.end(), Vec3::Zero());
     for (contact::SelfContact& contact : contacts_) {

@@ -35,6 +35,10 @@ void print_scene(const Simulation& simulation) {
         if (share < 0.999)
             fmt::print("    {:.1f} % of the gas enters before the end time\n", 100.0 * share);
     }
+    for (const gas::UniformBag& bag : simulation.uniform_bags())
+        fmt::print("  airbag {} ({}): {} facets close {:.6g} of volume, uniform pressure from {:g}\n",
+                   bag.card().id, bag.card().keyword, bag.walls().closing,
+                   bag.enclosure().volume(model.x), bag.gas().pressure());
 }
 
 void print_needs(const Simulation& simulation) {
@@ -47,6 +51,8 @@ void print_needs(const Simulation& simulation) {
          fmt::format("strains of {} shells", simulation.active_shells()));
     line(!model.bags.empty(),
          "gas: inflow, collisions, flight, pressure on the fabric, atmosphere");
+    line(!model.uniform_bags.empty(),
+         fmt::format("bags of uniform pressure ({})", model.uniform_bags.size()));
     line(!model.contacts.empty(), fmt::format("fabric contact ({})", model.contacts.size()));
     line(!model.walls.empty(), fmt::format("rigid walls ({})", model.walls.size()));
     line(!model.motions.empty(), fmt::format("prescribed motions ({})", model.motions.size()));
@@ -57,7 +63,7 @@ void print_needs(const Simulation& simulation) {
          fmt::format("strains of {} shells (rigid, null, or all nodes held)", unstrained));
     line(model.contacts.empty(), "contact between fabrics (no *CONTACT_)");
     line(model.walls.empty(), "rigid walls");
-    line(model.bags.empty(), "gas (no *AIRBAG_PARTICLE)");
+    line(model.bags.empty(), "particles (no *AIRBAG_PARTICLE)");
     line(std::isnan(model.output.frames),
          "frames (no *DATABASE_BINARY_D3PLOT): only the last state");
 }
@@ -87,6 +93,7 @@ int check(const DeckArguments& arguments) {
     if (simulation.added_mass() > 0.0)
         fmt::print("mass added by DT2MS: {:.4g}\n", simulation.added_mass());
     print_estimate(simulation);
+    for (const std::string& note : simulation.model().notes) fmt::print("{}\n", note);
     for (const std::string& warning : simulation.model().warnings)
         fmt::print("warning: {}\n", warning);
     return 0;

@@ -121,6 +121,8 @@ int run(const RunArguments& arguments) {
         throw SystemError("--restart: runs write no checkpoints yet; start the run anew without it");
     Simulation simulation(load(arguments.deck), arguments.deck.seed);
     const Model& model = simulation.model();
+    if (!arguments.quiet)
+        for (const std::string& note : model.notes) fmt::print("{}\n", note);
     for (const std::string& warning : model.warnings) fmt::print(stderr, "warning: {}\n", warning);
 
     const std::string folder = folder_of(arguments);

@@ -33,6 +33,15 @@ void print_bag(const gas::BagGas& bag, const Points& x) {
     fmt::print("    lost particles: {}\n", bag.lost());
 }
 
+void print_bag(const gas::UniformBag& bag) {
+    const gas::ControlVolume& gas = bag.gas();
+    fmt::print(
+        "\n  airbag {}: volume {:.6g}, pressure {:.6g} ({:+.6g} to the atmosphere), temperature "
+        "{:.5g}\n    gas {:.6g} in, {:.6g} out, {:.6g} inside\n",
+        bag.card().id, gas.volume(), gas.pressure(), gas.pressure() - bag.card().p_atm,
+        gas.temperature(), bag.mass_in(), bag.mass_out(), gas.mass());
+}
+
 void print_contact(int id, const contact::SelfContact& contact) {
     const contact::SelfContactCounts& counts = contact.counts();
     fmt::print("\n  contact {}: {} list builds, {} candidates, {} near and {} touching at the end\n", id,
@@ -73,6 +82,7 @@ void Summary::print(Simulation& simulation, const std::string& folder,
         static_cast<double>(flights), static_cast<double>(flights) / wall, elements,
         elements / wall);
     for (const gas::BagGas& bag : simulation.bags()) print_bag(bag, simulation.nodes().x);
+    for (const gas::UniformBag& bag : simulation.uniform_bags()) print_bag(bag);
     for (std::size_t c = 0; c < simulation.contacts().size(); ++c)
         print_contact(simulation.model().contacts[c].id, simulation.contacts()[c]);
     print_ledger(simulation.books(), worst_residual);

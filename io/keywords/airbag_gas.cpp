@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 namespace corpuscle::io::keywords {
@@ -99,6 +100,14 @@ void direction(Card& c, const Draft& draft, gas::OrificeCard& nozzle, int vd) {
     if (vector >= 0) nozzle.direction = draft.vector[static_cast<std::size_t>(vector)].normalized();
 }
 
+/// Does the node belong to a shell?
+bool has_mass(const Draft& draft, Index node) {
+    const auto& shells = draft.model.shells;
+    return std::any_of(shells.begin(), shells.end(), [&](const Shell& s) {
+        return std::find(s.nodes.begin(), s.nodes.end(), node) != s.nodes.end();
+    });
+}
+
 }  // namespace
 
 gas::OrificeCard orifice(Cards& cards, const Draft& draft, bool is_first) {
@@ -113,8 +122,11 @@ gas::OrificeCard orifice(Cards& cards, const Draft& draft, bool is_first) {
         nozzle.weight = c.real("AN", POSITIVE);
         nozzle.inflator = c.integer("INFO", {1.0});
         nozzle.cone = cone(c, draft.dialect, is_first);
+        nozzle.pushes = draft.dialect == Dialect::TODAY && c.choice("IMOM", {0, 1}) == 1;
+        if (nozzle.pushes && c.good() && nozzle.shell < 0 && !has_mass(draft, nozzle.node))
+            c.fault("IMOM", "0, or a node NID that belongs to a shell: this one has no mass");
     }
-    if (vd <= -3) cards.next("XOFF");
+    if (vd <= -3) nozzle.offset = cards.next("XOFF").real("XOFF", NON_NEGATIVE);
     return nozzle;
 }
 

@@ -28,4 +28,12 @@ gas::InitialAirCard initial_air(Cards& cards, const gas::BagCard& bag, const Uni
 gas::InflowCard inflow(Cards& cards, const Draft& draft, const UnitSystem& unit);
 gas::OrificeCard orifice(Cards& cards, const Draft& draft, bool is_first);
 
+/// _MOLEFRACTION: until here the gases' `mass_rate` are mole fractions of time; afterwards they are
+/// mass flows, new curves of the model. A fault when the fractions are no shares of 1.
+///
+///     m_i' = m' x_i M_i / sum x_k M_k
+///
+/// @param mass  curve row: flow of all gases together                                  [kg/s]
+void share_by_moles(Cards& cards, Draft& draft, Index mass, std::vector<gas::InflowCard>& gases);
+
 }  // namespace corpuscle::io::keywords

@@ -26,7 +26,8 @@ public:
     Reading(Cards& cards, Draft& draft) : cards_(cards), draft_(draft) {}
 
     gas::BagCard read() {
-        bag_.id = static_cast<int>(draft_.model.bags.size()) + 1;
+        bag_.id =
+            static_cast<int>(draft_.model.bags.size() + draft_.model.uniform_bags.size()) + 1;
         if (cards_.has("MPP")) cards_.next("SX SY SZ").harmless("SX SY SZ");
         if (cards_.has("ID") || cards_.has("TITLE")) name();
         if (cards_.has("TIME")) cards_.next("BIRTH DEATH");
@@ -129,12 +130,27 @@ private:
                                  : "IAIR NGAS NORIF NID1 NID2 NID3 CHM CD_EXT");
         gases_ = c.integer("NGAS", COUNT);
         nozzles_ = c.integer("NORIF", COUNT);
+        frame(c);
         if (!c.good()) cards_.abandon();  // nobody can say which row is which
         has_air_ = c.choice("IAIR", {0, 1}, {-1, 2, 4}) == 1;
         skips_air_ = !has_air_ && c.integer("IAIR") != 0;
         if (!c.good()) return;
         if (gases_ == 0 && !has_air_) c.fault("NGAS", ">= 1, or IAIR = 1: this bag has no gas");
         if (gases_ > 0 && nozzles_ == 0) c.fault("NORIF", ">= 1, for the gases of NGAS");
+    }
+
+    /// NID1-3: three nodes that are not in line.
+    void frame(Card& c) {
+        constexpr const char* NAMES[] = {"NID1", "NID2", "NID3"};
+        const bool asked = c.given("NID1") && c.integer("NID1") != 0;
+        if (!asked) return;
+        for (std::size_t i = 0; i < 3; ++i) bag_.frame[i] = c.row(NAMES[i], draft_.nodes);
+        if (!c.good()) return;
+        const Points& x = draft_.model.x;
+        const Vec3 a = x[bag_.frame[1]] - x[bag_.frame[0]], b = x[bag_.frame[2]] - x[bag_.frame[0]];
+        constexpr double IN_LINE = 1e-6;  // of a right angle
+        if (!(a.cross(b).norm() > IN_LINE * a.norm() * b.norm()))
+            c.fault("NID3", "a node that is not in line with NID1 and NID2");
     }
 
     void rows_of_later_features() {
@@ -150,8 +166,10 @@ private:
     void gas() {
         if (has_air_) bag_.air = initial_air(cards_, bag_, unit());
         if (skips_air_) skip(1, "PAIR TAIR XMAIR AAIR BAIR CAIR NPAIR NPRLX");
-        if (cards_.has("MOLEFRACTION")) cards_.next("LCMASS").harmless_all();
+        Index mass = -1;
+        if (cards_.has("MOLEFRACTION")) mass = cards_.next("LCMASS").row("LCMASS", draft_.curves);
         for (int i = 0; i < gases_; ++i) bag_.inflow.push_back(inflow(cards_, draft_, unit()));
+        if (mass >= 0 && cards_.good()) share_by_moles(cards_, draft_, mass, bag_.inflow);
         for (int i = 0; i < nozzles_; ++i) bag_.orifices.push_back(orifice(cards_, draft_, i == 0));
     }
 
@@ -209,16 +227,21 @@ void warn_of_leaks(Cards& cards, const Draft& draft, const gas::BagCard& bag) {
 }  // namespace
 
 void airbag_particle(Cards& cards, Draft& draft) {
-    for (const char* suffix : {"MOLEFRACTION", "INFLATION"})
-        if (cards.has(suffix))
-            cards.fault(fmt::format("has _{}, which is not acted on yet", suffix));
+    if (cards.has("INFLATION")) cards.fault("has _INFLATION, which is not acted on yet");
     Reading reading(cards, draft);
-    const gas::BagCard bag = reading.read();
+    gas::BagCard bag = reading.read();
+    bag.is_of_2007 = draft.dialect == Dialect::NOTES_2007;
+    bag.collision = draft.collision;
+    draft.model.notes.push_back(
+        fmt::format("*AIRBAG_PARTICLE {} is read with {}", bag.id,
+                    bag.is_of_2007 ? "the meaning of the 2007 course notes (DIALECT = 2007)"
+                                   : "today's meaning (-D DIALECT=2007 for that of 2007)"));
     check_inflators(cards, bag);
     warn_of_leaks(cards, draft, bag);
-    for (const gas::BagCard& other : draft.model.bags)
-        if (other.id == bag.id)
-            cards.fault(fmt::format("has id {}, as another airbag has", bag.id));
+    const auto is_same = [&](const auto& other) { return other.id == bag.id; };
+    if (std::any_of(draft.model.bags.begin(), draft.model.bags.end(), is_same) ||
+        std::any_of(draft.model.uniform_bags.begin(), draft.model.uniform_bags.end(), is_same))
+        cards.fault(fmt::format("has id {}, as another airbag has", bag.id));
     const std::string unit = reading.unit_name();
     if (!draft.model.bags.empty() && unit != draft.model.unit_system)
         cards.fault(

@@ -62,6 +62,9 @@ void set_node_general(Cards&, Draft&);
 void set_part_general(Cards&, Draft&);
 void set_shell_general(Cards&, Draft&);
 void set_segment_general(Cards&, Draft&);
+// airbag_uniform.cpp
+void airbag_simple(Cards&, Draft&);
+void airbag_wang_nefske(Cards&, Draft&);
 // airbag_particle.cpp, reference_geometry.cpp
 void airbag_particle(Cards&, Draft&);
 void airbag_reference_geometry(Cards&, Draft&);

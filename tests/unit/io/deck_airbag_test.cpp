@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "deck_scene.hpp"
+#include "gas/collide.hpp"
 #include "solver/base/constants.hpp"
 
 using namespace corpuscle;
@@ -191,15 +192,15 @@ TEST_CASE("AIRBAG_PARTICLE: what nothing acts on yet is one fault, its rows are 
         CHECK(
             contains(only_fault(folder, bag), "card 3, field 1 (IAIR) = 2, expected 0 or 1: this"));
         bag.card_3 = "0,1,1,3", bag.rows = "";
-        CHECK(contains(only_fault(folder, bag), "(NID1) = 3, expected 0 or blank"));
+        CHECK(folder.faults(bag.deck()).size() == 2);  // NID2 and NID3 are missing
+        bag.card_3 = "0,1,1,1,2,5";
+        CHECK(contains(only_fault(folder, bag), "(NID3) = 5, expected a node that is not in line"));
         bag.card_3 = "0,1,1,0,0,0,0,0.1";
         CHECK(contains(only_fault(folder, bag), "(CD_EXT) = 0.1"));
-        bag.card_3 = "0,1,1", bag.orifice = "5,1.0,0,0,1,1";
-        CHECK(contains(only_fault(folder, bag), "(IMOM) = 1, expected 0 or blank"));
+        bag.card_3 = "0,1,1", bag.orifice = "5,1.0,0,0,1,2";
+        CHECK(contains(only_fault(folder, bag), "(IMOM) = 2, expected 0 or 1"));
     }
     SECTION("suffixes and + lines") {
-        bag.suffix = "_MOLEFRACTION", bag.rows = "7\n";
-        CHECK(contains(only_fault(folder, bag), "has _MOLEFRACTION, which is not acted on yet"));
         bag.suffix = "_INFLATION", bag.rows = "";
         CHECK(contains(only_fault(folder, bag), "has _INFLATION"));
         bag.suffix = "_SEGMENT", bag.before_2 = "4\n";
@@ -207,6 +208,71 @@ TEST_CASE("AIRBAG_PARTICLE: what nothing acts on yet is one fault, its rows are 
         bag.suffix = "", bag.before_2 = "", bag.behind_2 = "+,,,,,,0.01\n";
         CHECK(contains(only_fault(folder, bag), "(TSPLIT) = 0.01"));
     }
+}
+
+TEST_CASE("AIRBAG_PARTICLE: orifices push back, stand off their shell and turn with a frame",
+          "[io]") {
+    const DeckFolder folder;
+    Bag bag;
+    bag.card_3 = "0,1,1,1,2,3";
+    bag.orifice = "11,1.0,-4,0,1,1\n0.25";
+    const gas::BagCard card = folder.read(bag.deck()).bags.at(0);
+    CHECK(card.frame == std::array<Index, 3>{0, 1, 2});
+    CHECK(card.orifices.at(0).pushes);
+    CHECK(card.orifices[0].offset == 0.25);
+    CHECK(card.orifices[0].normal_sign == -1.0);
+    bag.orifice = "9,1.0,0,0,1,1";
+    const std::string lone = "*NODE\n9,0,0,1\n";
+    const auto faults = folder.faults(lone + bag.deck());
+    REQUIRE(faults.size() == 1);
+    CHECK(contains(faults[0], "(IMOM) = 1, expected 0, or a node NID that belongs to a shell"));
+}
+
+TEST_CASE("AIRBAG_PARTICLE_MOLEFRACTION: gases share the mass flow by moles", "[io]") {
+    const DeckFolder folder;
+    Bag bag;
+    bag.suffix = "_MOLEFRACTION";
+    bag.card_3 = "0,2,1";
+    bag.rows = "20\n";
+    bag.gas = "21,7,0.028,28.0\n22,7,0.004,20.79";
+    const std::string total = "*DEFINE_CURVE\n20\n0,2\n0.5,4\n0.5,1\n1,0\n";
+    const auto deck = [&](const char* nitrogen, const char* helium) {
+        return total + "*DEFINE_CURVE\n21\n" + nitrogen + "*DEFINE_CURVE\n22\n" + helium + bag.deck();
+    };
+    const Model model = folder.read(deck("0,0.2\n0.4,0.8\n1,0.8\n", "0,0.8\n0.4,0.2\n1,0.2\n"));
+    const gas::BagCard& card = model.bags.at(0);
+    const Curve& a = model.curves[card.inflow.at(0).mass_rate];
+    const Curve& b = model.curves[card.inflow.at(1).mass_rate];
+    const Curve all{20, {0.0, 0.5, 0.5, 1.0}, {2.0, 4.0, 1.0, 0.0}};
+    for (const double t : {0.0, 0.01, 0.123, 0.3, 0.4, 0.49999, 0.50001, 0.7, 1.0}) {
+        CAPTURE(t);
+        const double x = 0.2 + 0.6 * std::min(t / 0.4, 1.0);
+        const double share = x * 0.028 / (x * 0.028 + (1.0 - x) * 0.004);
+        CHECK(a(t) + b(t) == Approx(all(t)).margin(1e-12));
+        CHECK(a(t) == Approx(share * all(t)).epsilon(2e-3));
+    }
+    CHECK(a.integral_to(1.0) + b.integral_to(1.0) == Approx(all.integral_to(1.0)).epsilon(1e-12));
+
+    const auto faults = folder.faults(deck("0,0.2\n1,0.8\n", "0,0.8\n1,0.8\n"));
+    REQUIRE(faults.size() == 1);
+    CHECK(contains(faults[0], "has mole fractions that add up to"));
+    CHECK(contains(faults[0], "expected 1"));
+}
+
+TEST_CASE("the collision model is chosen by -D or by *PARAMETER", "[io]") {
+    const DeckFolder folder;
+    const std::string deck = Bag{}.deck();
+    CHECK_FALSE(folder.read(deck).bags.at(0).collision);
+    CHECK(folder.read(deck, {{{"collision", "pairs"}}}).bags.at(0).collision ==
+          gas::CollisionModel::PAIRS);
+    CHECK(folder.read("*PARAMETER\nC COLLISION, Pairs\n" + deck).bags.at(0).collision ==
+          gas::CollisionModel::PAIRS);
+    CHECK(folder.read("*PARAMETER\nC COLLISION, Pairs\n" + deck, {{{"COLLISION", "lin"}}})
+              .bags.at(0)
+              .collision == gas::CollisionModel::LIN);
+    const auto faults = folder.faults(deck, {{{"COLLISION", "sph"}}});
+    REQUIRE(faults.size() == 1);
+    CHECK(contains(faults[0], "COLLISION = sph, expected one of lin"));
 }
 
 TEST_CASE("AIRBAG_PARTICLE: inner parts do not close the bag", "[io]") {
@@ -265,6 +331,9 @@ TEST_CASE("AIRBAG_PARTICLE: the 2007 dialect, by -D or by *PARAMETER", "[io]") {
     CHECK_FALSE(
         folder.read("*PARAMETER\nI DIALECT, 2007\n" + bag.deck()).bags.at(0).show_particles);
     CHECK(folder.read(bag.deck()).bags.at(0).show_particles);
+    CHECK(folder.read(bag.deck(), notes).bags.at(0).is_of_2007);
+    CHECK(any_contains(folder.read(bag.deck(), notes).notes, "2007 course notes"));
+    CHECK(any_contains(folder.read(bag.deck()).notes, "today's meaning"));
     CHECK(folder.faults(bag.deck(), {{{"DIALECT", "2008"}}}).size() == 1);
 }
 

@@ -1,0 +1,153 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "gas/uniform_bag.hpp"
+
+#include <cmath>
+
+#include "gas/orifice_flow.hpp"
+#include "solver/base/error.hpp"
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle::gas {
+namespace {
+
+/// Share of the gas that may leave in a step.
+constexpr double MOST_LOSS = 0.002;
+
+std::string name_of(const UniformBagCard& card) {
+    return fmt::format("{} {}", card.keyword, card.id);
+}
+
+/// The gas of the card as one with R / M = cp - cv; the mole's size is free.
+Species species_of(const UniformBagCard& card) {
+    const double M = GAS_CONSTANT / (card.cp - card.cv);
+    return {SpeciesCard{M, card.cp * M, 0.0, 0.0}, GAS_CONSTANT, name_of(card)};
+}
+
+}  // namespace
+
+UniformBag::UniformBag(const UniformBagCard& card, BagWalls walls, std::span<const Curve> curves,
+                       std::span<const int> node_id, const Points& x)
+    : card_(card),
+      walls_(std::move(walls)),
+      enclosure_(walls_.triangles, x, node_id, name_of(card)),
+      curves_(curves.begin(), curves.end()),
+      gas_({species_of(card)}),
+      area_(x.size(), Vec3::Zero()) {
+    if (enclosure_.turned() > 0)
+        warnings_.push_back(fmt::format("{}: the normals of {} facets were turned to agree with "
+                                        "their neighbours",
+                                        name_of(card), enclosure_.turned()));
+    const double V = volume(x);
+    if (!(V > 0.0))
+        throw InputError(fmt::format("{}: the volume at the start, VSCA V - VINI, is {:g}, "
+                                     "expected > 0: RO fills it with gas",
+                                     name_of(card), V));
+    // p = p_atm + POVER and RO give T = p / (RO (cp - cv)).
+    const Species& gas = gas_.species()[0];
+    const double moles = card.density * V / gas.molar_mass();
+    const double T = (card.p_atm + card.overpressure) / (card.density * (card.cp - card.cv));
+    gas_.add(0, moles, moles * gas.molar_energy()(T));
+    if (!gas_.settle(V)) throw InputError(name_of(card) + ": PE and RO give no temperature");
+    if (card.mass_rate >= 0) inflow_.emplace(curves[card.mass_rate], INF);
+}
+
+void UniformBag::add_load(double t, const Points& x, Points& f) {
+    if (!gas_.settle(volume(x)))
+        throw PhysicsError(t, fmt::format("{}: the volume is {:g} and the gas holds {:g} of energy",
+                                          name_of(card_), volume(x), gas_.energy()));
+    enclosure_.node_areas(x, area_);
+    for (const Index n : enclosure_.nodes()) f[n] += gauge() * area_[n];
+}
+
+void UniformBag::book_load(const Points& v_mid, double span) {
+    const auto nodes = enclosure_.nodes();
+    const double swept = span * parallel::sum(nodes.size(), 0.0, [&](std::size_t i) {
+                             return area_[nodes[i]].dot(v_mid[nodes[i]]);
+                         });
+    const double given = gas_.work(card_.volume_scale * swept);
+    const double on_fabric = gauge() * swept, on_air = card_.p_atm * swept;
+    ambient_work_ += on_air;
+    scaling_work_ += on_fabric + on_air - given;
+}
+
+void UniformBag::flow(double t, double dt) {
+    rate_in_ = rate_out_ = 0.0;
+    flow_out(t, dt);
+    if (inflow_) flow_in(t, dt);
+}
+
+void UniformBag::flow_in(double t, double dt) {
+    const double mass = inflow_->sum_until(t + dt) - inflow_->sum_until(t);
+    const double energy = mass * card_.cp * value(card_.temperature, t + 0.5 * dt);
+    gas_.add(0, mass / gas_.species()[0].molar_mass(), energy);
+    mass_in_ += mass;
+    inflow_energy_ += energy;
+    rate_in_ = mass / dt;
+}
+
+/// At a rate in proportion to what is there, so that a bag never gives more than it has. What PPOP
+/// has opened stays open.
+void UniformBag::flow_out(double t, double dt) {
+    is_open_ = is_open_ || gas_.pressure() - card_.p_atm >= card_.opens_at;
+    const double rate = is_open_ ? exit_rate(t) : 0.0;
+    if (!(rate > 0.0)) return;
+    const double mass = -std::expm1(-rate * dt / gas_.mass()) * gas_.mass();
+    outflow_energy_ += gas_.remove(mass);
+    mass_out_ += mass;
+    rate_out_ = mass / dt;
+}
+
+/// Mass flow out at t through exits that are open.                                        [kg/s]
+double UniformBag::exit_rate(double t) const {
+    const double p = gas_.pressure();
+    if (!(p > card_.p_atm)) return 0.0;
+    if (card_.exit_rate >= 0) return curves_[card_.exit_rate](p - card_.p_atm);
+    double opening = 0.0;
+    for (const ExitCard& exit : card_.exits)
+        opening += value(exit.coefficient, exit.coefficient_of_pressure ? p : t) *
+                   value(exit.area, p);
+    return opening * orifice_flow(p, card_.p_atm, gas_.temperature(), gas_.gamma(),
+                                  gas_.gas_constant());
+}
+
+double UniformBag::stable_step() const {
+    return rate_out_ > 0.0 ? MOST_LOSS * gas_.mass() / rate_out_ : INF;
+}
+
+GasState UniformBag::state(const Points& x) const {
+    GasState now;
+    now.volume = gas_.volume();
+    now.area = enclosure_.area(x);
+    now.pressure = gas_.pressure();
+    now.temperature = gas_.temperature();
+    now.mass = gas_.mass();
+    now.mass_in = mass_in_;
+    now.energy = gas_.energy();
+    now.translational = 1.5 * now.pressure * now.volume;
+    now.species = {{now.mass, now.temperature, now.energy}};
+    return now;
+}
+
+PartState UniformBag::part_state(const Points& x) const {
+    const std::size_t parts = walls_.part_ids.size();
+    PartState state{std::vector<double>(parts, card_.pressure_scale * gas_.pressure()),
+                    std::vector<double>(parts, 0.0)};
+    for (std::size_t t = 0; t < walls_.triangles.size(); ++t) {
+        const auto& [a, b, c] = walls_.triangles[t];
+        state.area[walls_.part[t]] += vector_area(x[a], x[b], x[c]).norm();
+    }
+    return state;
+}
+
+void UniformBag::add_shell_load(const Points& x, std::span<double> force,
+                                std::span<double> area) const {
+    for (std::size_t t = 0; t < walls_.triangles.size(); ++t) {
+        const auto& [a, b, c] = walls_.triangles[t];
+        const double size = vector_area(x[a], x[b], x[c]).norm();
+        area[walls_.shell[t]] += size;
+        force[walls_.shell[t]] += gauge() * size;
+    }
+}
+
+}  // namespace corpuscle::gas

@@ -1,0 +1,90 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gas/bag_gas.hpp"
+#include "gas/control_volume.hpp"
+#include "gas/enclosure.hpp"
+#include "gas/flow_curve.hpp"
+#include "gas/uniform_card.hpp"
+
+namespace corpuscle::gas {
+
+/// A bag that holds one gas at uniform pressure and never any particles.
+///
+///     dE = cp T_in dm_in - cp T dm_out - p dV,   V = VSCA V_mesh - VINI,
+///     load on the fabric: PSCA (p - p_atm)
+///
+/// Gas flows out by orifice_flow(), or by a curve of gauge pressure.
+class UniformBag {
+public:
+    /// Errors: InputError when the surface is not closed, or when there is no gas to begin with.
+    UniformBag(const UniformBagCard& card, BagWalls walls, std::span<const Curve> curves,
+               std::span<const int> node_id, const Points& x);
+
+    /// f += load at t.                                                                      [N]
+    void add_load(double t, const Points& x, Points& f);
+    /// Books the work that the load has just done on nodes that moved at v_mid.
+    void book_load(const Points& v_mid, double span);
+    /// Gas in and out, t -> t + dt.
+    void flow(double t, double dt);
+
+    [[nodiscard]] Vec3 force(Index node) const { return gauge() * area_[node]; }  ///< [N]
+    /// Step in which a five-hundredth of the gas leaves.                                         [s]
+    [[nodiscard]] double stable_step() const;
+
+    [[nodiscard]] GasState state(const Points& x) const;
+    [[nodiscard]] PartState part_state(const Points& x) const;
+    void add_shell_load(const Points& x, std::span<double> force, std::span<double> area) const;
+
+    [[nodiscard]] double energy() const { return gas_.energy(); }           ///< [J]
+    [[nodiscard]] double inflow_energy() const { return inflow_energy_; }   ///< [J]
+    [[nodiscard]] double outflow_energy() const { return outflow_energy_; } ///< [J]
+    [[nodiscard]] double ambient_work() const { return ambient_work_; }     ///< [J]
+    /// Work that VSCA and PSCA make of nothing (or take away).                              [J]
+    [[nodiscard]] double scaling_work() const { return scaling_work_; }
+
+    [[nodiscard]] double mass_in() const { return mass_in_; }    ///< [kg]
+    [[nodiscard]] double mass_out() const { return mass_out_; }  ///< [kg]
+    [[nodiscard]] double rate_in() const { return rate_in_; }    ///< in the last step   [kg/s]
+    [[nodiscard]] double rate_out() const { return rate_out_; }  ///< in the last step   [kg/s]
+
+    [[nodiscard]] const UniformBagCard& card() const { return card_; }
+    [[nodiscard]] const BagWalls& walls() const { return walls_; }
+    [[nodiscard]] const Enclosure& enclosure() const { return enclosure_; }
+    [[nodiscard]] const ControlVolume& gas() const { return gas_; }
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
+private:
+    [[nodiscard]] double volume(const Points& x) const {
+        return card_.volume_scale * enclosure_.volume(x) - card_.volume_taken;
+    }
+    [[nodiscard]] double gauge() const {  ///< load per area                                [Pa]
+        return card_.pressure_scale * (gas_.pressure() - card_.p_atm);
+    }
+    [[nodiscard]] double value(const CurveOr& of, double at) const {
+        return of.curve >= 0 ? curves_[of.curve](at) : of.value;
+    }
+    void flow_in(double t, double dt);
+    void flow_out(double t, double dt);
+    [[nodiscard]] double exit_rate(double t) const;
+
+    UniformBagCard card_;
+    BagWalls walls_;
+    Enclosure enclosure_;
+    std::vector<Curve> curves_;
+    ControlVolume gas_;
+    std::optional<FlowCurve> inflow_;
+    Points area_;  ///< N × 3, node areas at t                                            [m^2]
+    bool is_open_ = false;  ///< PPOP has been reached
+    double mass_in_ = 0.0, mass_out_ = 0.0, rate_in_ = 0.0, rate_out_ = 0.0;
+    double inflow_energy_ = 0.0, outflow_energy_ = 0.0, ambient_work_ = 0.0, scaling_work_ = 0.0;
+    std::vector<std::string> warnings_;
+};
+
+}  // namespace corpuscle::gas
