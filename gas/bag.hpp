@@ -64,6 +64,7 @@ struct BagCard {
     double p_atm = ATMOSPHERE_PRESSURE;   ///< PATM                                   [Pa]
     double T_atm = ATMOSPHERE_TEMPERATURE;///< TATM                                   [K]
     double all_in = 1e10;                 ///< TEND: all particles have entered       [s]
+    double switch_at = INF;               ///< TSW: uniform pressure from then on [s]
     std::vector<InflowCard> inflow;       ///< NGAS cards
     std::vector<OrificeCard> orifices;    ///< NORIF cards
     std::optional<InitialAirCard> air;    ///< IAIR = 1

@@ -32,7 +32,7 @@ std::size_t occupied(const Lists& cells) {
 
 void BagGas::collide(double dt, const Points& x) {
     since_collision_ += dt;
-    if (particles_.size() == 0 || since_collision_ * speed_ < COLLISION_SHARE * cell_) return;
+    if (uniform_ || particles_.size() == 0 || since_collision_ * speed_ < COLLISION_SHARE * cell_) return;
 
     collider_.find_groups(side_lists_.grid(),
                           {side_lists_.starts(), side_lists_.facets(), side_lists_.triangles(), x},

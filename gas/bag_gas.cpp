@@ -85,6 +85,7 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
              RELEASE_TIME * card.second * card.smoothing),
       collider_(collider_of(card, inflators_, seed)),
       area_(x.size(), Vec3::Zero()),
+      held_(held.begin(), held.end()),
       part_impulse_(walls_.part_ids.size(), 0.0),
       triangle_impulse_(walls_.triangles.size(), 0.0) {
     volume_ = enclosure_.volume(x);
@@ -122,8 +123,11 @@ void BagGas::add_load(const Points& x, double span, Points& f) {
     store_.release(span, f);
     volume_ = enclosure_.volume(x);
     enclosure_.node_areas(x, area_);
-    const double gauge = air_pressure() - card_.p_atm;
-    for (const Index n : enclosure_.nodes()) f[n] += gauge * area_[n];
+    if (uniform_) {
+        settle(*uniform_, volume_);
+        fade_late_pressure(span);
+    }
+    for (const Index n : enclosure_.nodes()) f[n] += (pressure_on(n) - card_.p_atm) * area_[n];
 }
 
 void BagGas::book_load(const Points& v_mid, double span) {
@@ -135,13 +139,17 @@ void BagGas::book_load(const Points& v_mid, double span) {
     ambient_work_ += card_.p_atm * swept;
     part_air_ += air_pressure() * span;
     triangle_air_ += (air_pressure() - card_.p_atm) * span;
-    if (air_) air_->add(-air_pressure() * swept);
+    if (uniform_)
+        uniform_->add_heat(-uniform_work(v_mid, span));
+    else if (air_)
+        air_->add(-air_pressure() * swept);
 }
 
 // ---- the gas itself
 // -------------------------------------------------------------------------------
 
 void BagGas::prepare(const Points& x_0, const Points& x_1) {
+    if (uniform_) return;
     if (!lists_.hold_for(x_1)) build(lists_, FLIGHT_CELL * facet_size_, x_0, x_1);
     const double edge = side_lists_.grid().edge;
     const bool fits = cell_ < 1.2 * edge && edge < 1.2 * cell_;
@@ -164,6 +172,8 @@ void BagGas::build(FacetLists& lists, double edge, const Points& x_0, const Poin
 }
 
 void BagGas::inject(double t, double dt, const Points& x_0, const Points& x_1) {
+    time_ = t + dt;
+    if (uniform_) return flow_uniform(t, dt);
     entries_.clear();
     born_.clear();
     if (const int passed = orifices_.passed_by_fabric(lists_, x_0, x_1); passed >= 0) {
@@ -200,6 +210,7 @@ void BagGas::push_back(std::size_t orifice, const Vec3& impulse, const Vec3& mov
 }
 
 void BagGas::fly(double t, double dt, const Points& x_0, const Points& x_1) {
+    if (uniform_) return;
     gas::fly(lists_, x_0, x_1, dt, mass_, born_, particles_, flight_);
     flights_ += particles_.size();
     store_.receive(flight_, lists_.triangles());
@@ -239,7 +250,7 @@ void BagGas::remove_lost(double t) {
 }
 
 double BagGas::stable_step() const {
-    return FLIGHT_SHARE * cell_ / speed_;
+    return uniform_ ? INF : FLIGHT_SHARE * cell_ / speed_;
 }
 
 }  // namespace corpuscle::gas

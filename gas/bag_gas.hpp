@@ -10,6 +10,7 @@
 #include "gas/bag.hpp"
 #include "gas/cell_grid.hpp"
 #include "gas/collide.hpp"
+#include "gas/control_volume.hpp"
 #include "gas/enclosure.hpp"
 #include "gas/facet_lists.hpp"
 #include "gas/flight.hpp"
@@ -65,13 +66,19 @@ public:
 
     /// All that the gas and the atmosphere do to a node at t.                                 [N]
     [[nodiscard]] Vec3 force(Index node) const {
-        return store_.force(node) + (air_pressure() - card_.p_atm) * area_[node];
+        return store_.force(node) + (pressure_on(node) - card_.p_atm) * area_[node];
     }
 
     void prepare(const Points& x_0, const Points& x_1);  ///< facet lists for the step
     void inject(double t, double dt, const Points& x_0, const Points& x_1);
     void collide(double dt, const Points& x);
     void fly(double t, double dt, const Points& x_0, const Points& x_1);
+
+    /// Is it time (TSW) to go over to uniform pressure?
+    [[nodiscard]] bool switches(double t) const;
+    /// Sums up all particles, which freeze where they are (bag_uniform.cpp).
+    void become_uniform(const Points& x);
+    [[nodiscard]] bool is_uniform() const { return uniform_.has_value(); }
 
     /// Step in which a typical particle crosses half a cell: longer ones blur waves. [s]
     [[nodiscard]] double stable_step() const;
@@ -123,7 +130,23 @@ private:
     void push_back(std::size_t orifice, const Vec3& impulse, const Vec3& moving);
     void record_hits(const Points& x_1);
     void remove_lost(double t);
-    [[nodiscard]] double air_pressure() const { return air_ ? air_->pressure(volume_) : 0.0; }
+    /// Pressure that does not come from particles: that of the initial air, or after TSW of all.
+    [[nodiscard]] double air_pressure() const {
+        if (uniform_) return uniform_->pressure();
+        return air_ ? air_->pressure(volume_) : 0.0;
+    }
+    /// The same as a node feels it.
+    [[nodiscard]] double pressure_on(Index node) const {
+        return uniform_ && !held_[node] ? air_pressure() - late_pressure_ : air_pressure();
+    }
+
+    // After TSW (bag_uniform.cpp)
+    void settle(ControlVolume& gas, double volume) const;
+    void flow_uniform(double t, double dt);
+    void fade_late_pressure(double span);
+    [[nodiscard]] double uniform_work(const Points& v_mid, double span) const;
+    [[nodiscard]] GasState uniform_state(const Points& x) const;
+    [[nodiscard]] double energy_of(std::int32_t species) const;
 
     BagCard card_;
     BagWalls walls_;
@@ -150,6 +173,11 @@ private:
     double since_collision_ = 0.0;  ///< [s]
     std::uint64_t collisions_ = 0;  ///< collision steps so far
     std::size_t unrelaxed_ = 0;     ///< groups whose energy belonged to no temperature
+
+    std::optional<ControlVolume> uniform_;  ///< after TSW; the initial air is its last species
+    double late_pressure_ = 0.0;  ///< that owed impulse still stands for, after TSW      [Pa]
+    double time_ = 0.0;           ///< to which gas has come in                              [s]
+    std::vector<std::uint8_t> held_;  ///< N: nodes that feel hits at once
 
     std::vector<double> part_impulse_, triangle_impulse_;  ///< since the last look   [N s]
     double part_air_ = 0.0, triangle_air_ = 0.0;           ///< integral of air pressure [Pa s]

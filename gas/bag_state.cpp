@@ -31,11 +31,17 @@ BagGas::Holding BagGas::holding(std::int32_t species) const {
     });
 }
 
+double BagGas::energy_of(std::int32_t species) const {
+    return holding(species).all();
+}
+
 double BagGas::energy() const {
+    if (uniform_) return uniform_->energy();
     return holding(-1).all() + (air_ ? air_->energy() : 0.0);
 }
 
 GasState BagGas::state(const Points& x) const {
+    if (uniform_) return uniform_state(x);
     GasState now;
     now.volume = enclosure_.volume(x);
     now.area = enclosure_.area(x);

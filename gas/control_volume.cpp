@@ -43,6 +43,12 @@ double ControlVolume::remove(double mass) {
 /// The gas has worked up to t - dt/2: what is left to t is p dV/2, with a pressure that one
 /// correction makes that of t to second order.
 bool ControlVolume::settle(double volume) {
+    if (moles() == 0.0) {
+        energy_at_t_ = energy_;
+        volume_ = volume;
+        pressure_ = 0.0;
+        return volume > 0.0;
+    }
     const double half = std::isnan(volume_) ? 0.0 : 0.5 * (volume - volume_);
     const EnergyPolynomial holds = content();
     const double freedom = R() * moles() / volume;

@@ -57,6 +57,10 @@ public:
     [[nodiscard]] double mass_until(std::size_t inflow, double t) const {
         return gases_[inflow].flow.sum_until(t);
     }
+    /// Of what an inflow brings at t.                                                    [J/kg]
+    [[nodiscard]] double enthalpy(std::size_t inflow, double t) const {
+        return species_[inflow].h(gases_[inflow].temperature(t));
+    }
     [[nodiscard]] double ends() const;  ///< when the last curve ends                          [s]
 
     /// Range of temperatures that the gases' heat capacities were checked for.             [K]

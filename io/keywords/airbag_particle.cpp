@@ -108,8 +108,7 @@ private:
         if (bag_.p_atm == 0.0) bag_.p_atm = ATMOSPHERE_PRESSURE * unit().pressure;
         vent_rows_ = later_count(c, "NVENT");
         bag_.all_in = c.real("TEND", POSITIVE);
-        if (c.real("TSW", POSITIVE) < draft_.model.end_time)
-            c.fault("TSW", "no time before the end: the switch is not acted on yet");
+        bag_.switch_at = c.real("TSW", POSITIVE);
     }
 
     void fine_points() {

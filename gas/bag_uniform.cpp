@@ -1,0 +1,105 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// After TSW: the bag's gas at uniform pressure, its particles frozen.
+
+#include <algorithm>
+#include <cmath>
+
+#include "gas/bag_gas.hpp"
+#include "solver/base/error.hpp"
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle::gas {
+
+bool BagGas::switches(double t) const {
+    constexpr double ROUNDING = 1e-12;  // t is a sum of many steps
+    return !uniform_ && t >= card_.switch_at * (1.0 - ROUNDING);
+}
+
+/// Mass, energy and so temperature stay as they are; motion becomes heat.
+///
+/// What hits have brought and the fabric has not felt yet is still released, and fades as it would
+/// have faded in. Uniform pressure takes its place at that rate, so that the force does not jump.
+void BagGas::become_uniform(const Points& x) {
+    std::vector<Species> kinds = inflators_.species();
+    if (air_) kinds.push_back(air_->species());
+    if (kinds.empty()) return;
+    ControlVolume all(std::move(kinds));
+    for (std::size_t s = 0; s < mass_.size(); ++s) {
+        const auto kind = static_cast<std::int32_t>(s);
+        const auto count = static_cast<double>(
+            std::count(particles_.species.begin(), particles_.species.end(), kind));
+        all.add(s, count * inflators_.moles_each(), energy_of(kind));
+    }
+    if (air_) all.add(mass_.size(), air_->moles(), air_->energy());
+    const double by_air = air_ ? air_->pressure(volume_) : 0.0;
+    settle(all, enclosure_.volume(x));
+    late_pressure_ = all.pressure() - by_air;
+    uniform_ = std::move(all);
+    for (std::size_t i = 0; i < particles_.size(); ++i) {
+        particles_.e[i] +=
+            0.5 * mass_[particles_.species[i]] * particles_.v[i].squaredNorm();
+        particles_.v[i].setZero();
+    }
+}
+
+void BagGas::settle(ControlVolume& gas, double volume) const {
+    if (!gas.settle(volume))
+        throw PhysicsError(
+            time_,
+            fmt::format("*AIRBAG_PARTICLE {}: at uniform pressure the volume is {:g} and the gas "
+                        "holds {:g} of energy",
+                        card_.id, volume, gas.energy()));
+}
+
+/// Gas flows in by its curve; the smoothing account is paid back as fast as impulse is released.
+void BagGas::flow_uniform(double t, double dt) {
+    for (std::size_t s = 0; s < mass_.size(); ++s) {
+        const double mass = inflators_.mass_until(s, t + dt) - inflators_.mass_until(s, t);
+        if (!(mass > 0.0)) continue;
+        const double energy = mass * inflators_.enthalpy(s, t + 0.5 * dt);
+        uniform_->add(s, mass / inflators_.species()[s].molar_mass(), energy);
+        inflow_energy_ += energy;
+        mass_in_ += mass;
+    }
+    const double heat = -std::expm1(-dt / store_.time()) * (taken_ - given_);
+    uniform_->add_heat(heat);
+    taken_ -= heat;
+}
+
+/// The share of the pressure that owed impulse still stands for fades with it; nodes that are held
+/// are owed nothing.
+void BagGas::fade_late_pressure(double span) {
+    late_pressure_ *= std::exp(-span / store_.time());
+}
+
+double BagGas::uniform_work(const Points& v_mid, double span) const {
+    const auto nodes = enclosure_.nodes();
+    return span * parallel::sum(nodes.size(), 0.0, [&](std::size_t i) {
+               const Index n = nodes[i];
+               return pressure_on(n) * area_[n].dot(v_mid[n]);
+           });
+}
+
+GasState BagGas::uniform_state(const Points& x) const {
+    GasState now;
+    now.volume = enclosure_.volume(x);
+    now.area = enclosure_.area(x);
+    now.mass_in = mass_in_;
+    now.mass = uniform_->mass();
+    now.pressure = uniform_->pressure();
+    now.temperature = uniform_->temperature();
+    now.energy = uniform_->energy();
+    now.translational = 1.5 * now.pressure * now.volume;
+    const auto include = [&](std::size_t s) {
+        const double T = now.temperature;
+        now.species.push_back({uniform_->mass(s), uniform_->moles(s) > 0.0 ? T : 0.0,
+                               uniform_->moles(s) * uniform_->species()[s].molar_energy()(T)});
+    };
+    if (air_) include(mass_.size());
+    for (std::size_t s = 0; s < mass_.size(); ++s) include(s);
+    return now;
+}
+
+}  // namespace corpuscle::gas
