@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "solver/base/parallel.hpp"
+
 namespace corpuscle::gas {
 namespace {
 
@@ -50,8 +52,66 @@ void FacetLists::build(const Grid& grid, std::span<const Vec3> x_0, std::span<co
     facet_.resize(static_cast<std::size_t>(start_.back()));
     fill_.assign(start_.begin(), start_.end() - 1);
     for_each_entry([&](std::size_t cell, Index facet) { facet_[fill_[cell]++] = facet; });
-    entry_box_.resize(facet_.size());
-    for (std::size_t e = 0; e < facet_.size(); ++e) entry_box_[e] = SmallBox(facet_box_[facet_[e]]);
+    measure_clearance();
+    find_slabs(x_0, x_1);
+}
+
+/// Cells with facets grow by one cell a pass, along each axis in turn.
+void FacetLists::measure_clearance() {
+    clear_.assign(grid_.size(), FAR);
+    for (std::size_t c = 0; c < grid_.size(); ++c)
+        if (start_[c] != start_[c + 1]) clear_[c] = 0;
+    const auto [nx, ny, nz] = grid_.count;
+    const std::array<std::ptrdiff_t, 3> stride{1, nx, static_cast<std::ptrdiff_t>(nx) * ny};
+    for (int pass = 1; pass < FAR; ++pass) {
+        const auto value = static_cast<std::uint8_t>(pass);
+        for (int axis = 0; axis < 3; ++axis) {
+            wider_ = clear_;
+            std::size_t c = 0;
+            for (int k = 0; k < nz; ++k)
+                for (int j = 0; j < ny; ++j)
+                    for (int i = 0; i < nx; ++i, ++c) {
+                        const int at = axis == 0 ? i : axis == 1 ? j : k;
+                        const bool is_near =
+                            (at > 0 && clear_[c - stride[axis]] <= value - (axis == 0)) ||
+                            (at + 1 < grid_.count[axis] &&
+                             clear_[c + stride[axis]] <= value - (axis == 0));
+                        if (is_near) wider_[c] = std::min(wider_[c], value);
+                    }
+            clear_.swap(wider_);
+        }
+    }
+}
+
+/// Normals: the mean of the facets', turned alike. Heights: of all nodes, and the margin.
+void FacetLists::find_slabs(std::span<const Vec3> x_0, std::span<const Vec3> x_1) {
+    normal_.resize(triangles_.size());
+    parallel::for_each(triangles_.size(), [&](std::size_t f) {
+        const auto& [a, b, c] = triangles_[f];
+        normal_[f] = vector_area(x_1[a], x_1[b], x_1[c]);
+    });
+    slab_.resize(grid_.size());
+    parallel::for_each(grid_.size(), [&](std::size_t cell) {
+        if (start_[cell] == start_[cell + 1]) return;
+        const auto facets = in(cell);
+        const Vec3 first = normal_[facets[0]];
+        Vec3 sum = Vec3::Zero();
+        for (const Index f : facets)
+            sum += normal_[f].dot(first) < 0.0 ? Vec3(-normal_[f]) : normal_[f];
+        Slab& slab = slab_[cell];
+        slab.normal = sum.stableNormalized();
+        slab.low = INF;
+        slab.high = -INF;
+        for (const Index f : facets)
+            for (const Index n : triangles_[f]) {
+                const double h_0 = slab.normal.dot(x_0[n]), h_1 = slab.normal.dot(x_1[n]);
+                slab.low = std::min({slab.low, h_0, h_1});
+                slab.high = std::max({slab.high, h_0, h_1});
+            }
+        const double more = margin_ * slab.normal.lpNorm<1>() + 1e-9 * grid_.edge;
+        slab.low -= more;
+        slab.high += more;
+    });
 }
 
 void FacetLists::pair_patches_with_blocks() {

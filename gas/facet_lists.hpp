@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <cmath>
+#include <algorithm>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -13,21 +13,15 @@
 
 namespace corpuscle::gas {
 
-/// Box in single precision, rounded outward: enough to tell what cannot meet, in half the memory.   [m]
-struct SmallBox {
-    std::array<float, 3> low, high;
+/// Where the facets of a cell lie: between two parallel planes, low <= normal·x <= high, while the
+/// lists hold. A path that stays above or below meets none of them.
+struct Slab {
+    Vec3 normal = Vec3::Zero();     ///< of unit length
+    double low = -INF, high = INF;  ///< [m]
 
-    SmallBox() = default;
-    explicit SmallBox(const contact::Box& box) {
-        for (int a = 0; a < 3; ++a) {
-            low[a] = std::nextafter(static_cast<float>(box.low[a]), -HUGE_VALF);
-            high[a] = std::nextafter(static_cast<float>(box.high[a]), HUGE_VALF);
-        }
-    }
-    [[nodiscard]] bool overlaps(const SmallBox& o) const {
-        bool apart = false;  // no early exit: six comparisons are cheaper than one wrong guess
-        for (int a = 0; a < 3; ++a) apart |= (low[a] > o.high[a]) | (o.low[a] > high[a]);
-        return !apart;
+    [[nodiscard]] bool is_missed_by(const Vec3& from, const Vec3& to) const {
+        const double h_0 = normal.dot(from), h_1 = normal.dot(to);
+        return std::min(h_0, h_1) > high || std::max(h_0, h_1) < low;
     }
 };
 
@@ -56,16 +50,20 @@ public:
         return {facet_.data() + start_[cell],
                 static_cast<std::size_t>(start_[cell + 1] - start_[cell])};
     }
-    /// Boxes that the facets of in(cell) stay in while the lists hold, in the same order.
-    [[nodiscard]] std::span<const SmallBox> boxes_in(std::size_t cell) const {
-        return {entry_box_.data() + start_[cell], in(cell).size()};
-    }
+    /// How far the nearest cell with facets is, in cells along the farthest axis; 0: facets here.
+    /// At most FAR.
+    [[nodiscard]] int clear(std::size_t cell) const { return clear_[cell]; }
+    static constexpr int FAR = 3;
+
+    [[nodiscard]] const Slab& slab(std::size_t cell) const { return slab_[cell]; }
     [[nodiscard]] std::span<const Index> starts() const { return start_; }
     [[nodiscard]] std::span<const Index> facets() const { return facet_; }
     [[nodiscard]] std::size_t builds() const { return builds_; }
 
 private:
     void pair_patches_with_blocks();
+    void measure_clearance();
+    void find_slabs(std::span<const Vec3> x_0, std::span<const Vec3> x_1);
     template <class Enter>
     void for_each_entry(Enter&& enter) const;
 
@@ -80,8 +78,10 @@ private:
     Points built_at_;  ///< x_1 of the build, for nodes_
     std::vector<contact::Box> facet_box_, box_;
     std::vector<std::pair<Index, Index>> pairs_;  ///< patch, block
-    std::vector<SmallBox> entry_box_;             ///< of facet_, so that a cell reads straight on
     std::vector<Index> start_, fill_, facet_;     ///< cells -> facets, compressed rows
+    std::vector<std::uint8_t> clear_, wider_;     ///< per cell
+    std::vector<Slab> slab_;                      ///< per cell
+    Points normal_;                               ///< of the facets, not of unit length
 };
 
 }  // namespace corpuscle::gas

@@ -26,9 +26,31 @@ struct Meeting {
 /// Everything that a flight reads.
 struct Scene {
     const FacetLists& lists;
+    const FacetBounds& bounds;
     const Triangle* triangles;
     const Vec3 *x_0, *x_1;
     double dt;
+};
+
+/// Cells that the box from one point to another overlaps.
+struct CellRange {
+    std::array<int, 3> first, last;
+
+    CellRange(const Grid& grid, const Vec3& from, const Vec3& to) {
+        for (int a = 0; a < 3; ++a) {
+            first[a] = grid.along(a, std::min(from[a], to[a]));
+            last[a] = grid.along(a, std::max(from[a], to[a]));
+        }
+    }
+    /// visit(cell) until it returns true; did it?
+    template <class Visit>
+    bool any(const Grid& grid, Visit&& visit) const {
+        for (int k = first[2]; k <= last[2]; ++k)
+            for (int j = first[1]; j <= last[1]; ++j)
+                for (int i = first[0]; i <= last[0]; ++i)
+                    if (visit(grid.row(i, j, k))) return true;
+        return false;
+    }
 };
 
 /// Keeps the facet in `first` if the path crosses it earlier.
@@ -40,27 +62,24 @@ void meet(const Scene& scene, const Path& path, Index facet, double after, const
     if (hit && (first.facet < 0 || hit->tau < first.where.tau)) first = {facet, *hit};
 }
 
+/// May a path that starts at `from` and ends at `to` meet a facet of this cell?
+bool may_meet(const FacetLists& lists, std::size_t cell, const Vec3& from, const Vec3& to) {
+    return lists.clear(cell) == 0 && !lists.slab(cell).is_missed_by(from, to);
+}
+
 /// First facet that the path crosses after `after`; `last` is the meeting it has just left.
 Meeting first_meeting(const Scene& scene, const Path& path, const Vec3& from, double after,
                       const Meeting& last) {
     const Grid& grid = scene.lists.grid();
-    const contact::Box flown{from.cwiseMin(path.at_1), from.cwiseMax(path.at_1)};
-    std::array<int, 3> c0, c1;
-    for (int a = 0; a < 3; ++a) {
-        c0[a] = grid.along(a, flown.low[a]);
-        c1[a] = grid.along(a, flown.high[a]);
-    }
-    const SmallBox way(flown);
+    const SmallPath small = scene.bounds.small(path, from);
     Meeting first;
-    for (int k = c0[2]; k <= c1[2]; ++k)
-        for (int j = c0[1]; j <= c1[1]; ++j)
-            for (int i = c0[0]; i <= c1[0]; ++i) {
-                const std::size_t cell = grid.row(i, j, k);
-                const auto facets = scene.lists.in(cell);
-                const auto boxes = scene.lists.boxes_in(cell);
-                for (std::size_t f = 0; f < facets.size(); ++f)
-                    if (boxes[f].overlaps(way)) meet(scene, path, facets[f], after, last, first);
-            }
+    CellRange(grid, from, path.at_1).any(grid, [&](std::size_t cell) {
+        if (may_meet(scene.lists, cell, from, path.at_1))
+            for (const Index facet : scene.lists.in(cell))
+                if (scene.bounds[facet].may_meet(small))
+                    meet(scene, path, facet, after, last, first);
+        return false;
+    });
     return first;
 }
 
@@ -144,21 +163,13 @@ bool fly_one(const Scene& scene, double mass, double born, Vec3& x, Vec3& v, dou
     return ride(scene, mass, last, before, from, now, x, v, internal, hits);
 }
 
-/// No facet in any cell that the path may touch.
+/// Is there no facet anywhere near? First by the start's cell alone, then by all that it may touch.
 bool meets_nothing(const FacetLists& lists, const Vec3& from, const Vec3& to) {
     const Grid& grid = lists.grid();
-    std::array<int, 3> a, b;
-    for (int axis = 0; axis < 3; ++axis) {
-        a[axis] = grid.along(axis, std::min(from[axis], to[axis]));
-        b[axis] = grid.along(axis, std::max(from[axis], to[axis]));
-    }
-    const std::span<const Index> start = lists.starts();
-    for (int k = a[2]; k <= b[2]; ++k)
-        for (int j = a[1]; j <= b[1]; ++j) {
-            const std::size_t row = grid.row(a[0], j, k);
-            if (start[row] != start[row + static_cast<std::size_t>(b[0] - a[0]) + 1]) return false;
-        }
-    return true;
+    const int clear = lists.clear(grid.cell_of(from));
+    if (clear > 1 && (to - from).cwiseAbs().maxCoeff() <= (clear - 1) * grid.edge) return true;
+    return !CellRange(grid, from, to).any(
+        grid, [&](std::size_t cell) { return may_meet(lists, cell, from, to); });
 }
 
 }  // namespace
@@ -166,7 +177,8 @@ bool meets_nothing(const FacetLists& lists, const Vec3& from, const Vec3& to) {
 void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec3> x_1, double dt,
          std::span<const double> mass, std::span<const double> born, Particles& gas,
          FlightResult& result) {
-    const Scene scene{lists, lists.triangles().data(), x_0.data(), x_1.data(), dt};
+    result.bounds.update(lists.triangles(), x_0, x_1);
+    const Scene scene{lists, result.bounds, lists.triangles().data(), x_0.data(), x_1.data(), dt};
     const std::size_t old = gas.size() - born.size();
     const std::size_t chunks = parallel::chunk_count(gas.size());
     if (result.hits.size() < chunks) result.hits.resize(chunks);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "gas/facet_bounds.hpp"
 #include "gas/facet_lists.hpp"
 #include "gas/particles.hpp"
 
@@ -28,6 +29,7 @@ struct Lost {
 struct FlightResult {
     std::vector<std::vector<Hit>> hits;  ///< a list a chunk, to be read in order
     std::vector<Lost> lost;
+    FacetBounds bounds;  ///< of this flight; kept for its memory
 };
 
 /// Free flight through one step, t -> t + dt, with specular reflection off the moving facets.

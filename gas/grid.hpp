@@ -15,14 +15,20 @@ namespace corpuscle::gas {
 struct Grid {
     Vec3 low = Vec3::Zero();            ///< corner of cell (0, 0, 0)            [m]
     double edge = 1.0;                  ///< of a cell                           [m]
+    double per_edge = 1.0;              ///< 1 / edge                            [1/m]
     std::array<int, 3> count{1, 1, 1};  ///< cells along x, y, z
+
+    void set_edge(double length) {
+        edge = length;
+        per_edge = 1.0 / length;
+    }
 
     [[nodiscard]] std::size_t size() const {
         return static_cast<std::size_t>(count[0]) * count[1] * count[2];
     }
     /// Cell coordinate along one axis.
     [[nodiscard]] int along(int axis, double position) const {
-        const double cells = (position - low[axis]) / edge;
+        const double cells = (position - low[axis]) * per_edge;
         return static_cast<int>(std::clamp(cells, 0.0, count[axis] - 1.0));
     }
     [[nodiscard]] std::size_t row(int i, int j, int k) const {
@@ -52,6 +58,7 @@ struct Grid {
             if (cells <= most) break;
         }
         const Vec3 span(grid.count[0], grid.count[1], grid.count[2]);
+        grid.set_edge(grid.edge);
         grid.low = 0.5 * (from + to - grid.edge * span);
         return grid;
     }

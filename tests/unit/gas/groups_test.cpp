@@ -50,7 +50,7 @@ struct Scene {
     std::vector<int> groups() {
         Grid grid;
         grid.low = Vec3(-1, -1, -1);
-        grid.edge = 2.0;
+        grid.set_edge(2.0);
         facet.resize(triangles.size());
         std::iota(facet.begin(), facet.end(), 0);
         start = {0, static_cast<Index>(facet.size())};
