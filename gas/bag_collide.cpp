@@ -37,24 +37,37 @@ void BagGas::collide(double dt, const Points& x) {
     collider_.find_groups(side_lists_.grid(),
                           {side_lists_.starts(), side_lists_.facets(), side_lists_.triangles(), x},
                           particles_);
-    const double thermal = collider_.thermal_energy(particles_);
-    double heat = 0.0;
-    if (thermal > 0.0) heat = heat_from_air(thermal) + heat_from_smoothing(thermal);
-    const double factor = thermal > 0.0 ? 1.0 + heat / thermal : 1.0;
-    unrelaxed_ += collider_.collide(collisions_, factor, particles_).unrelaxed;
+    if (!(thermal_ > 0.0)) thermal_ = collider_.thermal_energy(particles_);
+    const Heat wanted = thermal_ > 0.0 ? wanted_heat() : Heat{};
+    const double factor = thermal_ > 0.0 ? 1.0 + wanted.all() / thermal_ : 1.0;
+    const CollisionReport report = collider_.collide(collisions_, factor, particles_);
+    if (thermal_ > 0.0) settle(wanted, report.thermal / thermal_);
+    thermal_ = factor * report.thermal;
+    unrelaxed_ += report.unrelaxed;
     ++collisions_;
     since_collision_ = 0.0;
     fit_cells(occupied(collider_.cells()));
     measure_speed();
 }
 
-/// Brings the initial air to the particles' mean temperature; returns what they get from it.
+/// Heat that the particles are to get, were their thermal energy still that after the last collisions.
+BagGas::Heat BagGas::wanted_heat() const {
+    return {heat_from_air(thermal_), heat_from_smoothing(thermal_)};
+}
+
+/// Takes from the accounts what the particles did get: `ratio` times what was wanted.
+void BagGas::settle(const Heat& wanted, double ratio) {
+    if (air_) air_->add(-ratio * wanted.from_air);
+    taken_ -= ratio * wanted.from_smoothing;
+}
+
+/// What brings the initial air to the particles' mean temperature; the air loses it.             [J]
 ///
 ///     E_air(T) + E_particles(T) = E_air + E_thermal
 ///
 /// A group's mean motion is no heat, so N particles in G groups hold 3/2 (N - G) R T of
 /// translation.
-double BagGas::heat_from_air(double thermal) {
+double BagGas::heat_from_air(double thermal) const {
     if (!air_) return 0.0;
     const double moles = inflators_.moles_each();
     const auto free = static_cast<double>(particles_.size() - collider_.groups().lists().size());
@@ -66,19 +79,15 @@ double BagGas::heat_from_air(double thermal) {
                                            static_cast<std::int32_t>(s))) *
             moles * inflators_.species()[s].molar_internal();
     const double T = content.temperature(air_->energy() + thermal, air_->temperature());
-    const double given = air_->energy() - air_->content()(T);
-    air_->add(-given);
-    return given;
+    return air_->energy() - air_->content()(T);
 }
 
 /// Pays back what hits took from the particles and release has not given to the fabric (or the
-/// other way round), as fast as impulse is released.
-double BagGas::heat_from_smoothing(double thermal) {
+/// other way round), as fast as impulse is released.                                             [J]
+double BagGas::heat_from_smoothing(double thermal) const {
     const double account = taken_ - given_;
     const double share = -std::expm1(-since_collision_ / store_.time());
-    const double heat = std::max(account * share, -(1.0 - LEFT_BY_ACCOUNT) * thermal);
-    taken_ -= heat;
-    return heat;
+    return std::max(account * share, -(1.0 - LEFT_BY_ACCOUNT) * thermal);
 }
 
 /// Adapts the cells that the next facet lists will have to how many particles the occupied ones

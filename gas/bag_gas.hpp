@@ -123,8 +123,14 @@ private:
     struct Holding;
     [[nodiscard]] Holding holding(std::int32_t species) const;
     static void build(FacetLists& lists, double edge, const Points& x_0, const Points& x_1);
-    double heat_from_air(double thermal);
-    double heat_from_smoothing(double thermal);
+    struct Heat {  ///< for the particles, by where it comes from                        [J]
+        double from_air = 0.0, from_smoothing = 0.0;
+        [[nodiscard]] double all() const { return from_air + from_smoothing; }
+    };
+    [[nodiscard]] Heat wanted_heat() const;
+    void settle(const Heat& wanted, double ratio);
+    [[nodiscard]] double heat_from_air(double thermal) const;
+    [[nodiscard]] double heat_from_smoothing(double thermal) const;
     void fit_cells(std::size_t occupied_cells);
     void measure_speed();
     void push_back(std::size_t orifice, const Vec3& impulse, const Vec3& moving);
@@ -172,6 +178,7 @@ private:
     double speed_ = 0.0;            ///< thermal, sqrt(R T / M) of the gas as a whole  [m/s]
     double since_collision_ = 0.0;  ///< [s]
     std::uint64_t collisions_ = 0;  ///< collision steps so far
+    double thermal_ = 0.0;          ///< of the particles, after the last collisions   [J]
     std::size_t unrelaxed_ = 0;     ///< groups whose energy belonged to no temperature
 
     std::optional<ControlVolume> uniform_;  ///< after TSW; the initial air is its last species

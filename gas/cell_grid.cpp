@@ -3,7 +3,6 @@
 #include "gas/cell_grid.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
 #include "solver/base/parallel.hpp"
@@ -14,19 +13,15 @@ namespace {
 
 constexpr std::size_t SMALLEST_SLICE = 8192;  ///< particles worth a thread
 
-template <class T>
-void gather(std::span<const Index> order, const std::vector<T>& from, std::vector<T>& to) {
-    to.resize(from.size());
-    parallel::for_each(order.size(), [&](std::size_t i) { to[i] = from[order[i]]; });
-}
-
 }  // namespace
 
-void CellSort::sort(const Grid& grid, std::span<const Vec3> x) {
+void CellSort::sort(const Grid& grid, Particles& particles) {
+    const std::span<const Vec3> x = particles.x;
     cells_ = grid.size();
     cell_.resize(x.size());
-    order_.resize(x.size());
+    sorted_.resize(x.size());
     start_.resize(cells_ + 1);
+    while (row_.size() < x.size()) row_.push_back(static_cast<Index>(row_.size()));
 
     // One slice of the particles a thread. A stable sort has one result, however it is cut.
     const auto threads = static_cast<std::size_t>(parallel::threads());
@@ -43,7 +38,8 @@ void CellSort::sort(const Grid& grid, std::span<const Vec3> x) {
     }
     start_[cells_] = next;
     parallel::for_each(
-        slices, [&](std::size_t s) { place(s); }, 1);
+        slices, [&](std::size_t s) { place(particles, s); }, 1);
+    std::swap(particles, sorted_);
 }
 
 void CellSort::count(const Grid& grid, std::span<const Vec3> x, std::size_t slice) {
@@ -56,21 +52,17 @@ void CellSort::count(const Grid& grid, std::span<const Vec3> x, std::size_t slic
     }
 }
 
-void CellSort::place(std::size_t slice) {
+void CellSort::place(const Particles& from, std::size_t slice) {
     Index* const next = fill_.data() + slice * cells_;
-    const std::size_t end = std::min(order_.size(), (slice + 1) * slice_length_);
-    for (std::size_t i = slice * slice_length_; i < end; ++i)
-        order_[next[cell_[i]]++] = static_cast<Index>(i);
-}
-
-void reorder(std::span<const Index> order, Particles& particles, Particles& scratch) {
-    assert(order.size() == particles.size());
-    gather(order, particles.x, scratch.x);
-    gather(order, particles.v, scratch.v);
-    gather(order, particles.e, scratch.e);
-    gather(order, particles.species, scratch.species);
-    gather(order, particles.id, scratch.id);
-    std::swap(particles, scratch);
+    const std::size_t end = std::min(from.size(), (slice + 1) * slice_length_);
+    for (std::size_t i = slice * slice_length_; i < end; ++i) {
+        const auto to = static_cast<std::size_t>(next[cell_[i]]++);
+        sorted_.x[to] = from.x[i];
+        sorted_.v[to] = from.v[i];
+        sorted_.e[to] = from.e[i];
+        sorted_.species[to] = from.species[i];
+        sorted_.id[to] = from.id[i];
+    }
 }
 
 }  // namespace corpuscle::gas

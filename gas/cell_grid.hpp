@@ -23,31 +23,31 @@ struct Lists {
     }
 };
 
-/// Particles by grid cell: a stable counting sort, so the order is that of cells, then of rows, on
-/// any number of threads. Memory: 8 bytes a particle, 4 a cell and thread.
+/// Puts particles in the order of their grid cells: neighbours in space become neighbours in memory. A
+/// stable counting sort, so the order is that of cells, then of former rows, on any number of threads.
+/// Memory: 4 bytes a particle and a second set of particles, 4 bytes a cell and thread.
 class CellSort {
 public:
-    void sort(const Grid& grid, std::span<const Vec3> x);
+    void sort(const Grid& grid, Particles& particles);
 
-    [[nodiscard]] Lists cells() const { return {start_, order_}; }
+    /// Rows by cell, as sorted last.
+    [[nodiscard]] Lists cells() const { return {start_, std::span(row_).first(cell_.size())}; }
 
 private:
     void count(const Grid& grid, std::span<const Vec3> x, std::size_t slice);
-    void place(std::size_t slice);
+    void place(const Particles& from, std::size_t slice);
 
     std::size_t cells_ = 0, slice_length_ = 1;
-    std::vector<Index> cell_;  ///< of each particle
+    std::vector<Index> cell_;  ///< of each particle, before
     std::vector<Index> fill_;  ///< slices × cells: first count, then next place
-    std::vector<Index> start_, order_;
+    std::vector<Index> start_;
+    std::vector<Index> row_;   ///< 0, 1, 2, ...
+    Particles sorted_;
 };
 
 /// Edge of cubic cells that hold `per_cell` particles on average.                          [m]
 inline double cell_edge(double volume, std::size_t particles, double per_cell) {
     return std::cbrt(volume * per_cell / static_cast<double>(particles));
 }
-
-/// Moves particles so that row i becomes what row order[i] was: neighbours in space become
-/// neighbours in memory. `scratch` keeps its memory from call to call.
-void reorder(std::span<const Index> order, Particles& particles, Particles& scratch);
 
 }  // namespace corpuscle::gas

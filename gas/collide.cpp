@@ -14,8 +14,8 @@ Collider::Collider(std::vector<Species> species, double moles_each, std::uint64_
     : mixture_{std::move(species), moles_each}, seed_(seed), model_(model) {}
 
 void Collider::find_groups(const Grid& grid, const FacetsInCells& facets,
-                           const Particles& particles) {
-    cells_.sort(grid, particles.x);
+                           Particles& particles) {
+    cells_.sort(grid, particles);
     groups_.find(cells_.cells(), facets, particles, std::sqrt(3.0) * grid.edge);
 }
 

@@ -30,8 +30,14 @@ struct CollisionStep {
 
 /// What went other than planned.
 struct CollisionReport {
+    double thermal = 0.0;  ///< energy of all groups that `heat` has multiplied, before    [J]
     std::size_t unrelaxed =
         0;  ///< groups whose energy belongs to no temperature; it was left where it is
+    CollisionReport& operator+=(const CollisionReport& o) {
+        thermal += o.thermal;
+        unrelaxed += o.unrelaxed;
+        return *this;
+    }
 };
 
 CollisionReport collide_pairs(const CollisionStep& step, Particles& particles);
@@ -40,15 +46,16 @@ CollisionReport collide_lin(const CollisionStep& step, Particles& particles);
 /// Collisions and internal energy of a bag's particles, from sorting to scattering.
 ///
 ///     collider.find_groups(grid, facets, particles);
-///     const double heat = 1 + Q / collider.thermal_energy(particles);   // Q: heat to bring in
-///     collider.collide(step, heat, particles);
+///     const CollisionReport report = collider.collide(step, heat, particles);
+///     brought_in += (heat - 1) * report.thermal;
 class Collider {
 public:
     Collider(std::vector<Species> species, double moles_each, std::uint64_t seed,
              CollisionModel model = CollisionModel::LIN);
 
-    /// Sorts particles by cell and by side of the fabric. Valid until rows or places change.
-    void find_groups(const Grid& grid, const FacetsInCells& facets, const Particles& particles);
+    /// Puts particles in the order of cells, and in cells with fabric tells sides apart. Valid until
+    /// rows or places change.
+    void find_groups(const Grid& grid, const FacetsInCells& facets, Particles& particles);
 
     /// Energy of all motion relative to the groups' mean velocities, and all internal energy. [J]
     /// What collide(heat) multiplies.

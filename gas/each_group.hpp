@@ -16,21 +16,17 @@ template <class CollideOne>
 CollisionReport for_each_group(const CollisionStep& step, Particles& particles,
                                CollideOne&& collide_one) {
     constexpr std::size_t GROUPS_A_CHUNK = 64;
-    CollisionReport report;
-    report.unrelaxed = parallel::sum(
-        step.groups.size(), std::size_t{0},
-        [&](std::size_t g) -> std::size_t {
-            thread_local Swarm swarm;
-            const auto rows = step.groups[g];
-            if (g + 1 < step.groups.size()) prefetch(step.groups[g + 1], particles);
-            swarm.gather(rows, step.mixture, particles);
-            Random draw(step.seed, Stream::COLLISION, step.step, g);
-            const bool is_relaxed = collide_one(swarm, draw, rows);
-            swarm.scatter(rows, particles);
-            return is_relaxed ? 0 : 1;
-        },
-        GROUPS_A_CHUNK);
-    return report;
+    const auto collide_group = [&](std::size_t g) {
+        thread_local Swarm swarm;
+        const auto rows = step.groups[g];
+        swarm.gather(rows, step.mixture, particles);
+        CollisionReport report{swarm.translational() + swarm.internal()};
+        Random draw(step.seed, Stream::COLLISION, step.step, g);
+        if (!collide_one(swarm, draw, rows)) report.unrelaxed = 1;
+        swarm.scatter(rows, particles);
+        return report;
+    };
+    return parallel::sum(step.groups.size(), CollisionReport{}, collide_group, GROUPS_A_CHUNK);
 }
 
 }  // namespace corpuscle::gas

@@ -9,7 +9,7 @@
 
 namespace corpuscle::gas {
 
-/// Particles inside a bag, one array a quantity (82 bytes a particle with its scratch).
+/// Particles inside a bag, one array a quantity (64 bytes a particle).
 ///
 /// Every particle stands for the same number of moles `moles_each` of its species, so its mass is
 /// moles_each · M: only then do collisions between species end in equipartition.
@@ -22,6 +22,13 @@ struct Particles {
 
     [[nodiscard]] std::size_t size() const { return x.size(); }
 
+    void resize(std::size_t n) {
+        x.resize(n);
+        v.resize(n);
+        e.resize(n);
+        species.resize(n);
+        id.resize(n);
+    }
     void erase(std::size_t row) {
         const auto at = static_cast<std::ptrdiff_t>(row);
         x.erase(x.begin() + at);

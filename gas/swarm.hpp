@@ -84,14 +84,4 @@ private:
     std::vector<Index> shuffled_;
 };
 
-/// Asks for a group's rows ahead of their use: they lie scattered in memory.
-inline void prefetch(std::span<const Index> rows, const Particles& particles) {
-    for (const Index row : rows) {
-        __builtin_prefetch(&particles.v[row], 1);
-        __builtin_prefetch(&particles.x[row], 0);
-        __builtin_prefetch(&particles.e[row], 1);
-        __builtin_prefetch(&particles.species[row], 0);
-    }
-}
-
 }  // namespace corpuscle::gas

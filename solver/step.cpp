@@ -36,8 +36,8 @@ StepReport Simulation::step(const Observer& observe) {
     for (gas::BagGas& bag : bags_) {
         if (bag.switches(t)) bag.become_uniform(nodes_.x);
         bag.prepare(nodes_.x, nodes_.x_1);                                      lap("facet lists");
-        bag.inject(t, dt, nodes_.x, nodes_.x_1);                                lap("inflators");
         bag.collide(dt, nodes_.x);                                              lap("collisions");
+        bag.inject(t, dt, nodes_.x, nodes_.x_1);                                lap("inflators");
         bag.fly(t, dt, nodes_.x, nodes_.x_1);                                   lap("flight");
     }
     for (gas::UniformBag& bag : uniform_bags_) bag.flow(t, dt);

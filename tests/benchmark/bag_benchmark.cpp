@@ -62,8 +62,8 @@ public:
         gas_->add_load(x_0_, STEP, force_);
         move();
         gas_->prepare(x_0_, x_1_);
-        gas_->inject(t_, STEP, x_0_, x_1_);
         gas_->collide(STEP, x_0_);
+        gas_->inject(t_, STEP, x_0_, x_1_);
         gas_->fly(t_, STEP, x_0_, x_1_);
         x_0_.swap(x_1_);
         t_ += STEP;

@@ -33,11 +33,6 @@ public:
         const Vec3 now(length, size_.y(), size_.z());
         collider_.find_groups(Grid::over(Vec3::Zero(), now - Vec3::Constant(1e-12), edge_, 1000000),
                               {}, gas);
-        if (step_ % 10 == 0) {
-            reorder(collider_.cells().order, gas, scratch_);
-            collider_.find_groups(
-                Grid::over(Vec3::Zero(), now - Vec3::Constant(1e-12), edge_, 1000000), {}, gas);
-        }
         collider_.collide(step_++, 1.0, gas);
         for (std::size_t i = 0; i < gas.size(); ++i) {
             fly_along_x(i, dt, piston_speed);
@@ -93,7 +88,6 @@ private:
     const Mixture& mixture_;
     Collider collider_;
     double edge_;
-    Particles scratch_;
     std::uint64_t step_ = 0;
 };
 

@@ -55,7 +55,7 @@ struct Scene {
         std::iota(facet.begin(), facet.end(), 0);
         start = {0, static_cast<Index>(facet.size())};
         CellSort cells;
-        cells.sort(grid, gas.x);
+        cells.sort(grid, gas);
         Groups groups;
         groups.find(cells.cells(), {start, facet, triangles, x}, gas, 2.0 * std::sqrt(3.0));
         std::vector<int> group(gas.size(), -1);
@@ -239,10 +239,10 @@ TEST_CASE("groups depend neither on the order of rows nor on threads", "[gas]") 
 }
 
 TEST_CASE("without fabric a cell is a group, and empty cells are none", "[gas]") {
-    const Particles gas = random_gas(300, Vec3(1, 1, 1), mixture_of({AIR}), {300});
+    Particles gas = random_gas(300, Vec3(1, 1, 1), mixture_of({AIR}), {300});
     const Grid grid = Grid::over(Vec3::Zero(), Vec3(3, 3, 3), 0.3, 10000);
     CellSort cells;
-    cells.sort(grid, gas.x);
+    cells.sort(grid, gas);
     Groups groups;
     for (const int threads : {1, 2}) {
         parallel::set_threads(threads);
