@@ -83,16 +83,24 @@ Meeting first_meeting(const Scene& scene, const Path& path, const Vec3& from, do
     return first;
 }
 
+/// Velocity of the point of the facet where it was met.
+Vec3 velocity_at(const Scene& scene, const Meeting& meeting) {
+    Vec3 velocity = Vec3::Zero();
+    for (int c = 0; c < 3; ++c) {
+        const Index n = scene.triangles[meeting.facet][c];
+        velocity += meeting.where.at[c] / scene.dt * (scene.x_1[n] - scene.x_0[n]);
+    }
+    return velocity;
+}
+
 /// Velocity after the bounce.
 Vec3 reflect(const Scene& scene, const Meeting& meeting, const Vec3& v) {
     const Triangle& nodes = scene.triangles[meeting.facet];
-    Vec3 wall = Vec3::Zero();
+    const Vec3 wall = velocity_at(scene, meeting);
     std::array<Vec3, 3> x;
-    for (int c = 0; c < 3; ++c) {
-        const Vec3 move = scene.x_1[nodes[c]] - scene.x_0[nodes[c]];
-        x[c] = scene.x_0[nodes[c]] + meeting.where.tau * move;
-        wall += meeting.where.at[c] / scene.dt * move;
-    }
+    for (int c = 0; c < 3; ++c)
+        x[c] = scene.x_0[nodes[c]] +
+               meeting.where.tau * (scene.x_1[nodes[c]] - scene.x_0[nodes[c]]);
     const MovingPlane plane = plane_of(meeting.where.piece, nodes, scene.x_0, scene.x_1);
     const double approach = plane.normal.dot(v) - plane.speed / scene.dt;
 
@@ -107,41 +115,51 @@ Vec3 reflect(const Scene& scene, const Meeting& meeting, const Vec3& v) {
     return v - 2.0 * approach / plane.normal.squaredNorm() * plane.normal;
 }
 
-/// A particle caught between two closing facets rides with them to the end of the step: it goes to
-/// a point between the places where it last met them, and what it had in speed becomes internal
-/// energy. False when no way there is free.
-bool ride(const Scene& scene, double mass, const Meeting& a, const Meeting& b, const Vec3& from,
-          double now, Vec3& x, Vec3& v, double& internal, std::vector<Hit>& hits) {
-    if (b.facet < 0) return false;
-    const auto ends_at = [&](const Meeting& meeting) {
-        const Triangle& nodes = scene.triangles[meeting.facet];
-        Vec3 at = Vec3::Zero();
-        for (int c = 0; c < 3; ++c) at += meeting.where.at[c] * scene.x_1[nodes[c]];
-        return at;
+/// A particle caught where fabric closes begins the step anew and rides with it instead: from where it
+/// started it goes straight to where no facet is in the way. Ways that are tried: with the fabric, then
+/// faster and faster off it in all directions. Momentum goes to the facet met last; what is left in
+/// speed becomes internal energy, and where there is too little of it the facet pays. False when every
+/// way is closed.
+bool ride(const Scene& scene, double mass, double born, const Meeting& met, Vec3& x, Vec3& v,
+          double& internal, std::vector<Hit>& hits) {
+    constexpr double SHARES[] = {1e-3, 1e-2, 0.1, 0.5, 1.0};
+    const auto is_free = [&](const Vec3& way) {
+        const Path path{x - born * scene.dt * way, x + (1.0 - born) * scene.dt * way};
+        return first_meeting(scene, path, x, born > 0.0 ? born : -1.0, {}).facet < 0;
     };
-    for (const double share : {0.5, 0.25, 0.75, 0.1, 0.9}) {
-        const Vec3 to = ends_at(a) + share * (ends_at(b) - ends_at(a));
-        const Vec3 riding = (to - from) / ((1.0 - now) * scene.dt);
-        const double heat = 0.5 * mass * (v.squaredNorm() - riding.squaredNorm());
-        const Path path{to - scene.dt * riding, to};
-        if (internal + heat < 0.0 || first_meeting(scene, path, from, now, {}).facet >= 0) continue;
-        hits.push_back({a.facet, a.where.at, mass * (v - riding), 0.0});
-        internal += heat;
-        x = to;
-        v = riding;
+    const Vec3 fabric = velocity_at(scene, met);
+    const double speed = (v - fabric).norm();
+    const auto take = [&](const Vec3& way) {
+        const double heat = 0.5 * mass * (v.squaredNorm() - way.squaredNorm());
+        const double kept = std::max(heat, -0.5 * internal);
+        hits.push_back({met.facet, met.where.at, mass * (v - way), heat - kept});
+        internal += kept;
+        x += (1.0 - born) * scene.dt * way;
+        v = way;
         return true;
-    }
+    };
+    if (is_free(fabric)) return take(fabric);
+    for (const double share : SHARES)
+        for (int k = -1; k <= 1; ++k)
+            for (int j = -1; j <= 1; ++j)
+                for (int i = -1; i <= 1; ++i) {
+                    if (i == 0 && j == 0 && k == 0) continue;
+                    const Vec3 way = fabric + share * speed * Vec3(i, j, k).normalized();
+                    if (is_free(way)) return take(way);
+                }
     return false;
 }
 
-/// Flies one particle to the end of the step; false when it is caught.
+/// Flies one particle to the end of the step; false when it is caught for good.
 bool fly_one(const Scene& scene, double mass, double born, Vec3& x, Vec3& v, double& internal,
              std::vector<Hit>& hits) {
+    const std::size_t hits_before = hits.size();
+    const Vec3 v_before = v;
     Vec3 from = x;
     double now = born;
     Path path{from - now * scene.dt * v, from + (1.0 - now) * scene.dt * v};
     double after = born > 0.0 ? born : -1.0;  // a full step counts every crossing, exactly
-    Meeting last, before;
+    Meeting last;
     for (int hit = 0; hit < MOST_HITS; ++hit) {
         const Meeting meeting = first_meeting(scene, path, from, after, last);
         if (meeting.facet < 0) {
@@ -155,12 +173,12 @@ bool fly_one(const Scene& scene, double mass, double born, Vec3& x, Vec3& v, dou
                         0.5 * mass * (v.squaredNorm() - away.squaredNorm())});
         v = away;
         now = after = stop;
-        before = last;
         last = meeting;
         path = {from - now * scene.dt * v, from + (1.0 - now) * scene.dt * v};
     }
-    x = from;
-    return ride(scene, mass, last, before, from, now, x, v, internal, hits);
+    hits.resize(hits_before);
+    v = v_before;
+    return ride(scene, mass, born, last, x, v, internal, hits);
 }
 
 /// Is there no facet anywhere near? First by the start's cell alone, then by all that it may touch.

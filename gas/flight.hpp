@@ -39,8 +39,8 @@ struct FlightResult {
 ///
 /// Facets move linearly; positions, normals and velocities v_w are those of the instant and the
 /// point of the hit. Any number of hits in a step; no facet is ever passed (see crossing.hpp).
-/// A particle that bounces a thousand times in a step is caught between closing facets: it rides
-/// with them and turns its speed into internal energy. `born[i]`: for the last born.size()
+/// A particle that bounces a thousand times in a step is caught where fabric closes: it rides with the
+/// fabric and turns its speed into internal energy. `born[i]`: for the last born.size()
 /// particles, the share of the step at which they start. `mass[s]`: of a particle of species s.
 void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec3> x_1, double dt,
          std::span<const double> mass, std::span<const double> born, Particles& gas,
