@@ -49,6 +49,9 @@ struct InitialAirCard {
     SpeciesCard species;
     double pressure = NaN;     ///< PAIR  [Pa]
     double temperature = NaN;  ///< TAIR  [K]
+    bool is_particles = false;   ///< IAIR = 2
+    bool flows_in = false;       ///< IAIR = -1: ambient air comes in where p < p_atm
+    std::size_t particles = 0;   ///< NPAIR, beside NP; 0: a share of NP
 };
 
 /// One *AIRBAG_PARTICLE.
@@ -67,7 +70,7 @@ struct BagCard {
     double switch_at = INF;               ///< TSW: uniform pressure from then on [s]
     std::vector<InflowCard> inflow;       ///< NGAS cards
     std::vector<OrificeCard> orifices;    ///< NORIF cards
-    std::optional<InitialAirCard> air;    ///< IAIR = 1
+    std::optional<InitialAirCard> air;    ///< IAIR other than 0
     std::array<Index, 3> frame{-1, -1, -1};///< NID1-3: node rows that directions turn with; -1: none
     bool is_of_2007 = false;              ///< the cards mean what they meant in the course notes
     std::optional<CollisionModel> collision;  ///< none: the collider's own choice

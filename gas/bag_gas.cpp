@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gas/resident_air.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
 
@@ -76,7 +77,7 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
     : card_(card),
       walls_(std::move(walls)),
       enclosure_(closing(walls_), x, node_id, name_of(card)),
-      inflators_(card, curves, seed),
+      inflators_(card, curves, seed, enclosure_.volume(x)),
       mass_(particle_masses(inflators_)),
       lists_(turned(enclosure_, walls_), x),
       side_lists_(lists_.triangles(), x),
@@ -93,7 +94,9 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
         throw InputError(name_of(card) +
                          ": the bag encloses no volume at the start, expected some: "
                          "particles have no place to enter");
-    if (card.air) air_.emplace(*card.air, card.gas_constant, volume_);
+    if (card.air && !card.air->is_particles)
+        air_.emplace(*card.air, card.gas_constant, volume_);
+    if (inflators_.resident() > 0) fill_with_air(x, seed);
     if (enclosure_.turned() > 0)
         warnings_.push_back(
             fmt::format("{}: the normals of {} facets were turned to agree with their "
@@ -114,6 +117,25 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
         lightest = std::min(lightest, species.molar_mass());
     speed_ = std::sqrt(card.gas_constant * inflators_.highest_temperature() / lightest);
     cell_ = cell_edge(volume_, card.particles, FIRST_PARTICLES_PER_CELL);
+}
+
+/// Initial air as particles. The fabric feels it from the start: it is owed what hits would have
+/// brought before.
+void BagGas::fill_with_air(const Points& x, std::uint64_t seed) {
+    const std::size_t row = inflators_.inflows();
+    add_resident_air({inflators_.resident(), static_cast<std::int32_t>(row),
+                      static_cast<std::int32_t>(inflators_.particles()), mass_[row],
+                      card_.air->temperature},
+                     inflators_.species()[row], enclosure_, x, seed, name_of(card_), particles_);
+    if (const std::size_t asked = card_.air->particles; asked > 0 && asked != inflators_.resident())
+        warnings_.push_back(fmt::format(
+            "{}: all particles stand for as many moles, so that initial air is {} of NP + NPAIR = "
+            "{} particles instead of NPAIR = {}",
+            name_of(card_), inflators_.resident(), inflators_.resident() + inflators_.particles(),
+            asked));
+    enclosure_.node_areas(x, area_);
+    for (const Index n : enclosure_.nodes())
+        if (!held_[n]) store_.owe(n, card_.air->pressure * store_.time() * area_[n]);
 }
 
 // ---- the load on the fabric

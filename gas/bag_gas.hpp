@@ -133,6 +133,7 @@ private:
     [[nodiscard]] double heat_from_smoothing(double thermal) const;
     void fit_cells(std::size_t occupied_cells);
     void measure_speed();
+    void fill_with_air(const Points& x, std::uint64_t seed);
     void push_back(std::size_t orifice, const Vec3& impulse, const Vec3& moving);
     void record_hits(const Points& x_1);
     void remove_lost(double t);

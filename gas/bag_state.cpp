@@ -56,14 +56,16 @@ GasState BagGas::state(const Points& x) const {
         content += of_gas;
     };
     if (air_) include(air_->mass(), air_->energy(), air_->translational(), air_->content());
-    for (std::size_t s = 0; s < mass_.size(); ++s) {
+    const auto include_particles = [&](std::size_t s) {
         const auto kind = static_cast<std::int32_t>(s);
         const auto count = static_cast<double>(
             std::count(particles_.species.begin(), particles_.species.end(), kind));
         const Holding holds = holding(kind);
         include(count * mass_[s], holds.all(), holds.translational,
                 count * inflators_.moles_each() * inflators_.species()[s].molar_energy());
-    }
+    };
+    if (mass_.size() > inflators_.inflows()) include_particles(inflators_.inflows());
+    for (std::size_t s = 0; s < inflators_.inflows(); ++s) include_particles(s);
     now.pressure = 2.0 / 3.0 * now.translational / now.volume;
     now.temperature = now.mass > 0.0 ? content.temperature(now.energy) : 0.0;
     return now;
@@ -112,7 +114,7 @@ void BagGas::add_shell_load(const Points& x, double since, std::span<double> for
 
 double BagGas::expected_share_in(double end_time) const {
     double now = 0.0, all = 0.0;
-    for (std::size_t s = 0; s < mass_.size(); ++s) {
+    for (std::size_t s = 0; s < inflators_.inflows(); ++s) {
         now += inflators_.mass_until(s, std::min(end_time, inflators_.ends()));
         all += inflators_.mass_until(s, inflators_.ends());
     }

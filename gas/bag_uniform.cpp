@@ -55,7 +55,7 @@ void BagGas::settle(ControlVolume& gas, double volume) const {
 
 /// Gas flows in by its curve; the smoothing account is paid back as fast as impulse is released.
 void BagGas::flow_uniform(double t, double dt) {
-    for (std::size_t s = 0; s < mass_.size(); ++s) {
+    for (std::size_t s = 0; s < inflators_.inflows(); ++s) {
         const double mass = inflators_.mass_until(s, t + dt) - inflators_.mass_until(s, t);
         if (!(mass > 0.0)) continue;
         const double energy = mass * inflators_.enthalpy(s, t + 0.5 * dt);
@@ -97,8 +97,8 @@ GasState BagGas::uniform_state(const Points& x) const {
         now.species.push_back({uniform_->mass(s), uniform_->moles(s) > 0.0 ? T : 0.0,
                                uniform_->moles(s) * uniform_->species()[s].molar_energy()(T)});
     };
-    if (air_) include(mass_.size());
-    for (std::size_t s = 0; s < mass_.size(); ++s) include(s);
+    if (card_.air) include(inflators_.inflows());
+    for (std::size_t s = 0; s < inflators_.inflows(); ++s) include(s);
     return now;
 }
 

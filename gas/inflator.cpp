@@ -64,9 +64,16 @@ std::vector<double> shares(const std::vector<OrificeCard>& orifices, int inflato
     return share;
 }
 
+/// NP, and NPAIR beside it; a bag that nothing flows into has NPAIR alone.
+std::size_t particles_of(const BagCard& card) {
+    const std::size_t air = card.air && card.air->is_particles ? card.air->particles : 0;
+    return air > 0 && card.inflow.empty() ? air : card.particles + air;
+}
+
 }  // namespace
 
-Inflators::Inflators(const BagCard& card, std::span<const Curve> curves, std::uint64_t seed)
+Inflators::Inflators(const BagCard& card, std::span<const Curve> curves, std::uint64_t seed,
+                     double volume)
     : seed_(seed),
       gas_constant_(card.gas_constant),
       low_(COLDEST),
@@ -86,12 +93,14 @@ Inflators::Inflators(const BagCard& card, std::span<const Curve> curves, std::ui
     for (std::size_t g = 0; g < card.inflow.size(); ++g)
         add_gas(card, card.inflow[g], fmt::format("gas {} of bag {}", g + 1, card.id), curves,
                 faults);
+    const bool has_air = card.air && card.air->is_particles;
+    if (has_air) add_air(card, volume, faults);
 
     // A gas is met at any temperature that any of them has, once they are mixed.
     for (const Species& s : species_)
         if (std::string fault = s.fault_between(low_, high_); !fault.empty())
             faults.push_back(std::move(fault));
-    if (faults.empty() && !gases_.empty()) share_particles(card.particles, faults);
+    if (faults.empty() && !species_.empty()) share_particles(particles_of(card), faults);
     if (!faults.empty()) throw InputError(std::move(faults));
 }
 
@@ -134,36 +143,56 @@ void Inflators::add_gas(const BagCard& card, const InflowCard& inflow, const std
     gases_.push_back({std::move(flow), *T, std::move(share), 0});
 }
 
+/// The initial air as one more gas of particles: n = p V / (R T).
+void Inflators::add_air(const BagCard& card, double volume, Faults& faults) {
+    const InitialAirCard& air = *card.air;
+    try {
+        species_.emplace_back(air.species, card.gas_constant,
+                              fmt::format("initial air of bag {}", card.id));
+    } catch (const InputError& e) {
+        faults.insert(faults.end(), e.faults.begin(), e.faults.end());
+        return;
+    }
+    resident_moles_ = air.pressure * volume / (card.gas_constant * air.temperature);
+    low_ = std::min(low_, air.temperature);
+    high_ = std::max(high_, HOTTER * air.temperature);
+}
+
 /// Particles of each gas in proportion to its moles, by largest remainder, so that all sum up to
 /// NP.
 void Inflators::share_particles(std::size_t particles, Faults& faults) {
-    double moles = 0.0;
+    std::vector<double> moles;
     for (std::size_t g = 0; g < gases_.size(); ++g)
-        moles += gases_[g].flow.total() / species_[g].molar_mass();
+        moles.push_back(gases_[g].flow.total() / species_[g].molar_mass());
+    if (species_.size() > gases_.size()) moles.push_back(resident_moles_);
     if (particles == 0) {
         faults.push_back("NP = 0 particles, expected > 0");
         return;
     }
-    moles_each_ = moles / static_cast<double>(particles);
+    moles_each_ = std::accumulate(moles.begin(), moles.end(), 0.0) /
+                  static_cast<double>(particles);
 
-    std::vector<double> remainder(gases_.size());
+    std::vector<double> remainder(moles.size());
+    std::vector<std::size_t> count(moles.size());
     std::size_t left = particles;
-    for (std::size_t g = 0; g < gases_.size(); ++g) {
-        const double exact = gases_[g].flow.total() / species_[g].molar_mass() / moles_each_;
-        gases_[g].particles = std::min(left, static_cast<std::size_t>(exact));
-        remainder[g] = exact - static_cast<double>(gases_[g].particles);
-        left -= gases_[g].particles;
+    for (std::size_t g = 0; g < moles.size(); ++g) {
+        const double exact = moles[g] / moles_each_;
+        count[g] = std::min(left, static_cast<std::size_t>(exact));
+        remainder[g] = exact - static_cast<double>(count[g]);
+        left -= count[g];
     }
     for (; left > 0; --left) {
         const auto most = std::max_element(remainder.begin(), remainder.end()) - remainder.begin();
-        ++gases_[most].particles;
+        ++count[most];
         remainder[most] -= 1.0;
     }
-    for (std::size_t g = 0; g < gases_.size(); ++g)
-        if (gases_[g].particles == 0)
+    for (std::size_t g = 0; g < moles.size(); ++g)
+        if (count[g] == 0)
             faults.push_back(
                 fmt::format("{}: NP = {} particles are too few to hold any of this gas",
                             species_[g].name(), particles));
+    for (std::size_t g = 0; g < gases_.size(); ++g) gases_[g].particles = count[g];
+    if (moles.size() > gases_.size()) resident_ = count.back();
 }
 
 std::size_t Inflators::particles() const {

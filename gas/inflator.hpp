@@ -35,18 +35,22 @@ struct Entry {
 /// What has entered is a function of time alone, however time is cut into steps.
 class Inflators {
 public:
+    /// @param volume  of the bag at the start: air that is particles (IAIR = 2) is its last species
     /// Errors: InputError with every fault found: a gas without a curve, orifice or flow, negative
     /// flow, T <= 0, heat capacities that make no gas in the range in use, too few particles for a
     /// gas.
-    Inflators(const BagCard& card, std::span<const Curve> curves, std::uint64_t seed);
+    Inflators(const BagCard& card, std::span<const Curve> curves, std::uint64_t seed,
+              double volume = 0.0);
 
     /// Appends all particles that enter until t_1 and have not been handed out before, by id.
     /// @param axis  the jet's direction at each orifice; zero: into every direction    [-]
     void entering(double t_1, std::span<const Vec3> axis, std::vector<Entry>& out);
 
-    [[nodiscard]] const std::vector<Species>& species() const {
-        return species_;
-    }                                                                ///< one an inflow
+    /// One an inflow, and one for the initial air where it is particles.
+    [[nodiscard]] const std::vector<Species>& species() const { return species_; }
+    [[nodiscard]] std::size_t inflows() const { return gases_.size(); }
+    /// Particles of initial air.
+    [[nodiscard]] std::size_t resident() const { return resident_; }
     [[nodiscard]] double moles_each() const { return moles_each_; }  ///< [mol]
     [[nodiscard]] std::size_t particles(std::size_t inflow) const {
         return gases_[inflow].particles;
@@ -84,6 +88,7 @@ private:
     };
     void add_gas(const BagCard& card, const InflowCard& inflow, const std::string& name,
                  std::span<const Curve> curves, std::vector<std::string>& faults);
+    void add_air(const BagCard& card, double volume, std::vector<std::string>& faults);
     void share_particles(std::size_t particles, std::vector<std::string>& faults);
     [[nodiscard]] std::int64_t entered(std::size_t inflow) const;
     [[nodiscard]] double entry_time(std::size_t inflow, std::int64_t k) const;
@@ -94,6 +99,8 @@ private:
     std::uint64_t seed_;
     double gas_constant_;
     double moles_each_ = NaN;
+    double resident_moles_ = 0.0;
+    std::size_t resident_ = 0;
     double low_ = NaN, high_ = NaN;
     std::vector<Species> species_;
     std::vector<Gas> gases_;

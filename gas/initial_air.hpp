@@ -34,6 +34,14 @@ public:
     /// Energy of the air as a polynomial in its temperature.
     [[nodiscard]] EnergyPolynomial content() const { return moles_ * species_.molar_energy(); }
 
+    /// Ambient air flows in, with its enthalpy; returns that.               [kg], [K] -> [J]
+    double take_in(double mass, double T_ambient) {
+        const double brought = mass * species_.h(T_ambient);
+        moles_ += mass / species_.molar_mass();
+        add(brought);
+        return brought;
+    }
+
     /// Takes up heat (or gives it, or work, when negative).                              [J]
     void add(double energy) {
         energy_ += energy;

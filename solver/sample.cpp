@@ -148,7 +148,9 @@ Frame Simulation::frame() {
         const gas::Particles& from = bag.particles();
         for (std::size_t i = 0; i < from.size(); ++i) {
             state.particles->id.push_back(from.id[i]);
-            state.particles->species.push_back(from.species[i] + 1);
+            const auto kind = static_cast<std::size_t>(from.species[i]);
+            const bool is_air = kind == bag.card().inflow.size();
+            state.particles->species.push_back(is_air ? 0 : from.species[i] + 1);
             state.particles->mass.push_back(bag.particle_mass()[from.species[i]]);
         }
         const auto append = [](auto& to, const auto& more) {

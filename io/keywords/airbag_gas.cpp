@@ -35,14 +35,25 @@ gas::SpeciesCard species(Card& c, const char* mass, const char* A, const char* B
 
 }  // namespace
 
-gas::InitialAirCard initial_air(Cards& cards, const gas::BagCard& bag, const UnitSystem& unit) {
+gas::InitialAirCard initial_air(Cards& cards, const gas::BagCard& bag, const UnitSystem& unit,
+                                int kind) {
     Card c = cards.next("PAIR TAIR XMAIR AAIR BAIR CAIR NPAIR NPRLX");
     gas::InitialAirCard air;
     air.pressure = c.real("PAIR", NON_NEGATIVE);
     air.temperature = c.real("TAIR", NON_NEGATIVE);
     if (air.pressure == 0.0) air.pressure = bag.p_atm;
     if (air.temperature == 0.0) air.temperature = bag.T_atm;
-    c.harmless("NPAIR NPRLX");  // of air as particles
+    air.is_particles = kind == 2;
+    air.flows_in = kind == -1;
+    if (air.is_particles) {
+        constexpr double MOST = 1e8;
+        air.particles = static_cast<std::size_t>(c.integer("NPAIR", within(0.0, MOST)));
+        if (c.real("NPRLX") < 0.0)
+            c.fault("NPRLX", ">= 0: initial air always presses on the fabric");
+        c.noted("NPRLX", "initial air is at equilibrium from the start");
+    } else {
+        c.harmless("NPAIR NPRLX");
+    }
     if (c.real("XMAIR") == 0.0 && c.real("AAIR") == 0.0) {
         c.warn("XMAIR", "dry air is taken, 0.0289652 kg/mol and Cp = 7/2 R");
         c.harmless("BAIR CAIR");

@@ -24,7 +24,9 @@ inline constexpr UnitSystem UNIT_SYSTEMS[] = {
     {"ton-mm-s-K", 1e3, 1e-6, 1e-3, 1.0},  // t mm^2/s^2 = mJ, MPa
 };
 
-gas::InitialAirCard initial_air(Cards& cards, const gas::BagCard& bag, const UnitSystem& unit);
+/// @param kind  IAIR: 1, -1, 2
+gas::InitialAirCard initial_air(Cards& cards, const gas::BagCard& bag, const UnitSystem& unit,
+                                int kind);
 gas::InflowCard inflow(Cards& cards, const Draft& draft, const UnitSystem& unit);
 gas::OrificeCard orifice(Cards& cards, const Draft& draft, bool is_first);
 

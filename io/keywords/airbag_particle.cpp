@@ -131,10 +131,10 @@ private:
         nozzles_ = c.integer("NORIF", COUNT);
         frame(c);
         if (!c.good()) cards_.abandon();  // nobody can say which row is which
-        has_air_ = c.choice("IAIR", {0, 1}, {-1, 2, 4}) == 1;
-        skips_air_ = !has_air_ && c.integer("IAIR") != 0;
+        air_ = c.choice("IAIR", {0, 1, -1, 2}, {4});
+        skips_air_ = air_ == 0 && c.integer("IAIR") != 0;
         if (!c.good()) return;
-        if (gases_ == 0 && !has_air_) c.fault("NGAS", ">= 1, or IAIR = 1: this bag has no gas");
+        if (gases_ == 0 && air_ == 0) c.fault("NGAS", ">= 1, or IAIR = 1: this bag has no gas");
         if (gases_ > 0 && nozzles_ == 0) c.fault("NORIF", ">= 1, for the gases of NGAS");
     }
 
@@ -163,7 +163,7 @@ private:
     }
 
     void gas() {
-        if (has_air_) bag_.air = initial_air(cards_, bag_, unit());
+        if (air_ != 0) bag_.air = initial_air(cards_, bag_, unit(), air_);
         if (skips_air_) skip(1, "PAIR TAIR XMAIR AAIR BAIR CAIR NPAIR NPRLX");
         Index mass = -1;
         if (cards_.has("MOLEFRACTION")) mass = cards_.next("LCMASS").row("LCMASS", draft_.curves);
@@ -179,7 +179,8 @@ private:
     gas::BagCard bag_;
     int unit_ = 1;
     int inner_rows_ = 0, part_rows_ = 0, vent_rows_ = 0, gases_ = 0, nozzles_ = 0;
-    bool has_air_ = false, skips_air_ = false;
+    int air_ = 0;             ///< IAIR
+    bool skips_air_ = false;  ///< its card is there, though nothing acts on it
 };
 
 /// Every gas needs a nozzle of its inflator, and no nozzle stays idle.

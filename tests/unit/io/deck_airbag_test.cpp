@@ -186,9 +186,9 @@ TEST_CASE("AIRBAG_PARTICLE: what nothing acts on yet is one fault, its rows are 
         CHECK(contains(only_fault(folder, bag), "(NP) = -5, expected 1 to"));
     }
     SECTION("card 3 and the rows") {
-        bag.card_3 = "2,1,1", bag.rows = "0,0,0.029,29.\n";
-        CHECK(
-            contains(only_fault(folder, bag), "card 3, field 1 (IAIR) = 2, expected 0 or 1: this"));
+        bag.card_3 = "4,1,1", bag.rows = "0,0,0.029,29.\n";
+        CHECK(contains(only_fault(folder, bag),
+                       "card 3, field 1 (IAIR) = 4, expected 0 or 1 or -1 or 2: this"));
         bag.card_3 = "0,1,1,3", bag.rows = "";
         CHECK(folder.faults(bag.deck()).size() == 2);  // NID2 and NID3 are missing
         bag.card_3 = "0,1,1,1,2,5";
@@ -357,18 +357,39 @@ TEST_CASE("AIRBAG_PARTICLE: gases and orifices of inflators belong together", "[
     CHECK(contains(only_fault(folder, bag), "ends before its card 6, expected NID AN VD CA INFO"));
 }
 
-TEST_CASE("the smallest public CPM block stops at its initial air particles", "[io]") {
+TEST_CASE("AIRBAG_PARTICLE: initial air as a gas, as particles, with ambient air behind it",
+          "[io]") {
     const DeckFolder folder;
-    const auto faults = folder.faults(small_deck(
-        "*AIRBAG_PARTICLE\n"
-        "         1         0         0         0         0         0       0.0         0\n"
-        "      2000         0         2     293.01.00000E-4         01.00000E101.00000E10\n"
-        "         2         0         0         0         0         0         0       0.0\n"
-        "1.00000E-4     293.0     0.035      26.77.00000E-4-1.0000E-6         00\n"));
-    REQUIRE(faults.size() == 1);
-    CHECK(faults[0] ==
-          "deck.k:33: *AIRBAG_PARTICLE card 3, field 1 (IAIR) = 2, expected 0 or 1: this "
-          "choice is not acted on yet");
+    Bag bag;
+    bag.rows = "0,0,0.029,29.,0,0,500\n";
+    bag.card_3 = "-1,1,1";
+    CHECK(folder.read(bag.deck()).bags.at(0).air->flows_in);
+    CHECK_FALSE(folder.read(bag.deck()).bags.at(0).air->is_particles);
+    bag.card_3 = "2,1,1";
+    CHECK(folder.read(bag.deck()).bags.at(0).air->is_particles);
+    CHECK(folder.read(bag.deck()).bags.at(0).air->particles == 500);
+    bag.rows = "0,0,0.029,29.,0,0,500,-1\n";
+    CHECK(contains(only_fault(folder, bag), "(NPRLX) = -1, expected >= 0"));
+}
+
+TEST_CASE("the smallest public CPM block is read", "[io]") {
+    const DeckFolder folder;
+    const gas::BagCard bag =
+        folder
+            .read(small_deck(
+                "*AIRBAG_PARTICLE\n"
+                "         1         0         0         0         0         0       0.0         0\n"
+                "      2000         0         2     293.01.00000E-4         01.00000E101.00000E10\n"
+                "         2         0         0         0         0         0         0       0.0\n"
+                "1.00000E-4     293.0     0.035      26.77.00000E-4-1.0000E-6         00\n"))
+            .bags.at(0);
+    CHECK(bag.particles == 2000);
+    CHECK(bag.inflow.empty());
+    REQUIRE(bag.air);
+    CHECK(bag.air->is_particles);
+    CHECK(bag.air->pressure == 1e-4);
+    CHECK(bag.air->species.B == 7e-4);
+    CHECK(bag.air->species.C == -1e-6);
 }
 
 TEST_CASE("fabric of a bag that would leak is named", "[io]") {
