@@ -109,6 +109,9 @@ public:
     [[nodiscard]] const Enclosure& enclosure() const { return enclosure_; }
     [[nodiscard]] const Particles& particles() const { return particles_; }
     [[nodiscard]] std::span<const double> particle_mass() const { return mass_; }
+    [[nodiscard]] double moles_each() const { return inflators_.moles_each(); }  ///< [mol]
+    /// Of air that is no particles (IAIR 1, -1).                                           [Pa]
+    [[nodiscard]] double initial_air_pressure() const { return air_ ? air_->pressure(volume_) : 0.0; }
     [[nodiscard]] std::size_t lost() const { return lost_; }
     [[nodiscard]] std::size_t hits() const { return hits_; }
     [[nodiscard]] std::size_t flights() const { return flights_; }

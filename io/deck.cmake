@@ -25,4 +25,5 @@ target_sources(corpuscle_io PRIVATE
     keywords/loads.cpp
     keywords/contact.cpp
     keywords/walls.cpp
+    keywords/database_sensor.cpp
     keywords/control_output.cpp)

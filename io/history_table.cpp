@@ -25,6 +25,7 @@ Sample blank(const RecordLayout& layout) {
     s.rigid_bodies.resize(layout.rigid_bodies.size());
     s.wall_force.resize(layout.walls.size(), Vec3::Zero());
     s.contacts.resize(layout.contacts.size());
+    s.sensors.resize(layout.sensors);
     s.node_coordinates.resize(layout.history_nodes.size(), Vec3::Zero());
     s.node_velocity = s.node_coordinates;
     return s;
@@ -35,6 +36,7 @@ Sample blank(const RecordLayout& layout) {
         s.airbags.size() == layout.airbags.size() && s.parts.size() == layout.parts.size() &&
         s.rigid_bodies.size() == layout.rigid_bodies.size() &&
         s.wall_force.size() == layout.walls.size() && s.contacts.size() == layout.contacts.size() &&
+        s.sensors.size() == layout.sensors &&
         s.node_coordinates.size() == layout.history_nodes.size() &&
         s.node_velocity.size() == layout.history_nodes.size();
     for (std::size_t i = 0; same && i < s.airbags.size(); ++i)
@@ -121,6 +123,20 @@ void bodies(auto&& row, const RecordLayout& layout, const Sample& s) {
     }
 }
 
+void sensors(auto&& row, const RecordLayout& layout, const Sample& s) {
+    using enum Quantity;
+    for (std::size_t i = 0; i < layout.sensors; ++i) {
+        const std::string of = fmt::format("/history/cpm_sensor/{}/", i + 1);
+        row(of + "particles", NONE, "particles in the sensor", s.sensors[i].particles);
+        row(of + "pressure", PRESSURE, "absolute: of the particles' motion about their mean",
+            s.sensors[i].pressure);
+        row(of + "temperature", TEMPERATURE, "of that motion", s.sensors[i].temperature);
+        row(of + "density", DENSITY, "particles' mass over the sensor's volume",
+            s.sensors[i].density);
+        row(of + "velocity", VELOCITY, "mean of the particles, by mass", s.sensors[i].velocity);
+    }
+}
+
 void touching(auto&& row, const RecordLayout& layout, const Sample& s) {
     using enum Quantity;
     for (std::size_t i = 0; i < layout.walls.size(); ++i)
@@ -141,6 +157,7 @@ void visit(const RecordLayout& layout, const Sample& s, auto&& row) {
         airbag(row, layout.airbags[i], s.airbags[i]);
     bodies(row, layout, s);
     touching(row, layout, s);
+    sensors(row, layout, s);
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ constexpr std::array ROWS{
     Row{Quantity::FORCE, "force", "N", "kN", "N"},
     Row{Quantity::PRESSURE, "pressure", "Pa", "GPa", "MPa"},
     Row{Quantity::ENERGY, "energy", "J", "J", "mJ"},
+    Row{Quantity::DENSITY, "density", "kg/m^3", "kg/mm^3", "t/mm^3"},
 };
 
 constexpr bool rows_follow_the_enum() {

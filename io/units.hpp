@@ -22,6 +22,7 @@ enum class Quantity {
     FORCE,
     PRESSURE,
     ENERGY,
+    DENSITY,
 };
 
 /// The unit of a quantity in a deck's unit system, as text: "GPa" for a pressure in kg-mm-ms-K.

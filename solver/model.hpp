@@ -11,6 +11,7 @@
 #include "fabric/materials/fabric_card.hpp"
 #include "fabric/mesh.hpp"
 #include "gas/bag.hpp"
+#include "gas/sensor.hpp"
 #include "gas/uniform_card.hpp"
 #include "solver/base/curve.hpp"
 #include "solver/base/vec.hpp"
@@ -100,6 +101,8 @@ struct Model {
     std::vector<gas::UniformBagCard> uniform_bags;  ///< that never hold particles
     std::vector<contact::SelfContactCard> contacts;
     std::vector<contact::PlanarWallCard> walls;
+
+    std::vector<gas::SensorCard> sensors;  ///< *DATABASE_CPM_SENSOR, one a segment
 
     // Control and output
     double end_time = NaN;          ///< *CONTROL_TERMINATION ENDTIM                   [s]

@@ -27,6 +27,7 @@ struct RecordLayout {
     std::vector<int> rigid_bodies;     ///< part ids of the rigid bodies
     std::vector<int> walls, contacts;  ///< ids
     Points wall_normals;               ///< of the walls, unit; nodes live on this side
+    std::size_t sensors = 0;           ///< numbered from 1
     std::vector<int> history_nodes;    ///< node ids
     std::vector<Index> history_node_rows;
 
@@ -86,6 +87,11 @@ struct Sample {
         double energy = 0;
     };
     std::vector<Contact> contacts;
+    struct Sensor {
+        double particles = 0, pressure = 0, temperature = 0, density = 0;
+        Vec3 velocity = Vec3::Zero();
+    };
+    std::vector<Sensor> sensors;
     Points node_coordinates, node_velocity;  ///< of the history nodes
 };
 

@@ -3,6 +3,7 @@
 //
 // What a run hands to its results.
 
+#include "solver/base/parallel.hpp"
 #include "solver/simulation.hpp"
 
 namespace corpuscle {
@@ -56,6 +57,7 @@ RecordLayout Simulation::layout() const {
     }
     for (const gas::UniformBag& bag : uniform_bags_)
         layout.airbags.push_back({bag.card().id, false, {1}, bag.walls().part_ids});
+    layout.sensors = model_.sensors.size();
     for (const Part& part : model_.parts) layout.parts.push_back(part.id);
     for (const RigidBody& body : bodies_)
         layout.rigid_bodies.push_back(model_.parts[body.part()].id);
@@ -113,6 +115,15 @@ Sample Simulation::sample() {
     for (const auto& wall : walls_) row.wall_force.push_back(wall.force());
     for (const auto& contact : contacts_)
         row.contacts.push_back({contact.force(), contact.energy()});
+    row.sensors.resize(model_.sensors.size());
+    parallel::for_each(
+        row.sensors.size(),
+        [&](std::size_t s) {
+            const gas::SensorReading now = gas::read(model_.sensors[s], bags_, nodes_.x);
+            row.sensors[s] = {now.particles, now.pressure, now.temperature, now.density,
+                              now.velocity};
+        },
+        /*chunk=*/1);
     for (const Index node : model_.history_nodes) {
         row.node_coordinates.push_back(nodes_.x[node]);
         row.node_velocity.push_back(velocity(node));

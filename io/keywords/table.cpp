@@ -31,6 +31,8 @@ const Keyword KEYWORDS[] = {
     {"DATABASE_HISTORY_NODE", "ID", "LOCAL", P::SCENE, database_history_node},
     {"DATABASE_HISTORY_NODE_SET", "", "LOCAL", P::SCENE, database_history_node_set},
 
+    {"DATABASE_CPM_SENSOR", "", "", P::SCENE, database_cpm_sensor},
+
     {"NODE", "", "MERGE RIGID TRANSFORM SCALAR", P::GROUND, node},
     {"DEFINE_CURVE", "TITLE", "", P::GROUND, define_curve},
     {"DEFINE_VECTOR", "TITLE", "NODES", P::GROUND, define_vector},
