@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "gas/opening_cards.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/vec.hpp"
 
@@ -74,6 +75,9 @@ struct BagCard {
     std::array<Index, 3> frame{-1, -1, -1};///< NID1-3: node rows that directions turn with; -1: none
     bool is_of_2007 = false;              ///< the cards mean what they meant in the course notes
     std::optional<CollisionModel> collision;  ///< none: the collider's own choice
+    std::vector<VentCard> vents;          ///< NVENT cards
+    std::vector<HeatCard> heat;           ///< HCONV of NPDATA cards
+    BlockCard block;                      ///< BLOCK
     double smoothing = 1.0;               ///< SFFDC, scales the time over which impulse is released [-]
 };
 

@@ -52,13 +52,18 @@ void BagGas::collide(double dt, const Points& x) {
 
 /// Heat that the particles are to get, were their thermal energy still that after the last collisions.
 BagGas::Heat BagGas::wanted_heat() const {
-    return {heat_from_air(thermal_), heat_from_smoothing(thermal_)};
+    Heat heat{heat_from_air(thermal_), heat_from_smoothing(thermal_), 0.0};
+    heat.to_outflow =
+        std::min(owed_to_outflow_, thermal_ + heat.all() - LEFT_BY_ACCOUNT * thermal_);
+    return heat;
 }
 
 /// Takes from the accounts what the particles did get: `ratio` times what was wanted.
 void BagGas::settle(const Heat& wanted, double ratio) {
     if (air_) air_->add(-ratio * wanted.from_air);
     taken_ -= ratio * wanted.from_smoothing;
+    owed_to_outflow_ -= ratio * wanted.to_outflow;
+    lost_energy_ += ratio * wanted.to_outflow;
 }
 
 /// What brings the initial air to the particles' mean temperature; the air loses it.             [J]

@@ -85,6 +85,8 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
       store_(x.size(), loaded_nodes(lists_, orifices_), held,
              RELEASE_TIME * card.second * card.smoothing),
       collider_(collider_of(card, inflators_, seed)),
+      openings_(card, walls_, curves, inflators_.species(), mass_, x, seed),
+      heat_loss_(card, walls_, curves),
       area_(x.size(), Vec3::Zero()),
       held_(held.begin(), held.end()),
       part_impulse_(walls_.part_ids.size(), 0.0),
@@ -195,7 +197,7 @@ void BagGas::build(FacetLists& lists, double edge, const Points& x_0, const Poin
 
 void BagGas::inject(double t, double dt, const Points& x_0, const Points& x_1) {
     time_ = t + dt;
-    if (uniform_) return flow_uniform(t, dt);
+    if (uniform_) return flow_uniform(t, dt, x_0);
     entries_.clear();
     born_.clear();
     if (const int passed = orifices_.passed_by_fabric(lists_, x_0, x_1); passed >= 0) {
@@ -233,11 +235,19 @@ void BagGas::push_back(std::size_t orifice, const Vec3& impulse, const Vec3& mov
 
 void BagGas::fly(double t, double dt, const Points& x_0, const Points& x_1) {
     if (uniform_) return;
-    gas::fly(lists_, x_0, x_1, dt, mass_, born_, particles_, flight_);
+    const bool loses = !openings_.empty() || !heat_loss_.empty();
+    if (loses && (collisions_ != looked_at_ || collisions_ == 0)) look_inside(x_0);
+    if (!openings_.empty()) openings_.set_gates(t, dt, x_0, inside_);
+    gas::fly(lists_, x_0, x_1, dt, mass_, born_, particles_, flight_, openings_.gates());
     flights_ += particles_.size();
     store_.receive(flight_, lists_.triangles());
     record_hits(x_1);
-    if (!flight_.lost.empty()) remove_lost(t);
+    gone_.clear();
+    if (!flight_.lost.empty()) book_lost(t);
+    if (!openings_.empty()) let_out(dt);
+    if (!heat_loss_.empty()) cool(t, dt, x_0);
+    std::sort(gone_.begin(), gone_.end());
+    particles_.erase(gone_);
 }
 
 /// Adds up what hits give to triangles and parts: outward on the closing ones, along the normal
@@ -257,16 +267,16 @@ void BagGas::record_hits(const Points& x_1) {
         }
 }
 
-void BagGas::remove_lost(double t) {
-    for (auto lost = flight_.lost.rbegin(); lost != flight_.lost.rend(); ++lost) {
-        const std::size_t i = lost->particle;
+void BagGas::book_lost(double t) {
+    for (const Lost& lost : flight_.lost) {
+        const std::size_t i = lost.particle;
         lost_energy_ +=
             0.5 * mass_[particles_.species[i]] * particles_.v[i].squaredNorm() + particles_.e[i];
         warnings_.push_back(fmt::format(
             "{}: particle {} was lost at time {:g} near ({:g}, {:g}, {:g}), "
             "caught between closing facets",
-            name_of(card_), particles_.id[i], t, lost->at[0], lost->at[1], lost->at[2]));
-        particles_.erase(i);
+            name_of(card_), particles_.id[i], t, lost.at[0], lost.at[1], lost.at[2]));
+        gone_.push_back(i);
     }
     lost_ += flight_.lost.size();
 }

@@ -14,9 +14,11 @@
 #include "gas/enclosure.hpp"
 #include "gas/facet_lists.hpp"
 #include "gas/flight.hpp"
+#include "gas/heat_loss.hpp"
 #include "gas/impulse_store.hpp"
 #include "gas/inflator.hpp"
 #include "gas/initial_air.hpp"
+#include "gas/openings.hpp"
 #include "gas/orifices.hpp"
 #include "gas/particles.hpp"
 #include "gas/species.hpp"
@@ -24,19 +26,11 @@
 
 namespace corpuscle::gas {
 
-/// The fabric of one bag as the gas sees it.
-struct BagWalls {
-    std::vector<Triangle> triangles;  ///< the closing ones first, then the internal ones
-    std::vector<Index> shell;         ///< a shell row a triangle
-    std::vector<Index> part;          ///< a row in part_ids a triangle
-    std::size_t closing = 0;          ///< how many close the bag
-    std::vector<int> part_ids;
-};
-
 /// A snapshot of the gas in one bag.
 struct GasState {
     double volume = 0, pressure = 0, temperature = 0, area = 0;
     double mass = 0, mass_in = 0;
+    double mass_out_vent = 0, mass_out_fabric = 0, particles_out = 0;  ///< so far
     double energy = 0;         ///< all that the gas inside holds
     double translational = 0;  ///< of which makes pressure, p = 2/3 translational / volume
     struct Share {
@@ -49,6 +43,8 @@ struct GasState {
 struct PartState {
     std::vector<double> pressure;  ///< absolute, mean since the last look   [Pa]
     std::vector<double> area;      ///< now                                  [m^2]
+    std::vector<double> mass_out;  ///< so far                               [kg]
+    std::vector<double> heat;      ///< lost to it so far                    [J]
 };
 
 /// The gas of one bag: particles, inflators, initial air, and what they do to the walls.
@@ -98,6 +94,7 @@ public:
     [[nodiscard]] PartState part_state(const Points& x, double since);
     /// Mean mass flow in since the last call.                                              [kg/s]
     [[nodiscard]] double mass_rate_in(double since);
+    [[nodiscard]] double mass_rate_out(double since);  ///< the same, out                 [kg/s]
     /// Adds to each shell's `force` the mean gauge pressure since the last call times its area, and
     /// the area to `area`.                                                              E [N], E
     /// [m^2]
@@ -107,6 +104,7 @@ public:
     [[nodiscard]] const BagCard& card() const { return card_; }
     [[nodiscard]] const BagWalls& walls() const { return walls_; }
     [[nodiscard]] const Enclosure& enclosure() const { return enclosure_; }
+    [[nodiscard]] const Openings& openings() const { return openings_; }
     [[nodiscard]] const Particles& particles() const { return particles_; }
     [[nodiscard]] std::span<const double> particle_mass() const { return mass_; }
     [[nodiscard]] double moles_each() const { return inflators_.moles_each(); }  ///< [mol]
@@ -127,19 +125,23 @@ private:
     [[nodiscard]] Holding holding(std::int32_t species) const;
     static void build(FacetLists& lists, double edge, const Points& x_0, const Points& x_1);
     struct Heat {  ///< for the particles, by where it comes from                        [J]
-        double from_air = 0.0, from_smoothing = 0.0;
-        [[nodiscard]] double all() const { return from_air + from_smoothing; }
+        double from_air = 0.0, from_smoothing = 0.0, to_outflow = 0.0;
+        [[nodiscard]] double all() const { return from_air + from_smoothing - to_outflow; }
     };
     [[nodiscard]] Heat wanted_heat() const;
     void settle(const Heat& wanted, double ratio);
     [[nodiscard]] double heat_from_air(double thermal) const;
     [[nodiscard]] double heat_from_smoothing(double thermal) const;
+    double pay_outflow(double left);
+    void look_inside(const Points& x);
+    void let_out(double dt);
+    void cool(double t, double dt, const Points& x);
     void fit_cells(std::size_t occupied_cells);
     void measure_speed();
     void fill_with_air(const Points& x, std::uint64_t seed);
     void push_back(std::size_t orifice, const Vec3& impulse, const Vec3& moving);
     void record_hits(const Points& x_1);
-    void remove_lost(double t);
+    void book_lost(double t);
     /// Pressure that does not come from particles: that of the initial air, or after TSW of all.
     [[nodiscard]] double air_pressure() const {
         if (uniform_) return uniform_->pressure();
@@ -152,7 +154,8 @@ private:
 
     // After TSW (bag_uniform.cpp)
     void settle(ControlVolume& gas, double volume) const;
-    void flow_uniform(double t, double dt);
+    void flow_uniform(double t, double dt, const Points& x);
+    void let_out_uniform(double t, double dt, const Points& x);
     void fade_late_pressure(double span);
     [[nodiscard]] double uniform_work(const Points& v_mid, double span) const;
     [[nodiscard]] GasState uniform_state(const Points& x) const;
@@ -176,6 +179,12 @@ private:
     std::vector<Entry> entries_;  ///< of this step
     std::vector<double> born_;    ///< shares of the step at which they enter
     FlightResult flight_;
+    std::vector<std::size_t> gone_;  ///< rows that left in this step
+    Openings openings_;
+    HeatLoss heat_loss_;
+    Inside inside_;                 ///< at collision step looked_at_
+    std::uint64_t looked_at_ = 0;
+    double owed_to_outflow_ = 0.0;  ///< by the gas inside: enthalpy and heat         [J]
     Points area_;                   ///< N × 3, node areas at t                      [m^2]
     double volume_ = 0.0;           ///< at t                                        [m^3]
     double cell_ = 0.0;             ///< wanted edge of the cells                    [m]
@@ -195,7 +204,7 @@ private:
 
     double taken_ = 0.0, given_ = 0.0;  ///< smoothing account                           [J]
     double ambient_work_ = 0.0, inflow_energy_ = 0.0, lost_energy_ = 0.0;  ///<           [J]
-    double mass_in_ = 0.0, mass_in_seen_ = 0.0;                            ///<           [kg]
+    double mass_in_ = 0.0, mass_in_seen_ = 0.0, mass_out_seen_ = 0.0;      ///<           [kg]
     std::size_t lost_ = 0, hits_ = 0, flights_ = 0;
     std::vector<std::string> warnings_;
 };

@@ -46,6 +46,9 @@ GasState BagGas::state(const Points& x) const {
     now.volume = enclosure_.volume(x);
     now.area = enclosure_.area(x);
     now.mass_in = mass_in_;
+    now.mass_out_vent = openings_.mass_out(true);
+    now.mass_out_fabric = openings_.mass_out(false);
+    now.particles_out = static_cast<double>(openings_.particles_out());
     EnergyPolynomial content;
     const auto include = [&](double mass, double energy, double translational,
                              const EnergyPolynomial& of_gas) {
@@ -73,7 +76,9 @@ GasState BagGas::state(const Points& x) const {
 
 PartState BagGas::part_state(const Points& x, double since) {
     PartState parts{std::vector<double>(part_impulse_.size(), 0.0),
-                    std::vector<double>(part_impulse_.size(), 0.0)};
+                    std::vector<double>(part_impulse_.size(), 0.0),
+                    {openings_.part_mass_out().begin(), openings_.part_mass_out().end()},
+                    {heat_loss_.part_heat().begin(), heat_loss_.part_heat().end()}};
     std::vector<char> closes(part_impulse_.size(), 0);
     for (std::size_t t = 0; t < walls_.triangles.size(); ++t) {
         const auto& [a, b, c] = walls_.triangles[t];
@@ -94,6 +99,13 @@ PartState BagGas::part_state(const Points& x, double since) {
 double BagGas::mass_rate_in(double since) {
     const double rate = since > 0.0 ? (mass_in_ - mass_in_seen_) / since : 0.0;
     mass_in_seen_ = mass_in_;
+    return rate;
+}
+
+double BagGas::mass_rate_out(double since) {
+    const double out = openings_.mass_out(true) + openings_.mass_out(false);
+    const double rate = since > 0.0 ? (out - mass_out_seen_) / since : 0.0;
+    mass_out_seen_ = out;
     return rate;
 }
 

@@ -54,7 +54,7 @@ void BagGas::settle(ControlVolume& gas, double volume) const {
 }
 
 /// Gas flows in by its curve; the smoothing account is paid back as fast as impulse is released.
-void BagGas::flow_uniform(double t, double dt) {
+void BagGas::flow_uniform(double t, double dt, const Points& x) {
     for (std::size_t s = 0; s < inflators_.inflows(); ++s) {
         const double mass = inflators_.mass_until(s, t + dt) - inflators_.mass_until(s, t);
         if (!(mass > 0.0)) continue;
@@ -66,6 +66,7 @@ void BagGas::flow_uniform(double t, double dt) {
     const double heat = -std::expm1(-dt / store_.time()) * (taken_ - given_);
     uniform_->add_heat(heat);
     taken_ -= heat;
+    if (!openings_.empty() || !heat_loss_.empty()) let_out_uniform(t, dt, x);
 }
 
 /// The share of the pressure that owed impulse still stands for fades with it; nodes that are held
@@ -87,6 +88,9 @@ GasState BagGas::uniform_state(const Points& x) const {
     now.volume = enclosure_.volume(x);
     now.area = enclosure_.area(x);
     now.mass_in = mass_in_;
+    now.mass_out_vent = openings_.mass_out(true);
+    now.mass_out_fabric = openings_.mass_out(false);
+    now.particles_out = static_cast<double>(openings_.particles_out());
     now.mass = uniform_->mass();
     now.pressure = uniform_->pressure();
     now.temperature = uniform_->temperature();

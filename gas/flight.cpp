@@ -30,6 +30,14 @@ struct Scene {
     const Triangle* triangles;
     const Vec3 *x_0, *x_1;
     double dt;
+    const Gates* gates;
+};
+
+/// Who flies, as gates want to know it.
+struct Flyer {
+    std::size_t row;
+    std::int32_t species, id;
+    std::vector<Arrival>& arrivals;
 };
 
 /// Cells that the box from one point to another overlaps.
@@ -150,10 +158,12 @@ bool ride(const Scene& scene, double mass, double born, const Meeting& met, Vec3
     return false;
 }
 
-/// Flies one particle to the end of the step; false when it is caught for good.
-bool fly_one(const Scene& scene, double mass, double born, Vec3& x, Vec3& v, double& internal,
-             std::vector<Hit>& hits) {
-    const std::size_t hits_before = hits.size();
+enum class End : std::uint8_t { FLOWN, CAUGHT, GONE };
+
+/// Flies one particle to the end of the step, until it is caught for good, or out through a gate.
+End fly_one(const Scene& scene, const Flyer& who, double mass, double born, Vec3& x, Vec3& v,
+            double& internal, std::vector<Hit>& hits) {
+    const std::size_t hits_before = hits.size(), arrivals_before = who.arrivals.size();
     const Vec3 v_before = v;
     Vec3 from = x;
     double now = born;
@@ -164,21 +174,37 @@ bool fly_one(const Scene& scene, double mass, double born, Vec3& x, Vec3& v, dou
         const Meeting meeting = first_meeting(scene, path, from, after, last);
         if (meeting.facet < 0) {
             x = path.at_1;
-            return true;
+            return End::FLOWN;
+        }
+        Gates::Passage passage;
+        if (scene.gates != nullptr)
+            passage = scene.gates->passage(meeting.facet, who.species, who.id, hit);
+        if (passage.way == Gates::Way::THROUGH) {
+            who.arrivals.push_back({who.row, meeting.facet, passage, 0.0});
+            after = meeting.where.tau;
+            last = meeting;
+            continue;
         }
         const double stop = std::max(now, meeting.where.tau - SHORT_OF);
         from += (stop - now) * scene.dt * v;
         const Vec3 away = reflect(scene, meeting, v);
-        hits.push_back({meeting.facet, meeting.where.at, mass * (v - away),
-                        0.5 * mass * (v.squaredNorm() - away.squaredNorm())});
+        const double given = 0.5 * mass * (v.squaredNorm() - away.squaredNorm());
+        hits.push_back({meeting.facet, meeting.where.at, passage.push * mass * (v - away),
+                        passage.push * given});
+        if (passage.gate >= 0)
+            who.arrivals.push_back(
+                {who.row, meeting.facet, passage,
+                 0.5 * mass * v.squaredNorm() - passage.push * given + internal});
+        if (passage.way == Gates::Way::OUT) return End::GONE;
         v = away;
         now = after = stop;
         last = meeting;
         path = {from - now * scene.dt * v, from + (1.0 - now) * scene.dt * v};
     }
     hits.resize(hits_before);
+    who.arrivals.resize(arrivals_before);
     v = v_before;
-    return ride(scene, mass, born, last, x, v, internal, hits);
+    return ride(scene, mass, born, last, x, v, internal, hits) ? End::FLOWN : End::CAUGHT;
 }
 
 /// Is there no facet anywhere near? First by the start's cell alone, then by all that it may touch.
@@ -194,13 +220,16 @@ bool meets_nothing(const FacetLists& lists, const Vec3& from, const Vec3& to) {
 
 void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec3> x_1, double dt,
          std::span<const double> mass, std::span<const double> born, Particles& gas,
-         FlightResult& result) {
+         FlightResult& result, const Gates* gates) {
     result.bounds.update(lists.triangles(), x_0, x_1);
-    const Scene scene{lists, result.bounds, lists.triangles().data(), x_0.data(), x_1.data(), dt};
+    const Scene scene{lists, result.bounds, lists.triangles().data(), x_0.data(), x_1.data(),
+                      dt,    gates};
     const std::size_t old = gas.size() - born.size();
     const std::size_t chunks = parallel::chunk_count(gas.size());
     if (result.hits.size() < chunks) result.hits.resize(chunks);
     for (auto& hits : result.hits) hits.clear();
+    if (result.arrivals.size() < chunks) result.arrivals.resize(chunks);
+    for (auto& arrivals : result.arrivals) arrivals.clear();
     std::vector<std::vector<Lost>> lost(chunks);
 
     parallel::for_chunks(gas.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
@@ -209,8 +238,9 @@ void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec
             const Vec3 to = gas.x[i] + (1.0 - start) * dt * gas.v[i];
             if (meets_nothing(lists, gas.x[i], to))
                 gas.x[i] = to;
-            else if (!fly_one(scene, mass[gas.species[i]], start, gas.x[i], gas.v[i], gas.e[i],
-                              result.hits[chunk]))
+            else if (fly_one(scene, {i, gas.species[i], gas.id[i], result.arrivals[chunk]},
+                             mass[gas.species[i]], start, gas.x[i], gas.v[i], gas.e[i],
+                             result.hits[chunk]) == End::CAUGHT)
                 lost[chunk].push_back({i, gas.x[i]});
         }
     });

@@ -8,6 +8,7 @@
 
 #include "gas/facet_bounds.hpp"
 #include "gas/facet_lists.hpp"
+#include "gas/gates.hpp"
 #include "gas/particles.hpp"
 
 namespace corpuscle::gas {
@@ -30,6 +31,7 @@ struct FlightResult {
     std::vector<std::vector<Hit>> hits;  ///< a list a chunk, to be read in order
     std::vector<Lost> lost;
     FacetBounds bounds;  ///< of this flight; kept for its memory
+    std::vector<std::vector<Arrival>> arrivals;  ///< at gates, a list a chunk, to be read in order
 };
 
 /// Free flight through one step, t -> t + dt, with specular reflection off the moving facets.
@@ -42,8 +44,9 @@ struct FlightResult {
 /// A particle that bounces a thousand times in a step is caught where fabric closes: it rides with the
 /// fabric and turns its speed into internal energy. `born[i]`: for the last born.size()
 /// particles, the share of the step at which they start. `mass[s]`: of a particle of species s.
+/// `gates`: where particles may pass; what has left stays in `gas` where it was, to be removed.
 void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec3> x_1, double dt,
          std::span<const double> mass, std::span<const double> born, Particles& gas,
-         FlightResult& result);
+         FlightResult& result, const Gates* gates = nullptr);
 
 }  // namespace corpuscle::gas

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace corpuscle::gas {
 
@@ -24,6 +25,12 @@ inline double orifice_flow(double p, double p_out, double T, double gamma, doubl
     const double fall = 1.0 - std::pow(Q, (gamma - 1.0) / gamma);
     return p * std::pow(Q, 1.0 / gamma) *
            std::sqrt(2.0 * gamma / (gamma - 1.0) * fall / (R * T));
+}
+
+/// Speed at which a gas at rest effuses: a quarter of the mean speed, sqrt(R T / (2 pi M)); times
+/// the density it is the mass that meets a wall per area and time.                          [m/s]
+[[nodiscard]] inline double effusion_speed(double T, double gas_constant, double molar_mass) {
+    return std::sqrt(gas_constant * T / (2.0 * std::numbers::pi * molar_mass));
 }
 
 }  // namespace corpuscle::gas

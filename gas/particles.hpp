@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "solver/base/vec.hpp"
@@ -29,13 +30,23 @@ struct Particles {
         species.resize(n);
         id.resize(n);
     }
-    void erase(std::size_t row) {
-        const auto at = static_cast<std::ptrdiff_t>(row);
-        x.erase(x.begin() + at);
-        v.erase(v.begin() + at);
-        e.erase(e.begin() + at);
-        species.erase(species.begin() + at);
-        id.erase(id.begin() + at);
+    /// Takes out rows, ascending; the order of the others stays.
+    void erase(std::span<const std::size_t> rows) {
+        if (rows.empty()) return;
+        std::size_t to = rows[0], next = 0;
+        for (std::size_t from = rows[0]; from < size(); ++from) {
+            if (next < rows.size() && rows[next] == from) {
+                ++next;
+                continue;
+            }
+            x[to] = x[from];
+            v[to] = v[from];
+            e[to] = e[from];
+            species[to] = species[from];
+            id[to] = id[from];
+            ++to;
+        }
+        resize(to);
     }
     void add(const Vec3& at, const Vec3& velocity, double internal, std::int32_t kind,
              std::int32_t born) {

@@ -132,6 +132,7 @@ GasState UniformBag::state(const Points& x) const {
 PartState UniformBag::part_state(const Points& x) const {
     const std::size_t parts = walls_.part_ids.size();
     PartState state{std::vector<double>(parts, card_.pressure_scale * gas_.pressure()),
+                    std::vector<double>(parts, 0.0), std::vector<double>(parts, 0.0),
                     std::vector<double>(parts, 0.0)};
     for (std::size_t t = 0; t < walls_.triangles.size(); ++t) {
         const auto& [a, b, c] = walls_.triangles[t];

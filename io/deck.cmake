@@ -18,6 +18,7 @@ target_sources(corpuscle_io PRIVATE
     keywords/airbag_gas.cpp
     keywords/mole_fraction.cpp
     keywords/airbag_uniform.cpp
+    keywords/airbag_vents.cpp
     keywords/reference_geometry.cpp
     keywords/boundary.cpp
     keywords/motion.cpp

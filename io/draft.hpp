@@ -33,6 +33,7 @@ struct Draft {
         sections{"*SECTION_SHELL"}, curves{"*DEFINE_CURVE"}, vectors{"*DEFINE_VECTOR"};
     Registry node_sets{"*SET_NODE"}, part_sets{"*SET_PART"}, shell_sets{"*SET_SHELL"},
         segment_sets{"*SET_SEGMENT"};
+    Registry cpm_vents{"*DEFINE_CPM_VENT"};
 
     std::vector<Section> section;
     Points vector;                                               ///< head - tail
@@ -40,6 +41,8 @@ struct Draft {
     std::vector<std::vector<Index>> part_set;                    ///< part rows
     std::vector<std::vector<Index>> shell_set;                   ///< shell rows
     std::vector<std::vector<std::array<Index, 4>>> segment_set;  ///< node rows
+
+    std::vector<gas::VentCard> cpm_vent;  ///< without parts
 
     int frame_count = 0;  ///< NPLTC of *DATABASE_BINARY_D3PLOT, which needs the end time
 };

@@ -59,7 +59,7 @@ void energy(auto&& row, const EnergyBooks& e) {
          e.smoothing);
     book("ambient", "work done against the atmosphere, p_atm (V - V at the start)", e.ambient);
     book("inflow", "energy brought in by inflators so far", e.inflow);
-    book("outflow", "energy that left with gas so far", e.outflow);
+    book("outflow", "energy that left with gas, and as heat to the fabric, so far", e.outflow);
     book("external", "work of loads, supports and prescribed motion so far", e.external);
     book("total", "what is there now and what was spent", e.total);
     book("residual", "total - (start + inflow + external): the error of the books", e.residual);
@@ -97,6 +97,8 @@ void airbag(auto&& row, const RecordLayout::Airbag& bag, const AirbagSample& s) 
             s.parts[k].pressure);
         row(on + "area", AREA, "area of the part's inside", s.parts[k].area);
         row(on + "mass_out", MASS, "gas lost through this part so far", s.parts[k].mass_out);
+        row(on + "heat_lost", ENERGY, "heat that this part took from the gas so far",
+            s.parts[k].heat_lost);
     }
 }
 

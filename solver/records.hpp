@@ -58,7 +58,7 @@ struct AirbagSample {
         double mass = 0, temperature = 0, energy = 0;
     };
     struct Part {
-        double pressure = 0, area = 0, mass_out = 0;
+        double pressure = 0, area = 0, mass_out = 0, heat_lost = 0;
     };
     std::vector<Species> species;
     std::vector<Part> parts;

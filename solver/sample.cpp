@@ -16,13 +16,17 @@ AirbagSample row_of(const gas::GasState& state, const gas::PartState& parts) {
     row.temperature = state.temperature;
     row.mass = state.mass;
     row.mass_in = state.mass_in;
+    row.mass_out_vent = state.mass_out_vent;
+    row.mass_out_fabric = state.mass_out_fabric;
+    row.particles_out = state.particles_out;
     row.energy = state.energy;
     row.translational_energy = state.translational;
     row.surface_area = state.area;
     for (const auto& share : state.species)
         row.species.push_back({share.mass, share.temperature, share.energy});
     for (std::size_t p = 0; p < parts.pressure.size(); ++p)
-        row.parts.push_back({parts.pressure[p], parts.area[p], 0.0});
+        row.parts.push_back({parts.pressure[p], parts.area[p], parts.mass_out[p],
+                             parts.heat[p]});
     return row;
 }
 
@@ -30,6 +34,7 @@ AirbagSample sample_of(gas::BagGas& bag, const Points& x, double since) {
     AirbagSample row = row_of(bag.state(x), bag.part_state(x, since));
     row.particles = static_cast<double>(bag.particles().size());
     row.mass_rate_in = bag.mass_rate_in(since);
+    row.mass_rate_out = bag.mass_rate_out(since);
     return row;
 }
 

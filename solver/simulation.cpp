@@ -6,6 +6,7 @@
 #include "solver/simulation.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "solver/base/error.hpp"
 #include "solver/scene_surface.hpp"
@@ -89,7 +90,24 @@ gas::BagWalls bag_walls(const Model& model, const gas::UniformBagCard& card) {
     return walls;
 }
 
-gas::BagWalls bag_walls(const Model& model, const gas::BagCard& card) {
+/// What the fabric of a part says of leaking, if it does.
+std::optional<gas::LeakCard> leak_of(const Model& model, Index part) {
+    const auto* cloth =
+        std::get_if<fabric::FabricCard>(&model.materials[model.parts[part].material].card);
+    if (cloth == nullptr || !cloth->leaks()) return {};
+    return gas::LeakCard{part,
+                         cloth->leak_area,
+                         cloth->leak_area_curve,
+                         cloth->leak_velocity,
+                         cloth->leak_velocity_curve,
+                         cloth->leak_by_component,
+                         cloth->leak_when_blocked,
+                         cloth->leak_from_reference,
+                         cloth->leak_growth};
+}
+
+gas::BagWalls bag_walls(const Model& model, const gas::BagCard& card,
+                        const std::vector<std::array<Vec3, 4>>& reference) {
     const std::size_t count = model.parts.size();
     gas::BagWalls walls;
     SceneTriangles closing = triangles_of(model, marked(card.external_parts, count));
@@ -106,8 +124,17 @@ gas::BagWalls bag_walls(const Model& model, const gas::BagCard& card) {
         for (const Index part : *parts) {
             row[part] = static_cast<Index>(walls.part_ids.size());
             walls.part_ids.push_back(model.parts[part].id);
+            walls.part_rows.push_back(part);
+            if (const auto leak = leak_of(model, part)) walls.leaks.push_back(*leak);
         }
     for (const Index shell : walls.shell) walls.part.push_back(row[model.shells[shell].part]);
+    walls.reference_area.assign(walls.part_ids.size(), 0.0);
+    for (std::size_t s = 0; s < model.shells.size(); ++s) {
+        if (row[model.shells[s].part] < 0) continue;
+        const auto& [a, b, c, d] = reference[s];
+        walls.reference_area[row[model.shells[s].part]] +=
+            vector_area(a, b, c).norm() + vector_area(a, c, d).norm();
+    }
     return walls;
 }
 
@@ -177,7 +204,7 @@ void Simulation::build_bags(std::uint64_t seed) {
         }
     };
     for (const gas::BagCard& card : model_.bags)
-        build(bags_, card, bag_walls(model_, card), model_.curves, model_.node_id, held_nodes(),
+        build(bags_, card, bag_walls(model_, card, reference_), model_.curves, model_.node_id, held_nodes(),
               model_.x, seed);
     for (const gas::UniformBagCard& card : model_.uniform_bags)
         build(uniform_bags_, card, bag_walls(model_, card), model_.curves, model_.node_id,

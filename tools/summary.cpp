@@ -30,6 +30,11 @@ void print_bag(const gas::BagGas& bag, const Points& x) {
     fmt::print(
         "    gas {:.6g} in of {:.6g} inside, {} particles, {} wall hits, {} facet list builds\n",
         gas.mass_in, gas.mass, bag.particles().size(), bag.hits(), bag.list_builds());
+    if (!bag.openings().empty())
+        fmt::print("    out through vents {:.6g}, through fabric {:.6g}, {} particles\n",
+                   gas.mass_out_vent, gas.mass_out_fabric, bag.openings().particles_out());
+    for (const std::string& shortage : bag.openings().shortages())
+        fmt::print("    {}\n", shortage);
     fmt::print("    lost particles: {}\n", bag.lost());
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -31,6 +33,16 @@ struct FabricCard {
     Index leak_area_curve = -1;   ///< FLC < 0: row in Model::curves
     Index leak_velocity_curve = -1;  ///< FAC < 0: row in Model::curves
     int leak_option = 0;             ///< FVOPT
+    double leak_when_blocked = 0.0;  ///< ELA: share of the leak that blocked fabric keeps   [-]
+    bool leak_by_component = false;  ///< FAC's curve is over a component's pressure, not the bag's
+    bool leak_from_reference = false;  ///< A0REF = 1: the reference shape's area counts
+    std::optional<std::array<double, 4>> leak_growth;  ///< X0-X3, instead of FLC and FAC    [-]
+
+    [[nodiscard]] bool leaks() const {
+        const bool has_area = leak_area != 0.0 || leak_area_curve >= 0;
+        const bool has_velocity = leak_velocity != 0.0 || leak_velocity_curve >= 0;
+        return leak_growth.has_value() || (has_area && has_velocity);
+    }
 };
 
 /// Isotropic linear elastic membrane, *MAT_ELASTIC (001).

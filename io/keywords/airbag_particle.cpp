@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "io/keywords/airbag_gas.hpp"
+#include "io/keywords/airbag_vents.hpp"
 #include "io/keywords/keywords.hpp"
 
 namespace corpuscle::io::keywords {
@@ -39,7 +40,9 @@ public:
         if (cards_.plus()) front_tracking();
         if (unit_ == 3) cards_.next("- MASS - TIME - LENGTH").harmless_all();
         counts();
-        rows_of_later_features();
+        skip(inner_rows_, "SIDUP STYUP PFRAC LINKING");
+        for (int i = 0; i < part_rows_; ++i) part_data(cards_, draft_, bag_);
+        for (int i = 0; i < vent_rows_; ++i) vent(cards_, draft_, bag_);
         gas();
         return bag_;
     }
@@ -71,8 +74,12 @@ private:
         if (c.good() && bag_.external_parts.empty())
             c.fault("SID2", "internal parts that leave some part of SID1 to close the bag");
         if (c.good() && !has_shells()) c.fault("SID1", "parts with shells in them");
-        if (notes) return;
-        part_rows_ = later_count(c, "NPDATA");
+        block(c, bag_);
+        if (notes) {
+            if (const double h = c.real("HCONV", NON_NEGATIVE); h > 0.0) bag_.heat = {{all, h, -1}};
+            return;
+        }
+        part_rows_ = c.integer("NPDATA", COUNT);
         c.noted("IRDP", "particles have no radius here");
     }
 
@@ -82,13 +89,6 @@ private:
                            [&](const Shell& s) {
                                return std::find(parts.begin(), parts.end(), s.part) != parts.end();
                            });
-    }
-
-    /// A number of rows that are read over, for nothing acts on them yet.
-    static int later_count(Card& c, const char* field) {
-        const int n = c.integer(field, COUNT);
-        if (n != 0) c.fault(field, "0 or blank: these rows are not acted on yet");
-        return n;
     }
 
     void particles() {
@@ -106,7 +106,7 @@ private:
         if (bag_.T_atm == 0.0) bag_.T_atm = ATMOSPHERE_TEMPERATURE;
         bag_.p_atm = c.real("PATM", NON_NEGATIVE);
         if (bag_.p_atm == 0.0) bag_.p_atm = ATMOSPHERE_PRESSURE * unit().pressure;
-        vent_rows_ = later_count(c, "NVENT");
+        vent_rows_ = c.integer("NVENT", COUNT);
         bag_.all_in = c.real("TEND", POSITIVE);
         bag_.switch_at = c.real("TSW", POSITIVE);
     }
@@ -150,12 +150,6 @@ private:
         constexpr double IN_LINE = 1e-6;  // of a right angle
         if (!(a.cross(b).norm() > IN_LINE * a.norm() * b.norm()))
             c.fault("NID3", "a node that is not in line with NID1 and NID2");
-    }
-
-    void rows_of_later_features() {
-        skip(inner_rows_, "SIDUP STYUP PFRAC LINKING");
-        skip(part_rows_, "SIDH STYPEH HCONV PFRIC SDFBLK KP INIP CP");
-        skip(vent_rows_, "SID3 STYPE3 C23 LCTC23 LCPC23 ENH_V PPOP");
     }
 
     void skip(int rows, const char* layout) {
@@ -204,26 +198,6 @@ void check_inflators(Cards& cards, const gas::BagCard& bag) {
                             nozzle.inflator));
 }
 
-/// Fabric that would leak is tight for now: the user must know.
-void warn_of_leaks(Cards& cards, const Draft& draft, const gas::BagCard& bag) {
-    std::vector<Index> parts = bag.external_parts;
-    parts.insert(parts.end(), bag.internal_parts.begin(), bag.internal_parts.end());
-    for (const Index row : parts) {
-        const Part& part = draft.model.parts[static_cast<std::size_t>(row)];
-        if (part.material < 0) continue;
-        const auto& material = draft.model.materials[static_cast<std::size_t>(part.material)];
-        const auto* cloth = std::get_if<fabric::FabricCard>(&material.card);
-        if (cloth == nullptr) continue;
-        const bool has_area = cloth->leak_area != 0.0 || cloth->leak_area_curve >= 0;
-        const bool has_velocity = cloth->leak_velocity != 0.0 || cloth->leak_velocity_curve >= 0;
-        if (has_area && has_velocity)
-            cards.warn(
-                fmt::format("part {} \"{}\": its *MAT_FABRIC {} leaks (FLC, FAC), which is not "
-                            "acted on yet: the part is tight",
-                            part.id, part.title, material.id));
-    }
-}
-
 }  // namespace
 
 void airbag_particle(Cards& cards, Draft& draft) {
@@ -237,7 +211,7 @@ void airbag_particle(Cards& cards, Draft& draft) {
                     bag.is_of_2007 ? "the meaning of the 2007 course notes (DIALECT = 2007)"
                                    : "today's meaning (-D DIALECT=2007 for that of 2007)"));
     check_inflators(cards, bag);
-    warn_of_leaks(cards, draft, bag);
+    check_leaks(cards, draft, bag);
     const auto is_same = [&](const auto& other) { return other.id == bag.id; };
     if (std::any_of(draft.model.bags.begin(), draft.model.bags.end(), is_same) ||
         std::any_of(draft.model.uniform_bags.begin(), draft.model.uniform_bags.end(), is_same))

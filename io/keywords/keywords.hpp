@@ -13,6 +13,10 @@
 /// One reader a keyword, and the table that finds it.
 namespace corpuscle::io::keywords {
 
+/// A value, or below 0 the id of a curve (mat_fabric.cpp).
+void value_or_curve(Card& c, const char* name, const Registry& curves, double& value,
+                    Index& curve);
+
 /// What a keyword refers to is read before it, wherever it stands in the deck.
 enum class Phase { GROUND, MATERIAL, PART, SHELL, SET, SUM_OF_SETS, SCENE };
 
@@ -65,8 +69,9 @@ void set_segment_general(Cards&, Draft&);
 // airbag_uniform.cpp
 void airbag_simple(Cards&, Draft&);
 void airbag_wang_nefske(Cards&, Draft&);
-// airbag_particle.cpp, reference_geometry.cpp
+// airbag_particle.cpp, airbag_vents.cpp, reference_geometry.cpp
 void airbag_particle(Cards&, Draft&);
+void define_cpm_vent(Cards&, Draft&);
 void airbag_reference_geometry(Cards&, Draft&);
 // boundary.cpp, motion.cpp, initial_velocity.cpp
 void boundary_spc_node(Cards&, Draft&);

@@ -9,6 +9,18 @@
 
 namespace corpuscle::io::keywords {
 
+void value_or_curve(Card& c, const char* name, const Registry& curves, double& value,
+                    Index& curve) {
+    value = c.real(name);
+    if (!c.good() || value >= 0.0) return;
+    const double id = -value;
+    value = 0.0;
+    const Registry::Entry* entry = id < 1e9 ? curves.find(static_cast<int>(id)) : nullptr;
+    if (entry == nullptr || id != std::floor(id))
+        return c.fault(name, ">= 0, or minus the id of a *DEFINE_CURVE of the deck");
+    curve = entry->row;
+}
+
 namespace {
 
 using fabric::FabricCard;
@@ -41,19 +53,6 @@ void elasticity(Cards& cards, Draft& draft, fabric::Material& material, FabricCa
     d.harmless("GBC GCA");
 }
 
-/// A value, or below 0 the id of a curve.
-void value_or_curve(Card& c, const char* name, const Registry& curves, double& value,
-                    Index& curve) {
-    value = c.real(name);
-    if (!c.good() || value >= 0.0) return;
-    const double id = -value;
-    value = 0.0;
-    const Registry::Entry* entry = id < 1e9 ? curves.find(static_cast<int>(id)) : nullptr;
-    if (entry == nullptr || id != std::floor(id))
-        return c.fault(name, ">= 0, or minus the id of a *DEFINE_CURVE of the deck");
-    curve = entry->row;
-}
-
 void fabric_form(Card& c, FabricCard& cloth) {
     cloth.form = c.choice("FORM", {0, 1, 2, 3, 4, 12, 13, 14}, {-14, 24});
     if (cloth.form > 2)
@@ -68,15 +67,30 @@ bool axes_and_leakage(Cards& cards, Draft& draft, FabricCard& cloth) {
     value_or_curve(c, "FAC", draft.curves, cloth.leak_velocity, cloth.leak_velocity_curve);
     fabric_form(c, cloth);
     cloth.leak_option = c.integer("FVOPT", within(-8, 8));
-    c.harmless("ELA");  // of leakage, like A0REF: a bag that leaks is warned of as a whole
+    cloth.leak_when_blocked = c.real("ELA", within(0.0, 1.0));
+    cloth.leak_by_component = draft.dialect == Dialect::NOTES_2007;
     return cloth.leak_option < 0;
+}
+
+/// With X0 the fields FLC and FAC are X2 and X3.
+void leak_growth(Card& c, FabricCard& cloth) {
+    const double X0 = c.real("X0"), X1 = c.real("X1");
+    if (X0 == 0.0) {
+        if (X1 != 0.0) c.fault("X1", "0 or blank without X0");
+        return;
+    }
+    if (cloth.leak_area_curve >= 0 || cloth.leak_velocity_curve >= 0)
+        c.fault("X0", "0 or blank, or FLC and FAC as numbers: they are X2 and X3 then");
+    cloth.leak_growth = {X0, X1, cloth.leak_area, cloth.leak_velocity};
+    cloth.leak_area = cloth.leak_velocity = 0.0;
 }
 
 void directions(Cards& cards, FabricCard& cloth) {
     {
         Card c = cards.next("- RGBRTH A0REF A1 A2 A3 X0 X1");
         cloth.a = c.vector("A1", "A2", "A3");
-        c.harmless("A0REF");
+        cloth.leak_from_reference = c.choice("A0REF", {0, 1}) == 1;
+        leak_growth(c, cloth);
         if (cloth.axes == 2 && c.good() && cloth.a.isZero(0.0))
             c.fault("A1", "a vector for AOPT = 2");
     }

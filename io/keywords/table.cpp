@@ -61,6 +61,7 @@ const Keyword KEYWORDS[] = {
      P::SCENE, airbag_particle},
     {"AIRBAG_SIMPLE_AIRBAG_MODEL", "ID", "", P::SCENE, airbag_simple},
     {"AIRBAG_WANG_NEFSKE", "ID", "POP MULTIPLE JETTING", P::SCENE, airbag_wang_nefske},
+    {"DEFINE_CPM_VENT", "", "", P::SUM_OF_SETS, define_cpm_vent},
     {"AIRBAG_REFERENCE_GEOMETRY", "BIRTH RDT ID", "", P::SCENE, airbag_reference_geometry},
     {"BOUNDARY_SPC_NODE", "ID", "BIRTH DEATH", P::SCENE, boundary_spc_node},
     {"BOUNDARY_SPC_SET", "ID", "BIRTH DEATH", P::SCENE, boundary_spc_set},

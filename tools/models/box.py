@@ -1,18 +1,19 @@
 #!/usr/bin/env python3
 # corpuscle: airbag deployment by the corpuscular method
 # SPDX-License-Identifier: MIT
-"""Writes the box meshes of models/helium_air and models/fast_piston."""
+"""Writes the box meshes of models/helium_air, fast_piston, vented_tank and porous_tank."""
 
 from deck import MODELS, Mesh
 
-WALLS, PISTON = 1, 2
+WALLS, PISTON, VENT = 1, 2, 2
 HELD, MOVED = 1, 2  # node sets
 
 
 def box(side, cells, part_of_face):
     """A cube from the origin to (side, side, side), `cells` along each axis, normals inward.
 
-    part_of_face(axis, end) names the part of the face where coordinate `axis` is 0 or `side`.
+    part_of_face(axis, end, i, j) names the part of quad i, j of the face where coordinate `axis` is
+    0 or `side`.
     """
     mesh = Mesh()
     known = {}
@@ -34,13 +35,13 @@ def box(side, cells, part_of_face):
                         corners.append(node(tuple(grid)))
                     if end:
                         corners.reverse()
-                    mesh.shell(part_of_face(axis, end), *corners)
+                    mesh.shell(part_of_face(axis, end, i, j), *corners)
     mesh.check_closed()
     return mesh
 
 
 def helium_air():
-    mesh = box(0.1, (6, 6, 6), lambda axis, end: 1)
+    mesh = box(0.1, (6, 6, 6), lambda axis, end, i, j: 1)
     walls = list(mesh.nodes)
     orifice = mesh.node(0.05, 0.05, 0.05, number=100000)
     mesh.node_sets[HELD] = ("every node is held", walls + [orifice])
@@ -50,7 +51,7 @@ def helium_air():
 
 
 def fast_piston():
-    mesh = box(0.2, (1, 6, 6), lambda axis, end: PISTON if axis == 0 and end else WALLS)
+    mesh = box(0.2, (1, 6, 6), lambda axis, end, i, j: PISTON if axis == 0 and end else WALLS)
     moved = [n for n, x in mesh.nodes.items() if x[0] > 0.0]
     held = [n for n in mesh.nodes if n not in moved]
     orifice = mesh.node(0.1, 0.1, 0.1, number=12345)
@@ -62,6 +63,19 @@ def fast_piston():
                 "Written by tools/models/box.py: change it there."])
 
 
+def tank(name, is_vent, comment):
+    mesh = box(0.1, (6, 6, 6), lambda *face: VENT if is_vent(*face) else WALLS)
+    walls = list(mesh.nodes)
+    orifice = mesh.node(0.05, 0.05, 0.05, number=100000)
+    mesh.node_sets[HELD] = ("every node is held", walls + [orifice])
+    mesh.write(MODELS / name / "mesh.k",
+               [comment, "Written by tools/models/box.py: change it there."])
+
+
 if __name__ == "__main__":
     helium_air()
     fast_piston()
+    tank("vented_tank", lambda axis, end, i, j: axis == 0 and end and i in (2, 3) and j in (2, 3),
+         "A box of 1 litre, a vent in the middle of the face at x = 0.1, an orifice; lengths in m.")
+    tank("porous_tank", lambda *face: False,
+         "A box of 1 litre and the orifice in its middle; lengths in m.")

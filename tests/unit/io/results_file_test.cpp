@@ -124,6 +124,8 @@ void expect_airbag(Histories& h, std::size_t i, const std::string& id,
         h.expect(at + "/pressure", [=](const Sample& s) { return s.airbags[i].parts[k].pressure; });
         h.expect(at + "/area", [=](const Sample& s) { return s.airbags[i].parts[k].area; });
         h.expect(at + "/mass_out", [=](const Sample& s) { return s.airbags[i].parts[k].mass_out; });
+        h.expect(at + "/heat_lost",
+                 [=](const Sample& s) { return s.airbags[i].parts[k].heat_lost; });
     }
 }
 

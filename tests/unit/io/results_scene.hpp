@@ -89,7 +89,7 @@ inline Sample sample(const RecordLayout& layout, std::size_t row) {
         for (std::size_t k = 0; k < bag.species.size(); ++k)
             b.species.push_back({c.next(), c.next(), c.next()});
         for (std::size_t k = 0; k < bag.parts.size(); ++k)
-            b.parts.push_back({c.next(), c.next(), c.next()});
+            b.parts.push_back({c.next(), c.next(), c.next(), c.next()});
     }
     for (std::size_t i = 0; i < layout.parts.size(); ++i)
         s.parts.push_back({c.next(), c.next(), c.next3()});

@@ -1,0 +1,71 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solver/base/random.hpp"
+#include "solver/base/vec.hpp"
+
+namespace corpuscle::gas {
+
+/// Chances of passing through facets that hold for one step: all that flight knows of holes.
+///
+/// A facet may belong to a gate (it is a hole, or leaks) and to the collar of a vent (closed fabric
+/// around a hole that takes in what the hole's own area cannot).
+struct Gates {
+    struct Gate {
+        bool is_internal = false;    ///< passing particles stay in the bag
+        bool counts_all = false;     ///< those that bounce are reported, too
+        double push = 1.0;           ///< share of a bounce's impulse that a leaving particle gives
+        std::vector<double> chance;  ///< by species                                          [-]
+        std::vector<double> collar_chance;  ///< by species, on the collar                    [-]
+    };
+    std::vector<Gate> all;
+    std::vector<Index> of_facet;    ///< row in `all` of each facet, -1: none
+    std::vector<Index> collar_of;   ///< row in `all` whose collar the facet belongs to, -1: none
+    std::vector<double> open;       ///< by facet: share of the chance that contact leaves    [-]
+    std::uint64_t seed = 0, step = 0;
+
+    enum class Way : std::uint8_t { BACK, THROUGH, OUT };
+    struct Passage {
+        Way way = Way::BACK;
+        Index gate = -1;       ///< whose passage it is; for BACK: who wants to know
+        bool by_collar = false;
+        double push = 1.0;     ///< share of the impulse of a bounce that the facet gets
+    };
+
+    /// What becomes of a particle at a facet: a function of (seed, step, particle, hit) alone.
+    [[nodiscard]] Passage passage(Index facet, std::int32_t species, std::int32_t particle,
+                                  int hit) const {
+        const Index gate = of_facet[facet], collar = collar_of[facet];
+        if (gate < 0 && collar < 0) return {};
+        const double passing = gate < 0 ? 0.0 : open[facet] * all[gate].chance[species];
+        const double drawn = collar < 0 ? 0.0 : all[collar].collar_chance[species];
+        if (passing > 0.0 || drawn > 0.0) {
+            Random draw(seed, Stream::VENT, step,
+                        static_cast<std::uint32_t>(particle) |
+                            static_cast<std::uint64_t>(hit) << 32);
+            const double u = draw.uniform();
+            if (u < passing) {
+                const Gate& g = all[gate];
+                return {g.is_internal ? Way::THROUGH : Way::OUT, gate, false, g.push};
+            }
+            if (u < passing + drawn) return {Way::OUT, collar, true, 1.0};
+        }
+        if (gate >= 0 && all[gate].counts_all) return {Way::BACK, gate, false, 1.0};
+        if (collar >= 0) return {Way::BACK, collar, true, 1.0};
+        return {};
+    }
+};
+
+/// A particle that came to a gate.
+struct Arrival {
+    std::size_t particle;  ///< row
+    Index facet;
+    Gates::Passage passage;
+    double energy;         ///< that it carries out                                       [J]
+};
+
+}  // namespace corpuscle::gas
