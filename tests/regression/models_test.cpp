@@ -40,8 +40,12 @@ TEST_CASE("driver_bag_flat gives what it gave", "[regression]") {
     compare("driver_bag_flat");
 }
 
+TEST_CASE("two_inflators gives what it gave", "[regression]") {
+    compare("two_inflators");
+}
+
 TEST_CASE("write the baselines anew", "[.rebaseline]") {
-    for (const std::string model : {"helium_air", "fast_piston", "driver_bag_flat"}) {
+    for (const std::string model : {"helium_air", "fast_piston", "driver_bag_flat", "two_inflators"}) {
         Baseline baseline = Baseline::read(baseline_of(model));
         const ModelRun run(model, baseline.options);
         REQUIRE(run.status() == 0);

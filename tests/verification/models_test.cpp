@@ -1,10 +1,12 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 // The models at full length against what is known exactly of them.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "io/hdf5.hpp"
+#include "solver/base/constants.hpp"
 #include "solver/base/curve.hpp"
 #include "tests/support/fast_piston.hpp"
 #include "tests/support/inside.hpp"
@@ -94,6 +96,73 @@ TEST_CASE("helium and air in a box come to nRT/V and one temperature", "[models]
     for (double residual : run.history("/history/energy/residual")) {
         REQUIRE(std::abs(residual) < 1e-9 * inflow);
     }
+}
+
+namespace {
+
+/// Speeds of one gas's particles in a frame, ascending.
+std::vector<double> speeds(const ModelRun& run, const std::string& frame, std::int64_t gas) {
+    const io::Hdf5Reader results(run.results());
+    const auto species = results.read<std::int64_t>(frame + "/particles/species");
+    const auto v = results.read<double>(frame + "/particles/velocity");
+    std::vector<double> found;
+    for (std::size_t i = 0; i < species.size(); ++i)
+        if (species[i] == gas) found.push_back(std::hypot(v[3 * i], v[3 * i + 1], v[3 * i + 2]));
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+/// Kolmogorov and Smirnov's statistic, sqrt(N) · the largest gap to Maxwell and Boltzmann's
+/// distribution: above 1.63 in one case of a hundred.
+double distance_to_maxwell(const std::vector<double>& speed, double T, double molar_mass) {
+    const double a = std::sqrt(GAS_CONSTANT * T / molar_mass);
+    double gap = 0.0;
+    const auto n = static_cast<double>(speed.size());
+    for (std::size_t i = 0; i < speed.size(); ++i) {
+        const double s = speed[i] / a;
+        const double below =
+            std::erf(s / std::sqrt(2.0)) - std::sqrt(2.0 / M_PI) * s * std::exp(-0.5 * s * s);
+        const auto rank = static_cast<double>(i);
+        gap = std::max({gap, below - rank / n, (rank + 1.0) / n - below});
+    }
+    return std::sqrt(n) * gap;
+}
+
+}  // namespace
+
+TEST_CASE("gas of two inflators keeps to its room, then mixes through the valve", "[models]") {
+    const ModelRun run("two_inflators", "-j 1");
+    REQUIRE(run.status() == 0);
+    const std::string gas_1 = "/history/airbag/1/species/1/", gas_2 = "/history/airbag/1/species/2/";
+    const auto time = run.history("/history/time");
+    for (const std::string& gas : {gas_1, gas_2}) {
+        const auto energy = run.history(gas + "energy");
+        const double whole = run.at(gas + "energy", 0.5e-3);
+        for (std::size_t i = 0; i < time.size(); ++i)
+            if (time[i] > 0.3e-3 && time[i] < 1.89e-3)
+                CHECK(energy[i] == Approx(whole).epsilon(1e-12));
+    }
+    CHECK(run.at(gas_1 + "temperature", 1.8e-3) == Approx(300.0).epsilon(1e-3));
+    CHECK(run.at(gas_2 + "temperature", 1.8e-3) == Approx(30.0).epsilon(1e-3));
+
+    const double hot = run.mean(gas_1 + "temperature", 0.05, 0.1);
+    const double cold = run.mean(gas_2 + "temperature", 0.05, 0.1);
+    const double pressure = run.mean("/history/airbag/1/part/1/pressure", 0.05, 0.1);
+    const double exact = 2e-4 / 0.028 * GAS_CONSTANT * 165.0 / 2e-3;
+    constexpr const char* LAST_FRAME = "/frames/00056";  // every 1.8 ms, and at the end
+    const double D_1 = distance_to_maxwell(speeds(run, LAST_FRAME, 1), 165.0, 0.028);
+    const double D_2 = distance_to_maxwell(speeds(run, LAST_FRAME, 2), 165.0, 0.028);
+    WARN("mixed: " << hot << " and " << cold << " K, " << pressure << " Pa of " << exact
+                   << ", Kolmogorov-Smirnov " << D_1 << " and " << D_2 << " of 1.63");
+    CHECK(hot == Approx(165.0).epsilon(0.01));
+    CHECK(cold == Approx(165.0).epsilon(0.01));
+    CHECK(pressure == Approx(exact).epsilon(0.003));
+    CHECK(D_1 < 1.63);
+    CHECK(D_2 < 1.63);
+    CHECK(last(run, "/history/airbag/1/particles") == 20000);
+    const double inflow = last(run, "/history/energy/inflow");
+    for (double residual : run.history("/history/energy/residual"))
+        REQUIRE(std::abs(residual) < 1e-9 * inflow);
 }
 
 TEST_CASE("the pressure on the fast piston is Euler's", "[models]") {

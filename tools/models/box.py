@@ -1,26 +1,27 @@
 #!/usr/bin/env python3
 # corpuscle: airbag deployment by the corpuscular method
 # SPDX-License-Identifier: MIT
-"""Writes the box meshes of models/helium_air, fast_piston, vented_tank and porous_tank."""
+"""Writes the box meshes of models/helium_air, fast_piston, two_inflators, vented_tank and porous_tank."""
 
 from deck import MODELS, Mesh
 
-WALLS, PISTON, VENT = 1, 2, 2
+WALLS, PISTON, VENT, MEMBRANE = 1, 2, 2, 2
 HELD, MOVED = 1, 2  # node sets
 
 
-def box(side, cells, part_of_face):
-    """A cube from the origin to (side, side, side), `cells` along each axis, normals inward.
+def box(side, cells, part_of_face, membrane_at=None):
+    """A box from the origin to `side` (a cube's edge, or three), `cells` along each axis, normals inward.
 
     part_of_face(axis, end, i, j) names the part of quad i, j of the face where coordinate `axis` is
-    0 or `side`.
+    0 or its end. membrane_at: cells along x to a MEMBRANE from wall to wall.
     """
+    sides = side if isinstance(side, tuple) else (side,) * 3
     mesh = Mesh()
     known = {}
 
     def node(grid):
         if grid not in known:
-            known[grid] = mesh.node(*(side * i / n for i, n in zip(grid, cells)))
+            known[grid] = mesh.node(*(s * i / n for s, i, n in zip(sides, grid, cells)))
         return known[grid]
 
     for axis in range(3):
@@ -37,6 +38,11 @@ def box(side, cells, part_of_face):
                         corners.reverse()
                     mesh.shell(part_of_face(axis, end, i, j), *corners)
     mesh.check_closed()
+    if membrane_at:
+        for j in range(cells[1]):
+            for k in range(cells[2]):
+                mesh.shell(MEMBRANE, *(node((membrane_at, j + dj, k + dk))
+                                       for dj, dk in ((0, 0), (1, 0), (1, 1), (0, 1))))
     return mesh
 
 
@@ -72,6 +78,17 @@ def tank(name, is_vent, comment):
                [comment, "Written by tools/models/box.py: change it there."])
 
 
+def two_inflators():
+    mesh = box((0.2, 0.1, 0.1), (12, 6, 6), lambda *face: WALLS, membrane_at=6)
+    nodes = list(mesh.nodes)
+    orifices = [mesh.node(0.05, 0.05, 0.05, number=100000),
+                mesh.node(0.15, 0.05, 0.05, number=100001)]
+    mesh.node_sets[HELD] = ("every node is held", nodes + orifices)
+    mesh.write(MODELS / "two_inflators" / "mesh.k",
+               ["Two rooms of 1 litre, a membrane (part 2) between them, an orifice in each; lengths in m.",
+                "Written by tools/models/box.py: change it there."])
+
+
 if __name__ == "__main__":
     helium_air()
     fast_piston()
@@ -79,3 +96,4 @@ if __name__ == "__main__":
          "A box of 1 litre, a vent in the middle of the face at x = 0.1, an orifice; lengths in m.")
     tank("porous_tank", lambda *face: False,
          "A box of 1 litre and the orifice in its middle; lengths in m.")
+    two_inflators()
