@@ -29,6 +29,12 @@ std::optional<CollisionModel> collision_model(std::string_view name) {
     return {};
 }
 
+std::string_view name_of(CollisionModel model) {
+    for (const auto& [name, known] : NAMES)
+        if (known == model) return name;
+    return "a model without a name";
+}
+
 std::string collision_names() {
     std::string all;
     for (const auto& [name, model] : NAMES) all.append(all.empty() ? "" : ", ").append(name);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gas/collision_name.hpp"
 #include "io/keywords/airbag_gas.hpp"
 #include "io/keywords/airbag_vents.hpp"
 #include "io/keywords/keywords.hpp"
@@ -210,6 +211,9 @@ void airbag_particle(Cards& cards, Draft& draft) {
         fmt::format("*AIRBAG_PARTICLE {} is read with {}", bag.id,
                     bag.is_of_2007 ? "the meaning of the 2007 course notes (DIALECT = 2007)"
                                    : "today's meaning (-D DIALECT=2007 for that of 2007)"));
+    if (bag.collision)
+        draft.model.notes.push_back(fmt::format("*AIRBAG_PARTICLE {}: particles collide by {}",
+                                                bag.id, gas::name_of(*bag.collision)));
     check_inflators(cards, bag);
     check_leaks(cards, draft, bag);
     const auto is_same = [&](const auto& other) { return other.id == bag.id; };

@@ -261,6 +261,7 @@ TEST_CASE("the collision model is chosen by -D or by *PARAMETER", "[io]") {
     CHECK(folder.read("*PARAMETER\nC COLLISION, Pairs\n" + deck, {{{"COLLISION", "lin"}}})
               .bags.at(0)
               .collision == gas::CollisionModel::LIN);
+    CHECK(any_contains(folder.read(deck, {{{"collision", "pairs"}}}).notes, "collide by pairs"));
     const auto faults = folder.faults(deck, {{{"COLLISION", "sph"}}});
     REQUIRE(faults.size() == 1);
     CHECK(contains(faults[0], "COLLISION = sph, expected one of lin"));
