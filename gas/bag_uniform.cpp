@@ -38,8 +38,7 @@ void BagGas::become_uniform(const Points& x) {
     late_pressure_ = all.pressure() - by_air;
     uniform_ = std::move(all);
     for (std::size_t i = 0; i < particles_.size(); ++i) {
-        particles_.e[i] +=
-            0.5 * mass_[particles_.species[i]] * particles_.v[i].squaredNorm();
+        particles_.e[i] += 0.5 * mass_[particles_.species[i]] * particles_.v[i].squaredNorm();
         particles_.v[i].setZero();
     }
 }

@@ -25,7 +25,7 @@ public:
     /// facet that rounding would decide.
     [[nodiscard]] std::optional<int> winding(const Vec3& point) const;
 
-    [[nodiscard]] const Vec3& low() const { return low_; }    ///< corners of the surface's box [m]
+    [[nodiscard]] const Vec3& low() const { return low_; }  ///< corners of the surface's box [m]
     [[nodiscard]] const Vec3& high() const { return high_; }
 
 private:

@@ -51,7 +51,7 @@ private:
     [[nodiscard]] Mat3 axes_of_frame(std::span<const Vec3> x) const;
     [[nodiscard]] Vec3 normal(std::size_t orifice, std::span<const Vec3> x) const;
 
-    std::vector<std::vector<Facet>> on_;  ///< facets that an orifice lies on; empty: on none
+    std::vector<std::vector<Facet>> on_;      ///< facets that an orifice lies on; empty: on none
     std::vector<std::vector<Index>> pushed_;  ///< node rows an orifice
     std::array<Index, 3> frame_;
     Mat3 frame_0_ = Mat3::Identity();  ///< columns: axes of the frame at the start

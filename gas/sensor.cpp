@@ -44,8 +44,8 @@ struct Region {
 Region region(const SensorCard& card, const Points& x) {
     const auto& [a, b, c, d] = card.nodes;
     const bool is_triangle = c == d;
-    const Vec3 middle = is_triangle ? Vec3((x[a] + x[b] + x[c]) / 3.0)
-                                    : Vec3((x[a] + x[b] + x[c] + x[d]) / 4.0);
+    const Vec3 middle =
+        is_triangle ? Vec3((x[a] + x[b] + x[c]) / 3.0) : Vec3((x[a] + x[b] + x[c] + x[d]) / 4.0);
     const Vec3 normal = (x[c] - x[a]).cross((is_triangle ? x[c] : x[d]) - x[b]).normalized();
     const Vec3 along = (x[b] - x[a] - (x[b] - x[a]).dot(normal) * normal).normalized();
     Mat3 axes;
@@ -75,8 +75,7 @@ void add(const BagGas& bag, const Region& where, Sums& sums) {
 }
 
 /// All of a bag is the same: what it holds, if the region's centre lies in it.
-bool read_uniform(const BagGas& bag, const Region& where, const Points& x,
-                  SensorReading& reading) {
+bool read_uniform(const BagGas& bag, const Region& where, const Points& x, SensorReading& reading) {
     if (!bag.enclosure().contains(where.centre, x)) return false;
     const GasState all = bag.state(x);
     reading.pressure = all.pressure;

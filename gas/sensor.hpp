@@ -17,7 +17,7 @@ struct SensorCard {
 
     Shape shape = Shape::SPHERE;
     std::array<Index, 4> nodes{};  ///< of the segment; a triangle repeats its 3rd
-    double offset = 0.0;           ///< OFFSET: of its centre from the segment's, along the normal  [m]
+    double offset = 0.0;  ///< OFFSET: of its centre from the segment's, along the normal  [m]
     /// Radius; radius and length along the normal; or lengths along nodes 1-2, along the third
     /// axis and along the normal.                                                             [m]
     std::array<double, 3> size{};

@@ -35,14 +35,16 @@ UniformBag::UniformBag(const UniformBagCard& card, BagWalls walls, std::span<con
       gas_({species_of(card)}),
       area_(x.size(), Vec3::Zero()) {
     if (enclosure_.turned() > 0)
-        warnings_.push_back(fmt::format("{}: the normals of {} facets were turned to agree with "
-                                        "their neighbours",
-                                        name_of(card), enclosure_.turned()));
+        warnings_.push_back(
+            fmt::format("{}: the normals of {} facets were turned to agree with "
+                        "their neighbours",
+                        name_of(card), enclosure_.turned()));
     const double V = volume(x);
     if (!(V > 0.0))
-        throw InputError(fmt::format("{}: the volume at the start, VSCA V - VINI, is {:g}, "
-                                     "expected > 0: RO fills it with gas",
-                                     name_of(card), V));
+        throw InputError(
+            fmt::format("{}: the volume at the start, VSCA V - VINI, is {:g}, "
+                        "expected > 0: RO fills it with gas",
+                        name_of(card), V));
     // p = p_atm + POVER and RO give T = p / (RO (cp - cv)).
     const Species& gas = gas_.species()[0];
     const double moles = card.density * V / gas.molar_mass();
@@ -105,10 +107,10 @@ double UniformBag::exit_rate(double t) const {
     if (card_.exit_rate >= 0) return curves_[card_.exit_rate](p - card_.p_atm);
     double opening = 0.0;
     for (const ExitCard& exit : card_.exits)
-        opening += value(exit.coefficient, exit.coefficient_of_pressure ? p : t) *
-                   value(exit.area, p);
-    return opening * orifice_flow(p, card_.p_atm, gas_.temperature(), gas_.gamma(),
-                                  gas_.gas_constant());
+        opening +=
+            value(exit.coefficient, exit.coefficient_of_pressure ? p : t) * value(exit.area, p);
+    return opening *
+           orifice_flow(p, card_.p_atm, gas_.temperature(), gas_.gamma(), gas_.gas_constant());
 }
 
 double UniformBag::stable_step() const {

@@ -35,17 +35,17 @@ public:
     void flow(double t, double dt);
 
     [[nodiscard]] Vec3 force(Index node) const { return gauge() * area_[node]; }  ///< [N]
-    /// Step in which a five-hundredth of the gas leaves.                                         [s]
+    /// Step in which a five-hundredth of the gas leaves. [s]
     [[nodiscard]] double stable_step() const;
 
     [[nodiscard]] GasState state(const Points& x) const;
     [[nodiscard]] PartState part_state(const Points& x) const;
     void add_shell_load(const Points& x, std::span<double> force, std::span<double> area) const;
 
-    [[nodiscard]] double energy() const { return gas_.energy(); }           ///< [J]
-    [[nodiscard]] double inflow_energy() const { return inflow_energy_; }   ///< [J]
-    [[nodiscard]] double outflow_energy() const { return outflow_energy_; } ///< [J]
-    [[nodiscard]] double ambient_work() const { return ambient_work_; }     ///< [J]
+    [[nodiscard]] double energy() const { return gas_.energy(); }            ///< [J]
+    [[nodiscard]] double inflow_energy() const { return inflow_energy_; }    ///< [J]
+    [[nodiscard]] double outflow_energy() const { return outflow_energy_; }  ///< [J]
+    [[nodiscard]] double ambient_work() const { return ambient_work_; }      ///< [J]
     /// Work that VSCA and PSCA make of nothing (or take away).                              [J]
     [[nodiscard]] double scaling_work() const { return scaling_work_; }
 

@@ -101,8 +101,7 @@ void molar_heat_capacities(Card& c, UniformBagCard& bag) {
 gas::CurveOr value_or_curve(Card& c, const char* name, const Registry& curves) {
     const double value = c.real(name);
     if (!c.good() || value >= 0.0) return {value};
-    const Registry::Entry* entry =
-        value > -1e9 ? curves.find(static_cast<int>(-value)) : nullptr;
+    const Registry::Entry* entry = value > -1e9 ? curves.find(static_cast<int>(-value)) : nullptr;
     if (entry == nullptr || value != std::floor(value)) {
         c.fault(name, ">= 0, or minus the id of a *DEFINE_CURVE of the deck");
         return {};
@@ -167,8 +166,7 @@ void airbag_wang_nefske(Cards& cards, Draft& draft) {
         heat_capacities(c, bag);
         bag.mass_rate = c.row("LCMT", draft.curves);
         bag.temperature.curve = c.row_or_none("LCT", draft.curves);
-        bag.temperature.value =
-            c.real("T", bag.temperature.curve < 0 ? POSITIVE : NON_NEGATIVE);
+        bag.temperature.value = c.real("T", bag.temperature.curve < 0 ? POSITIVE : NON_NEGATIVE);
     }
     {
         Card c = cards.next("C23 LCC23 A23 LCA23 CP23 LCCP23 AP23 LCAP23");

@@ -59,9 +59,9 @@ void share_by_moles(Cards& cards, Draft& draft, Index mass, std::vector<gas::Inf
         for (std::size_t g = 0; g < gases.size(); ++g) {
             const double x = value(fraction[g], t, before);
             if (x < 0.0)
-                return cards.fault(fmt::format(
-                    "has mole fraction {:g} < 0 of gas {} at time {:g} (curve {})", x, g + 1, t,
-                    fraction[g].id));
+                return cards.fault(
+                    fmt::format("has mole fraction {:g} < 0 of gas {} at time {:g} (curve {})", x,
+                                g + 1, t, fraction[g].id));
             sum += x;
             weight += x * gases[g].species.molar_mass;
         }

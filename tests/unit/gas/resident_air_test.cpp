@@ -55,7 +55,8 @@ TEST_CASE("rays through columns and solid angles agree on what is inside", "[gas
     for (int i = 0; i < 3000; ++i) {
         Vec3 p;
         for (int k = 0; k < 3; ++k)
-            p[k] = inside.low()[k] + (1.1 * draw.uniform() - 0.05) * (inside.high() - inside.low())[k];
+            p[k] =
+                inside.low()[k] + (1.1 * draw.uniform() - 0.05) * (inside.high() - inside.low())[k];
         const auto winding = inside.winding(p);
         REQUIRE(winding);
         REQUIRE((*winding > 0) == bag.contains(p, shape.x));

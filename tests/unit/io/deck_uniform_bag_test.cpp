@@ -27,7 +27,8 @@ TEST_CASE("AIRBAG_SIMPLE_AIRBAG_MODEL: cards and defaults", "[io]") {
         return small_deck(SET + "*AIRBAG_SIMPLE_AIRBAG_MODEL\n" + first + "\n" + second + "\n" +
                           third);
     };
-    const auto bag = folder.read(deck("12,1", "713,1000,780,7,0.7,3e-4,1e5,1.2")).uniform_bags.at(0);
+    const auto bag =
+        folder.read(deck("12,1", "713,1000,780,7,0.7,3e-4,1e5,1.2")).uniform_bags.at(0);
     CHECK(bag.id == 1);
     CHECK(bag.shells == std::vector<Index>{0, 1, 2});
     CHECK(bag.volume_scale == 1.0);

@@ -72,8 +72,7 @@ TEST_CASE("going over to uniform pressure leaves mass, temperature and motion as
     Model model = flying_bag(5000);
     model.velocity.assign(model.x.size(), Vec3::Zero());
     model.end_time = 3.5e-3;
-    if (GENERATE(true, false))
-        model.bags[0].air = gas::InitialAirCard{scenes::air(), 2e4, 300.0};
+    if (GENERATE(true, false)) model.bags[0].air = gas::InitialAirCard{scenes::air(), 2e4, 300.0};
     Model other = model;
     constexpr double SWITCH = 2.5e-3;
     other.bags[0].switch_at = SWITCH;
@@ -141,7 +140,8 @@ TEST_CASE("air as particles carries the atmosphere from the first step on", "[so
         const AirbagSample air = at_end.sample().airbags[0];
         CHECK(air.particles == 10000);
         CHECK(air.temperature == Approx(300.0).epsilon(0.02));
-        CHECK(air.mass == Approx(ATMOSPHERE_PRESSURE * V / (GAS_CONSTANT * 300.0) * 0.028).epsilon(1e-9));
+        CHECK(air.mass ==
+              Approx(ATMOSPHERE_PRESSURE * V / (GAS_CONSTANT * 300.0) * 0.028).epsilon(1e-9));
         CHECK(air.parts.at(0).pressure == Approx(ATMOSPHERE_PRESSURE).epsilon(0.04));
         CHECK(at_end.layout().airbags[0].species == std::vector<int>{0});
         CHECK(at_end.frame().particles->species.at(0) == 0);
@@ -165,8 +165,8 @@ TEST_CASE("inflow and air as particles share NP by moles, and go over to uniform
         const AirbagSample bag = at_end.sample().airbags[0];
         CHECK(bag.particles == 3000);
         const double cv_air = 28.0 - GAS_CONSTANT, cv_he = 20.79 - GAS_CONSTANT;
-        const double T = (air * cv_air * 300.0 + helium * cv_he * 600.0) /
-                         (air * cv_air + helium * cv_he);
+        const double T =
+            (air * cv_air * 300.0 + helium * cv_he * 600.0) / (air * cv_air + helium * cv_he);
         CHECK(bag.temperature == Approx(T).epsilon(1e-3));
         CHECK(bag.pressure == Approx((air + helium) * GAS_CONSTANT * T / 1e-3).epsilon(1e-3));
         CHECK(bag.species.at(0).mass == Approx(air * 0.028).epsilon(1e-3));
@@ -230,7 +230,8 @@ TEST_CASE("after the switch a vented tank blows down by the equations of Wang an
     const auto rate = [&](double m, double T) {
         const double p = m * Rm * T / V;
         if (p <= ATMOSPHERE_PRESSURE) return 0.0;
-        const double Q = std::max(ATMOSPHERE_PRESSURE / p, std::pow(2.0 / (k + 1.0), k / (k - 1.0)));
+        const double Q =
+            std::max(ATMOSPHERE_PRESSURE / p, std::pow(2.0 / (k + 1.0), k / (k - 1.0)));
         return 0.5 * area * p * std::pow(Q, 1.0 / k) *
                std::sqrt(2.0 * k / (k - 1.0) / (Rm * T) * (1.0 - std::pow(Q, (k - 1.0) / k)));
     };

@@ -46,7 +46,8 @@ Sample::Sensor reading(const Model& model) {
 
 }  // namespace
 
-TEST_CASE("a sensor reads density, pressure and temperature of the gas around it", "[solver][gas]") {
+TEST_CASE("a sensor reads density, pressure and temperature of the gas around it",
+          "[solver][gas]") {
     using Shape = gas::SensorCard::Shape;
     Model model = box_of_air(40000);
     gas::SensorCard sensor;
@@ -90,7 +91,8 @@ TEST_CASE("a sensor over the whole bag reads its exact mean", "[solver][gas]") {
     CHECK(found.temperature == Approx(300.0 * 500.0 / 499.0).epsilon(1e-9));
 }
 
-TEST_CASE("after the switch a sensor reads what its bag holds, and outside nothing", "[solver][gas]") {
+TEST_CASE("after the switch a sensor reads what its bag holds, and outside nothing",
+          "[solver][gas]") {
     Model model = box_of_air(500);
     model.bags[0].switch_at = 1e-9;
     const bool is_inside = GENERATE(true, false);

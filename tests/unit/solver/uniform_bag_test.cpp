@@ -21,7 +21,8 @@ gas::UniformBagCard over(const Model& model) {
     gas::UniformBagCard card;
     card.keyword = "*AIRBAG_SIMPLE_AIRBAG_MODEL";
     card.id = 1;
-    for (std::size_t s = 0; s < model.shells.size(); ++s) card.shells.push_back(static_cast<Index>(s));
+    for (std::size_t s = 0; s < model.shells.size(); ++s)
+        card.shells.push_back(static_cast<Index>(s));
     card.cv = CV, card.cp = CP;
     card.p_atm = ATM;
     card.density = 1.2;
@@ -170,7 +171,8 @@ TEST_CASE("a rigid tank blows down by the equations of Wang and Nefske", "[solve
     });
 }
 
-TEST_CASE("exits stay shut below PPOP, and a curve of gauge pressure replaces them", "[solver][gas]") {
+TEST_CASE("exits stay shut below PPOP, and a curve of gauge pressure replaces them",
+          "[solver][gas]") {
     Model model = rigid_box();
     model.end_time = 1e-3;
     gas::UniformBagCard& card = model.uniform_bags[0];
