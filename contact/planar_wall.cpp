@@ -11,6 +11,7 @@ PlanarWall::PlanarWall(const PlanarWallCard& card) : card_(card) {}
 void PlanarWall::hold(const Points& x, std::span<const double> mass, double t, double dt,
                       Points& v) {
     force_.setZero();
+    touching_.clear();
     if (t < card_.birth || t > card_.death) return;
     if (is_behind_.size() != card_.nodes.size()) note_nodes_behind(x);
 
@@ -28,6 +29,7 @@ void PlanarWall::hold(const Points& x, std::span<const double> mass, double t, d
         stopping_energy_ += 0.5 * mass[node] * (v[node].squaredNorm() - slid.squaredNorm());
         friction_energy_ += 0.5 * mass[node] * (slid.squaredNorm() - after.squaredNorm());
         impulse += mass[node] * (v[node] - after);
+        touching_.push_back(node);
         v[node] = after;
     }
     force_ = impulse / dt;

@@ -27,6 +27,8 @@ public:
 
     /// On the wall in the last step: impulse / dt.                                              [N]
     [[nodiscard]] const Vec3& force() const { return force_; }
+    /// Nodes that the last hold() stopped.
+    [[nodiscard]] std::span<const Index> touching() const { return touching_; }
     [[nodiscard]] double stopping_energy() const { return stopping_energy_; }  ///< so far      [J]
     [[nodiscard]] double friction_energy() const { return friction_energy_; }  ///< so far      [J]
 
@@ -40,6 +42,7 @@ private:
 
     PlanarWallCard card_;
     std::vector<std::uint8_t> is_behind_;  ///< by row in card_.nodes; empty before birth
+    std::vector<Index> touching_;
     Vec3 force_ = Vec3::Zero();
     double stopping_energy_ = 0.0, friction_energy_ = 0.0;
 };

@@ -197,6 +197,13 @@ double SelfContact::held_work() const {
 const Vec3& SelfContact::force() const {
     return state_->force;
 }
+void SelfContact::mark_touching(std::span<std::uint8_t> nodes) const {
+    state_->contacts.for_each([&](const Contact& c) {
+        if (c.gap >= c.rest) return;
+        for (int i = 0; i < 4; ++i)
+            if (std::abs(c.weight[i]) > 0.5) nodes[c.node[i]] = 1;
+    });
+}
 const SelfContactCounts& SelfContact::counts() const {
     return state_->counts;
 }

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -67,6 +69,8 @@ public:
     /// gave.  [N]
     [[nodiscard]] const Vec3& force() const;
     [[nodiscard]] const SelfContactCounts& counts() const;
+    /// Sets a 1 for every node that carries more than half of its side of a contact that pushes.
+    void mark_touching(std::span<std::uint8_t> nodes) const;  // N
 
 private:
     struct State;

@@ -65,6 +65,13 @@ public:
         return store_.force(node) + (pressure_on(node) - card_.p_atm) * area_[node];
     }
 
+    /// Does contact close holes of this bag?
+    [[nodiscard]] bool asks_for_contact() const {
+        return card_.block.any() && !openings_.empty();
+    }
+    /// Nodes that touch something now, N: takes effect in the next flight.
+    void set_touching(std::span<const std::uint8_t> nodes) { openings_.block(nodes); }
+
     void prepare(const Points& x_0, const Points& x_1);  ///< facet lists for the step
     void inject(double t, double dt, const Points& x_0, const Points& x_1);
     void collide(double dt, const Points& x);

@@ -49,6 +49,8 @@ struct BlockCard {
     bool fabric = false;          ///< N = 1-4: a touching node takes its share of porous area
     bool external_vents = false;  ///< N = 1, 3: and of external vents
     bool internal_vents = false;  ///< N = 1, 2: and of internal ones
+
+    [[nodiscard]] bool any() const { return fabric || external_vents || internal_vents; }
 };
 
 }  // namespace corpuscle::gas

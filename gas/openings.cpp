@@ -14,7 +14,7 @@ namespace {
 
 /// Area of an isentropic vent's collar over C23 · the vent's own. Smaller: a choked vent whose gas
 /// is thin runs short; larger: gas leaves farther from the hole.
-constexpr double COLLAR = 2.0;
+constexpr double COLLAR = 3.0;
 
 double greatest(const Curve& curve) {
     return *std::max_element(curve.y.begin(), curve.y.end());
@@ -32,6 +32,8 @@ Openings::Openings(const BagCard& card, const BagWalls& walls, std::span<const C
       mass_(particle_mass.begin(), particle_mass.end()),
       triangles_(walls.triangles),
       part_(walls.part),
+      shell_(walls.shell),
+      block_(card.block),
       part_ids_(walls.part_ids),
       p_atm_(card.p_atm),
       T_atm_(card.T_atm),
@@ -134,8 +136,12 @@ void Openings::add_leak(const BagWalls& walls, const LeakCard& leak, Index row,
                                      name_, walls.part_ids[part]));
     opening.first_area =
         leak.from_reference ? walls.reference_area[part] : area_of(opening.facets, x);
+    opening.share.assign(species_.size(), 0.0);
+    opening.due_of.assign(species_.size(), 0.0);
     openings_.push_back(std::move(opening));
-    gates_.all.push_back({openings_.back().is_internal, leak.growth.has_value(), 1.0,
+    // Internal fabric is no wall to who passes; fabric that closes the bag is pushed by all who come.
+    gates_.all.push_back({openings_.back().is_internal, !openings_.back().is_internal,
+                          openings_.back().is_internal ? 0.0 : 1.0,
                           std::vector<double>(species_.size(), 0.0),
                           std::vector<double>(species_.size(), 0.0)});
 }

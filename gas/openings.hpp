@@ -64,10 +64,12 @@ struct Opening {
     double flow = 0.0;      ///< wanted of the particles, ISENTROPIC                  [kg/s]
     double air_flow = 0.0;  ///< of the air that is no particles                      [kg/s]
     double intake = 0.0;    ///< of ambient air, IAIR = -1                            [kg/s]
+    std::vector<double> share;  ///< of what arrives of each gas, SEEPAGE                 [-]
     double air_heat = 1.0;  ///< share of R T by which each mole of it carries more than u [-]
 
     // Carried from step to step
     double due = 0.0;              ///< wanted and not passed yet                     [kg]
+    std::vector<double> due_of;    ///< the same of each gas, SEEPAGE                 [kg]
     double arriving = 0.0;         ///< flow that arrives, smoothed, by weight        [kg/s]
     double collar_arriving = 0.0;  ///< the same on the collar                        [kg/s]
     double memory = 0.0;           ///< time over which it is smoothed                [s]
@@ -94,6 +96,9 @@ public:
     [[nodiscard]] bool empty() const { return openings_.empty(); }
     [[nodiscard]] const Gates* gates() const { return empty() ? nullptr : &gates_; }
     [[nodiscard]] const std::vector<Opening>& all() const { return openings_; }
+
+    /// Takes what touches out of the open area.                                       N × 1
+    void block(std::span<const std::uint8_t> touching);
 
     /// Chances for a flight over dt from t, in the bag's state at t.
     void set_gates(double t, double dt, std::span<const Vec3> x, const Inside& inside);
@@ -130,6 +135,8 @@ private:
     [[nodiscard]] double area_of(std::span<const Index> facets, std::span<const Vec3> x) const;
     [[nodiscard]] double curve_or(Index curve, double at, double otherwise) const;
     [[nodiscard]] double vent_factor(Opening& opening, double t, const Inside& inside) const;
+    [[nodiscard]] double steered(const Opening& opening, std::size_t species, double dt,
+                                 const Inside& inside) const;
     [[nodiscard]] double leak_share(const Opening& opening, double t) const;
     [[nodiscard]] double leak_area(const Opening& opening, const Inside& inside) const;
     void measure(Opening& opening, std::span<const Vec3> x) const;
@@ -148,7 +155,8 @@ private:
     std::vector<double> mass_;    ///< of one particle, by species                       [kg]
     std::vector<double> weight_;  ///< sqrt(M / heaviest M), by species                   [-]
     std::vector<Triangle> triangles_;
-    std::vector<Index> part_;     ///< by facet
+    std::vector<Index> part_, shell_;  ///< by facet
+    BlockCard block_;
     std::vector<int> part_ids_;
     double p_atm_, T_atm_, gas_constant_;
     std::optional<Species> ambient_;  ///< comes in where the bag's pressure is lower

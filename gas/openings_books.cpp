@@ -27,7 +27,11 @@ const Openings::Passed& Openings::count(const FlightResult& flight, double dt,
             const double mass = mass_[s];
             (arrival.passage.by_collar ? came_to_collar_ : came_)[gate] +=
                 mass * weight_[s] * (arrival.passage.by_collar ? 1.0 : gates_.open[arrival.facet]);
-            if (arrival.passage.way != Gates::Way::OUT) continue;
+            const bool is_out = arrival.passage.way == Gates::Way::OUT;
+            if (opening.law == Opening::Law::SEEPAGE && !opening.is_internal)
+                opening.due_of[s] +=
+                    mass * (opening.share[s] * gates_.open[arrival.facet] - (is_out ? 1.0 : 0.0));
+            if (!is_out) continue;
             opening.due -= mass;
             opening.mass_out += mass;
             // A collar's gas leaves through the vent's part.

@@ -55,6 +55,7 @@ void Openings::close(Index row) {
     Gates::Gate& gate = gates_.all[row];
     std::fill(gate.chance.begin(), gate.chance.end(), 0.0);
     std::fill(gate.collar_chance.begin(), gate.collar_chance.end(), 0.0);
+    std::fill(opening.share.begin(), opening.share.end(), 0.0);
 }
 
 /// Area, and the share of it that is free.
@@ -184,6 +185,19 @@ void Openings::expect_arrivals(Opening& opening, double dt, const Inside& inside
     opening.collar_arriving = opening.collar.empty() ? 0.0 : mass;
 }
 
+/// The share of a gas that is to pass, corrected by what has passed too little or too much before:
+/// chance alone would scatter the mass by the square root of the number that has passed.
+double Openings::steered(const Opening& opening, std::size_t s, double dt,
+                         const Inside& inside) const {
+    const double arriving = inside.density[s] * opening.area * opening.free *
+                            effusion_speed(inside.temperature, gas_constant_,
+                                           species_[s].molar_mass());
+    const double passing = opening.share[s] * arriving;
+    if (!(passing > 0.0) || opening.is_internal) return opening.share[s];
+    const double memory = STEPS_KEPT * dt + ARRIVALS_KEPT * mass_[s] / passing;
+    return std::clamp(opening.share[s] + opening.due_of[s] / (memory * arriving), 0.0, 1.0);
+}
+
 /// density · area · FLC · FAC of each gas; those that arrive are density · effusion speed · area.
 void Openings::set_seepage(Index row, double t, double dt, const Inside& inside) {
     Opening& opening = openings_[row];
@@ -211,7 +225,8 @@ void Openings::set_seepage(Index row, double t, double dt, const Inside& inside)
         const double M = species_[s].molar_mass();
         const double chance = velocity(inside.density[s], M) /
                               effusion_speed(inside.temperature, gas_constant_, M);
-        gates_.all[row].chance[s] = std::clamp(chance, 0.0, 1.0);
+        opening.share[s] = std::clamp(chance, 0.0, 1.0);
+        gates_.all[row].chance[s] = steered(opening, s, dt, inside);
         if (chance > 1.0 && !opening.is_internal)
             opening.short_of += (1.0 - 1.0 / chance) * velocity(inside.density[s], M) * area *
                                 inside.density[s] * dt;

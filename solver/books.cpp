@@ -3,6 +3,7 @@
 //
 // What forces have done, and what there is at t.
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/base/error.hpp"
@@ -72,6 +73,18 @@ EnergyBooks Simulation::books() const {
         instant.outflow += bag.outflow_energy();
     }
     return ledger_.balance(instant);
+}
+
+/// Tells bags whose holes contact closes which nodes touch fabric or walls.
+void Simulation::find_touching() {
+    const auto asks = [](const gas::BagGas& bag) { return bag.asks_for_contact(); };
+    if (std::none_of(bags_.begin(), bags_.end(), asks)) return;
+    touching_.assign(nodes_.size(), 0);
+    for (const contact::SelfContact& contact : contacts_) contact.mark_touching(touching_);
+    for (const contact::PlanarWall& wall : walls_)
+        for (const Index node : wall.touching()) touching_[node] = 1;
+    for (gas::BagGas& bag : bags_)
+        if (bag.asks_for_contact()) bag.set_touching(touching_);
 }
 
 Vec3 Simulation::contact_and_gas_force(Index node) const {

@@ -90,6 +90,7 @@ private:
     void drift(double dt);
     void stop_at_obstacles(double dt);
     void book_forces(double span);
+    void find_touching();
     void check_finite() const;
     [[noreturn]] void stop_for(Index broken_shell) const;
     [[nodiscard]] Vec3 contact_and_gas_force(Index node) const;
@@ -114,6 +115,7 @@ private:
 
     Points v_before_;  ///< v(t - dt/2)                                [m/s]
     Points v_mid_;     ///< mean of v before and after the kick        [m/s]
+    std::vector<std::uint8_t> touching_;  ///< N: nodes in contact, if a bag asks for it
     ForceShare load_force_, damping_force_, contact_force_;
     Ledger ledger_;
     Timings timings_;

@@ -32,6 +32,7 @@ StepReport Simulation::step(const Observer& observe) {
     // 3. x(t) -> x(t + dt)
     drift(dt);                                                                  lap("motion");
 
+    find_touching();
     // 4. Gas, t -> t + dt, against the fabric that moves from x to x_1
     for (gas::BagGas& bag : bags_) {
         if (bag.switches(t)) bag.become_uniform(nodes_.x);

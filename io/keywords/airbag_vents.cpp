@@ -103,7 +103,7 @@ void part_data(Cards& cards, const Draft& draft, gas::BagCard& bag) {
 }
 
 void block(Card& c, gas::BagCard& bag) {
-    const int code = c.choice("BLOCK", {0}, {1, 2, 3, 4, 10, 11, 12, 13, 14, 20, 21, 22, 23, 24});
+    const int code = c.choice("BLOCK", {0, 1, 2, 3, 4}, {10, 11, 12, 13, 14, 20, 21, 22, 23, 24});
     bag.block.fabric = code >= 1;
     bag.block.external_vents = code == 1 || code == 3;
     bag.block.internal_vents = code == 1 || code == 2;

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # corpuscle: airbag deployment by the corpuscular method
 # SPDX-License-Identifier: MIT
-"""Writes the box meshes of models/helium_air, fast_piston, two_inflators, vented_tank and porous_tank."""
+"""Writes the box meshes of models/helium_air, fast_piston, two_inflators, vented_tank, porous_tank
+and two_chambers."""
 
 from deck import MODELS, Mesh
 
@@ -78,14 +79,15 @@ def tank(name, is_vent, comment):
                [comment, "Written by tools/models/box.py: change it there."])
 
 
-def two_inflators():
-    mesh = box((0.2, 0.1, 0.1), (12, 6, 6), lambda *face: WALLS, membrane_at=6)
+def two_rooms(name, size, cells, comment):
+    mesh = box(size, cells, lambda *face: WALLS, membrane_at=cells[0] // 2)
     nodes = list(mesh.nodes)
-    orifices = [mesh.node(0.05, 0.05, 0.05, number=100000),
-                mesh.node(0.15, 0.05, 0.05, number=100001)]
+    middle = [0.5 * s for s in size]
+    orifices = [mesh.node(share * size[0], *middle[1:], number=100000 + i)
+                for i, share in enumerate((0.25, 0.75))]
     mesh.node_sets[HELD] = ("every node is held", nodes + orifices)
-    mesh.write(MODELS / "two_inflators" / "mesh.k",
-               ["Two rooms of 1 litre, a membrane (part 2) between them, an orifice in each; lengths in m.",
+    mesh.write(MODELS / name / "mesh.k",
+               [comment,
                 "Written by tools/models/box.py: change it there."])
 
 
@@ -96,4 +98,7 @@ if __name__ == "__main__":
          "A box of 1 litre, a vent in the middle of the face at x = 0.1, an orifice; lengths in m.")
     tank("porous_tank", lambda *face: False,
          "A box of 1 litre and the orifice in its middle; lengths in m.")
-    two_inflators()
+    two_rooms("two_inflators", (0.2, 0.1, 0.1), (12, 6, 6),
+              "Two rooms of 1 litre, a membrane (part 2) between them, an orifice in each; lengths in m.")
+    two_rooms("two_chambers", (0.1, 0.1, 0.1), (6, 6, 6),
+              "Two rooms of half a litre, a membrane (part 2) between, an orifice in each; lengths in m.")

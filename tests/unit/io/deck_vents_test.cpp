@@ -103,6 +103,18 @@ TEST_CASE("AIRBAG_PARTICLE: NPDATA rows cool the gas", "[io]") {
     CHECK(contains(fault("1,2,25.0"), "(STYPEH) = 2"));
 }
 
+TEST_CASE("AIRBAG_PARTICLE: BLOCK says which holes contact closes", "[io]") {
+    const DeckFolder folder;
+    const auto block = [&](int code) {
+        return folder.read(vented("", "", 0, 0, code)).bags.at(0).block;
+    };
+    CHECK_FALSE(block(0).any());
+    CHECK((block(1).fabric && block(1).external_vents && block(1).internal_vents));
+    CHECK((block(2).fabric && !block(2).external_vents && block(2).internal_vents));
+    CHECK((block(3).fabric && block(3).external_vents && !block(3).internal_vents));
+    CHECK((block(4).fabric && !block(4).external_vents && !block(4).internal_vents));
+}
+
 TEST_CASE("AIRBAG_PARTICLE: fabric that leaks", "[io]") {
     const DeckFolder folder;
     const auto read = [&](const std::string& cloth_cards) {

@@ -1,0 +1,257 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// Gas and heat that leave a bag, in whole scenes.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include "gas/orifice_flow.hpp"
+#include "solver/base/parallel.hpp"
+#include "solver/simulation.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace corpuscle;
+
+namespace {
+
+constexpr double P_ATM = 1e5;
+const auto nothing = [](Simulation&) {};
+
+/// A rigid tank of one litre: part 1, and the last two triangles of it part 2.
+Model tank(std::size_t particles, double mass = 2.5e-3, double until = 2e-3) {
+    Model model = scenes::of(shapes::box(Vec3::Constant(0.1), 4), scenes::null_material(), 1e-3);
+    model.parts.push_back(model.parts[0]);
+    model.parts[1].id = 2;
+    model.shells[model.shells.size() - 1].part = model.shells[model.shells.size() - 2].part = 1;
+    scenes::fill(model, scenes::air(), mass, until, 300.0, {0.05, 0.05, 0.05}, particles);
+    model.bags[0].p_atm = P_ATM;
+    model.bags[0].T_atm = 250.0;
+    scenes::fix_all_nodes(model);
+    model.end_time = 6e-3;
+    return model;
+}
+
+gas::VentCard vent(double C23, bool is_isentropic) {
+    gas::VentCard card;
+    card.parts = {1};
+    card.coefficient = C23;
+    card.is_isentropic = is_isentropic;
+    return card;
+}
+
+struct Watch {
+    double residual = 0.0;
+    void operator()(Simulation& now) {
+        residual = std::max(residual, std::abs(now.books().residual));
+    }
+};
+
+gas::GasState state(const Simulation& simulation) {
+    return simulation.bags()[0].state(simulation.nodes().x);
+}
+
+void run_until(Simulation& simulation, double t, Watch& watch) {
+    while (!simulation.is_over() && simulation.time() < t)
+        simulation.step([&](Simulation& now) { watch(now); });
+}
+
+}  // namespace
+
+TEST_CASE("a tank cools by Newton's law and books its heat", "[solver][heat]") {
+    Model model = tank(3000);
+    const bool by_curve = GENERATE(false, true);
+    gas::HeatCard heat{{0}, by_curve ? 0.0 : 5000.0, -1};
+    if (by_curve) {
+        heat.curve = static_cast<Index>(model.curves.size());
+        model.curves.push_back({99, {0.0, 1.0}, {5000.0, 5000.0}});
+    }
+    model.bags[0].heat = {heat};
+    Simulation simulation(model);
+    Watch watch;
+    run_until(simulation, 2.5e-3, watch);
+    const double T_0 = state(simulation).temperature, t_0 = simulation.time();
+    run_until(simulation, 6e-3, watch);
+    const double moles = 2.5e-3 / 0.028, C = moles * (28.0 - GAS_CONSTANT);
+    const double area = 0.06 - 0.5 * 2 * 0.025 * 0.025;
+    const double exact =
+        250.0 + (T_0 - 250.0) * std::exp(-5000.0 * area * (simulation.time() - t_0) / C);
+    CHECK(T_0 - exact > 10.0);
+    CHECK(state(simulation).temperature == Approx(exact).margin(0.02 * (T_0 - exact)));
+    CHECK(watch.residual < 1e-9 * simulation.bags()[0].inflow_energy());
+    const Sample sample = simulation.sample();
+    const auto& parts = sample.airbags[0].parts;
+    CHECK(parts[1].heat_lost == 0.0);
+    // what has not been drawn from the gas yet is that of a step or two
+    CHECK(parts[0].heat_lost == Approx(simulation.books().outflow).epsilon(0.02));
+}
+
+TEST_CASE("a vent with PPOP opens at that gauge pressure and stays open", "[solver][vents]") {
+    Model model = tank(4000);
+    model.bags[0].vents = {vent(0.8, true)};
+    model.bags[0].vents[0].opens_at = 0.8e5;
+    Simulation simulation(model);
+    bool was_closed = false, stayed_open = false;
+    double before = 0.0;
+    const auto look = [&](Simulation& now) {
+        const gas::GasState gas = state(now);
+        if (gas.pressure < 1.7e5 && now.time() < 2e-3) {
+            was_closed = true;
+            CHECK(gas.mass_out_vent == 0.0);
+        }
+        // without any more inflow the pressure falls below what has opened it, and gas still leaves
+        stayed_open |= now.time() > 2.2e-3 && gas.pressure < 1.7e5 && gas.mass_out_vent > before;
+        before = gas.mass_out_vent;
+    };
+    model.end_time = 8e-3;
+    while (!simulation.is_over()) simulation.step(look);
+    CHECK(was_closed);
+    CHECK(before > 1e-4);
+    CHECK(stayed_open);
+}
+
+TEST_CASE("ambient air comes in through a vent until the pressures are even", "[solver][vents]") {
+    Model model = tank(2000, 1e-5);
+    gas::InitialAirCard air;
+    air.species = scenes::air();
+    air.pressure = 0.4 * P_ATM;
+    air.temperature = 300.0;
+    air.flows_in = true;
+    model.bags[0].air = air;
+    model.bags[0].vents = {vent(1.0, true)};
+    model.end_time = 8e-3;
+    Simulation simulation(model);
+    const double start = state(simulation).mass;
+    Watch watch;
+    run_until(simulation, 8e-3, watch);
+    const gas::GasState now = state(simulation);
+    CHECK(now.pressure == Approx(P_ATM).epsilon(0.02));
+    // dU = h(T_atm) dm of a tank that fills, the inflator's little gas aside
+    const double brought = now.mass_in - 1e-5;
+    const double T = (start * 300.0 + 28.0 / (28.0 - GAS_CONSTANT) * brought * 250.0) /
+                     (start + brought);
+    CHECK(now.temperature == Approx(T).epsilon(0.02));
+    CHECK(watch.residual < 1e-9 * simulation.bags()[0].inflow_energy());
+}
+
+TEST_CASE("initial air leaves by its share of the mixture", "[solver][vents]") {
+    Model model = tank(4000);
+    gas::InitialAirCard air;
+    air.species = scenes::air();
+    air.pressure = P_ATM;
+    air.temperature = 300.0;
+    model.bags[0].air = air;
+    model.bags[0].vents = {vent(1.0, true)};
+    model.bags[0].vents[0].time_curve = static_cast<Index>(model.curves.size());
+    model.curves.push_back({98, {0.0, 2.5e-3, 2.5e-3, 1.0}, {0.0, 0.0, 1.0, 1.0}});
+    Simulation simulation(model);
+    Watch watch;
+    run_until(simulation, 2.4e-3, watch);
+    const gas::GasState before = state(simulation);
+    run_until(simulation, 6e-3, watch);
+    const gas::GasState after = state(simulation);
+    CHECK(after.mass < 0.85 * before.mass);
+    CHECK(after.species[0].mass / before.species[0].mass ==
+          Approx(after.species[1].mass / before.species[1].mass).epsilon(0.01));
+    CHECK(watch.residual < 1e-9 * simulation.bags()[0].inflow_energy());
+}
+
+TEST_CASE("fabric with X0 to X3 leaks as an orifice of that area", "[solver][fabric]") {
+    Model model = tank(8000);
+    fabric::FabricCard cloth;
+    cloth.density = 1000.0;
+    cloth.E_warp = cloth.E_weft = 1e8;
+    cloth.G = 4e7;
+    cloth.leak_growth = {1e-3, 2e-3, 3e-3, 4e-3};
+    model.materials.push_back({2, "", cloth});
+    model.parts[0].material = 1;
+    Simulation simulation(model);
+    Watch watch;
+    run_until(simulation, 2.2e-3, watch);
+    const gas::GasState from = state(simulation);
+    const double t_0 = simulation.time();
+    run_until(simulation, 4e-3, watch);
+    const gas::GasState to = state(simulation);
+    const double p = 0.5 * (from.pressure + to.pressure);
+    const double T = 0.5 * (from.temperature + to.temperature);
+    const double rp = P_ATM / p;
+    const double area = (0.06 - 2 * 0.5 * 0.025 * 0.025) * (1e-3 + 2e-3 + 3e-3 * rp + 4e-3 * rp);
+    const double flow = area * gas::orifice_flow(p, P_ATM, T, 28.0 / (28.0 - GAS_CONSTANT),
+                                                 GAS_CONSTANT / 0.028);
+    CHECK(to.mass_out_fabric - from.mass_out_fabric ==
+          Approx(flow * (simulation.time() - t_0)).epsilon(0.03));
+    CHECK(to.mass_out_vent == 0.0);
+    CHECK(watch.residual < 1e-9 * simulation.bags()[0].inflow_energy());
+}
+
+TEST_CASE("a bag of cloth that leaks and vents closes its books, whatever the threads",
+          "[solver][vents][threads]") {
+    const auto run = [](int threads, double& residual) {
+        parallel::set_threads(threads);
+        fabric::FabricCard cloth;
+        cloth.density = 750.0;
+        cloth.E_warp = cloth.E_weft = 300e6;
+        cloth.nu_ba = 0.3;
+        cloth.G = 115e6;
+        cloth.leak_area = 0.02;
+        cloth.leak_velocity = 50.0;
+        Model model = scenes::of(shapes::sphere(0.1, 3), cloth, 3e-4);
+        model.parts.push_back(model.parts[0]);
+        model.parts[1].id = 2;
+        for (std::size_t s = 0; s < 24; ++s) model.shells[s].part = 1;
+        scenes::fill(model, scenes::air(), 2e-3, 1e-3, 600.0, {0.01, 0.02, -0.01}, 3000);
+        model.bags[0].p_atm = 2e4;
+        model.bags[0].vents = {vent(1.5, true)};
+        model.bags[0].heat = {{{0}, 100.0, -1}};
+        model.end_time = 2e-3;
+        Simulation simulation(model, 5);
+        Watch watch;
+        run_until(simulation, 2e-3, watch);
+        residual = watch.residual / simulation.bags()[0].inflow_energy();
+        return simulation;
+    };
+    double residual = 0.0;
+    const Simulation one = run(1, residual);
+    CHECK(residual < 2e-3);
+    CHECK(state(one).mass_out_vent > 1e-5);
+    CHECK(state(one).mass_out_fabric > 1e-6);
+    const Simulation two = run(2, residual);
+    CHECK(one.nodes().x == two.nodes().x);
+    CHECK(one.bags()[0].particles().id == two.bags()[0].particles().id);
+    CHECK(one.bags()[0].particles().v == two.bags()[0].particles().v);
+    CHECK(one.bags()[0].particles().e == two.bags()[0].particles().e);
+}
+
+TEST_CASE("a touching node blocks a third of a triangle's leak and a quarter of a quad's",
+          "[gas][block]") {
+    gas::BagCard card;
+    card.block = {true, true, true};
+    gas::BagWalls walls;
+    walls.triangles = {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}};
+    walls.shell = {0, 0, 1};
+    walls.part = {0, 0, 0};
+    walls.closing = 3;
+    walls.part_ids = {1};
+    walls.part_rows = {0};
+    gas::LeakCard leak;
+    leak.part = 0;
+    leak.area = leak.velocity = 1.0;
+    leak.when_blocked = GENERATE(0.0, 0.4);
+    walls.leaks = {leak};
+    const Points x{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 2, 0}};
+    const std::vector<gas::Species> species{{scenes::air(), GAS_CONSTANT, "air"}};
+    const std::vector<double> mass{1.0};
+    gas::Openings openings(card, walls, {}, species, mass, x, 1);
+    const auto open = [&](std::vector<std::uint8_t> touching) {
+        openings.block(touching);
+        return openings.gates()->open;
+    };
+    const double lost = 1.0 - leak.when_blocked;
+    CHECK(open({0, 0, 0, 0, 0}) == std::vector<double>{1.0, 1.0, 1.0});
+    const auto one = open({1, 0, 0, 0, 0});
+    CHECK(one[0] == Approx(1.0 - lost / 4.0));
+    CHECK(one[1] == Approx(1.0 - lost / 4.0));
+    CHECK(one[2] == 1.0);
+    CHECK(open({0, 0, 1, 0, 0})[2] == Approx(1.0 - lost / 3.0));
+    CHECK(open({1, 1, 1, 1, 1})[2] == Approx(leak.when_blocked));
+}
