@@ -45,8 +45,7 @@ void BagGas::look_inside(const Points& x) {
 
 /// Takes out who has passed, books the energy, and remembers what the rest owes to it.
 void BagGas::let_out(double dt) {
-    const Openings::Passed& passed =
-        openings_.count(flight_, dt, inside_, particles_.species);
+    const Openings::Passed& passed = openings_.count(flight_, dt, inside_, particles_.species);
     lost_energy_ += passed.energy;
     owed_to_outflow_ += passed.still_owed;
     gone_.insert(gone_.end(), passed.rows.begin(), passed.rows.end());

@@ -23,17 +23,17 @@ struct Gates {
         std::vector<double> collar_chance;  ///< by species, on the collar                    [-]
     };
     std::vector<Gate> all;
-    std::vector<Index> of_facet;    ///< row in `all` of each facet, -1: none
-    std::vector<Index> collar_of;   ///< row in `all` whose collar the facet belongs to, -1: none
-    std::vector<double> open;       ///< by facet: share of the chance that contact leaves    [-]
+    std::vector<Index> of_facet;   ///< row in `all` of each facet, -1: none
+    std::vector<Index> collar_of;  ///< row in `all` whose collar the facet belongs to, -1: none
+    std::vector<double> open;      ///< by facet: share of the chance that contact leaves    [-]
     std::uint64_t seed = 0, step = 0;
 
     enum class Way : std::uint8_t { BACK, THROUGH, OUT };
     struct Passage {
         Way way = Way::BACK;
-        Index gate = -1;       ///< whose passage it is; for BACK: who wants to know
+        Index gate = -1;  ///< whose passage it is; for BACK: who wants to know
         bool by_collar = false;
-        double push = 1.0;     ///< share of the impulse of a bounce that the facet gets
+        double push = 1.0;  ///< share of the impulse of a bounce that the facet gets
     };
 
     /// What becomes of a particle at a facet: a function of (seed, step, particle, hit) alone.
@@ -45,8 +45,8 @@ struct Gates {
         const double drawn = collar < 0 ? 0.0 : all[collar].collar_chance[species];
         if (passing > 0.0 || drawn > 0.0) {
             Random draw(seed, Stream::VENT, step,
-                        static_cast<std::uint32_t>(particle) |
-                            static_cast<std::uint64_t>(hit) << 32);
+                        static_cast<std::uint32_t>(particle) | static_cast<std::uint64_t>(hit)
+                                                                   << 32);
             const double u = draw.uniform();
             if (u < passing) {
                 const Gate& g = all[gate];
@@ -65,7 +65,7 @@ struct Arrival {
     std::size_t particle;  ///< row
     Index facet;
     Gates::Passage passage;
-    double energy;         ///< that it carries out                                       [J]
+    double energy;  ///< that it carries out                                       [J]
 };
 
 }  // namespace corpuscle::gas

@@ -15,8 +15,11 @@ HeatLoss::HeatLoss(const BagCard& card, const BagWalls& walls, std::span<const C
         for (std::size_t p = 0; p < walls.part_rows.size(); ++p) {
             const auto& parts = heat.parts;
             if (std::find(parts.begin(), parts.end(), walls.part_rows[p]) == parts.end()) continue;
-            Cooled cooled{heat.coefficient, heat.curve >= 0 ? curves[heat.curve] : Curve{},
-                          static_cast<Index>(p), {}, 0.0};
+            Cooled cooled{heat.coefficient,
+                          heat.curve >= 0 ? curves[heat.curve] : Curve{},
+                          static_cast<Index>(p),
+                          {},
+                          0.0};
             for (std::size_t f = 0; f < walls.triangles.size(); ++f)
                 if (walls.part[f] == cooled.part) cooled.facets.push_back(static_cast<Index>(f));
             cooled_.push_back(std::move(cooled));

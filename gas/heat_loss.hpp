@@ -27,11 +27,11 @@ public:
 
 private:
     struct Cooled {
-        double coefficient;         ///< [W/(m^2 K)]
-        Curve over_time;            ///< in its place, if any
-        Index part;                 ///< row of the bag's parts
+        double coefficient;  ///< [W/(m^2 K)]
+        Curve over_time;     ///< in its place, if any
+        Index part;          ///< row of the bag's parts
         std::vector<Index> facets;
-        double power_per_kelvin;    ///< h A, of this step                               [W/K]
+        double power_per_kelvin;  ///< h A, of this step                               [W/K]
     };
     std::vector<Cooled> cooled_;
     std::vector<Triangle> triangles_;

@@ -87,8 +87,8 @@ void Openings::add_vent(const BagWalls& walls, const VentCard& vent, Index row) 
         const Index part = walls.part_rows[walls.part[f]];
         if (std::find(vent.parts.begin(), vent.parts.end(), part) == vent.parts.end()) continue;
         if (gates_.of_facet[f] >= 0)
-            throw InputError(fmt::format("{}: part {} is a vent twice", name_,
-                                         walls.part_ids[walls.part[f]]));
+            throw InputError(
+                fmt::format("{}: part {} is a vent twice", name_, walls.part_ids[walls.part[f]]));
         gates_.of_facet[f] = gate;
         opening.facets.push_back(static_cast<Index>(f));
     }
@@ -96,17 +96,18 @@ void Openings::add_vent(const BagWalls& walls, const VentCard& vent, Index row) 
         throw InputError(fmt::format("{}: vent {} has no shell in the bag", name_, row + 1));
     opening.is_internal = static_cast<std::size_t>(opening.facets.back()) >= walls.closing;
     if (opening.is_internal != (static_cast<std::size_t>(opening.facets[0]) >= walls.closing))
-        throw InputError(fmt::format("{}: vent {} has shells that close the bag and internal ones, "
-                                     "expected one kind",
-                                     name_, row + 1));
+        throw InputError(
+            fmt::format("{}: vent {} has shells that close the bag and internal ones, "
+                        "expected one kind",
+                        name_, row + 1));
     if (opening.is_internal && vent.is_isentropic)
-        throw InputError(fmt::format("{}: vent {} is internal, expected ENH_V = 0 or 2: it passes "
-                                     "gas both ways",
-                                     name_, row + 1));
+        throw InputError(
+            fmt::format("{}: vent {} is internal, expected ENH_V = 0 or 2: it passes "
+                        "gas both ways",
+                        name_, row + 1));
     if (opening.is_internal && most(vent) > 1.0)
-        throw InputError(fmt::format(
-            "{}: vent {} is internal and has C23 = {:g}, expected 0 to 1", name_, row + 1,
-            most(vent)));
+        throw InputError(fmt::format("{}: vent {} is internal and has C23 = {:g}, expected 0 to 1",
+                                     name_, row + 1, most(vent)));
     openings_.push_back(std::move(opening));
     // What leaves presses on the air outside, not on the hole: its share of a bounce is set with
     // the pressure. What crosses inside takes all its momentum with it.
@@ -131,15 +132,17 @@ void Openings::add_leak(const BagWalls& walls, const LeakCard& leak, Index row,
     if (opening.facets.empty()) return;  // the part is a vent, and open as such
     opening.is_internal = static_cast<std::size_t>(opening.facets[0]) >= walls.closing;
     if (opening.is_internal && leak.growth)
-        throw InputError(fmt::format("{}: part {} is internal and leaks by X0 to X3, expected FLC "
-                                     "and FAC",
-                                     name_, walls.part_ids[part]));
+        throw InputError(
+            fmt::format("{}: part {} is internal and leaks by X0 to X3, expected FLC "
+                        "and FAC",
+                        name_, walls.part_ids[part]));
     opening.first_area =
         leak.from_reference ? walls.reference_area[part] : area_of(opening.facets, x);
     opening.share.assign(species_.size(), 0.0);
     opening.due_of.assign(species_.size(), 0.0);
     openings_.push_back(std::move(opening));
-    // Internal fabric is no wall to who passes; fabric that closes the bag is pushed by all who come.
+    // Internal fabric is no wall to who passes; fabric that closes the bag is pushed by all who
+    // come.
     gates_.all.push_back({openings_.back().is_internal, !openings_.back().is_internal,
                           openings_.back().is_internal ? 0.0 : 1.0,
                           std::vector<double>(species_.size(), 0.0),

@@ -59,13 +59,13 @@ struct Opening {
     bool has_opened = false;    ///< PPOP has been passed
 
     // This step's
-    double area = 0.0;      ///< of all facets                                        [m^2]
-    double free = 1.0;      ///< share of it that contact leaves                      [-]
-    double flow = 0.0;      ///< wanted of the particles, ISENTROPIC                  [kg/s]
-    double air_flow = 0.0;  ///< of the air that is no particles                      [kg/s]
-    double intake = 0.0;    ///< of ambient air, IAIR = -1                            [kg/s]
+    double area = 0.0;          ///< of all facets                                        [m^2]
+    double free = 1.0;          ///< share of it that contact leaves                      [-]
+    double flow = 0.0;          ///< wanted of the particles, ISENTROPIC                  [kg/s]
+    double air_flow = 0.0;      ///< of the air that is no particles                      [kg/s]
+    double intake = 0.0;        ///< of ambient air, IAIR = -1                            [kg/s]
     std::vector<double> share;  ///< of what arrives of each gas, SEEPAGE                 [-]
-    double air_heat = 1.0;  ///< share of R T by which each mole of it carries more than u [-]
+    double air_heat = 1.0;      ///< share of R T by which each mole of it carries more than u [-]
 
     // Carried from step to step
     double due = 0.0;              ///< wanted and not passed yet                     [kg]
@@ -79,12 +79,12 @@ struct Opening {
 
 /// Vents and porous fabric of one bag: sets the gates for flight and keeps the books of who passed.
 ///
-/// An isentropic opening follows the Wang-Nefske flow of the bag's mean state: the chance to pass is
-/// the wanted flow over the flow that arrives, as measured at the opening, and what has passed too
-/// little or too much is made good in the next steps. Chances go with sqrt(M), as molecules effuse
-/// with 1 / sqrt(M), so gas leaves as it is mixed at the opening. Where all that arrive are too few
-/// (gas at rest effuses 0.58 of the choked flow), the collar, closed fabric round the vent, lets out
-/// what is missing; its fabric is pushed as if nobody left there.
+/// An isentropic opening follows the Wang-Nefske flow of the bag's mean state: the chance to pass
+/// is the wanted flow over the flow that arrives, as measured at the opening, and what has passed
+/// too little or too much is made good in the next steps. Chances go with sqrt(M), as molecules
+/// effuse with 1 / sqrt(M), so gas leaves as it is mixed at the opening. Where all that arrive are
+/// too few (gas at rest effuses 0.58 of the choked flow), the collar, closed fabric round the vent,
+/// lets out what is missing; its fabric is pushed as if nobody left there.
 class Openings {
 public:
     /// Errors: InputError for an opening that has no facets in the bag.
@@ -105,9 +105,9 @@ public:
 
     /// What the last flight let out.
     struct Passed {
-        double energy = 0.0;             ///< that the particles carried with them            [J]
-        double still_owed = 0.0;         ///< enthalpy that they should have, less that       [J]
-        std::vector<std::size_t> rows;   ///< of the particles, ascending
+        double energy = 0.0;            ///< that the particles carried with them            [J]
+        double still_owed = 0.0;        ///< enthalpy that they should have, less that       [J]
+        std::vector<std::size_t> rows;  ///< of the particles, ascending
     };
     const Passed& count(const FlightResult& flight, double dt, const Inside& inside,
                         std::span<const std::int32_t> species);

@@ -31,9 +31,8 @@ void Openings::block(std::span<const std::uint8_t> touching) {
                 for (const Index n : triangles_[opening.facets[f]])
                     if (std::find(nodes.begin(), nodes.begin() + count, n) == nodes.begin() + count)
                         nodes[count++] = n;
-            const auto touched = static_cast<double>(
-                std::count_if(nodes.begin(), nodes.begin() + count,
-                              [&](Index n) { return touching[n] != 0; }));
+            const auto touched = static_cast<double>(std::count_if(
+                nodes.begin(), nodes.begin() + count, [&](Index n) { return touching[n] != 0; }));
             const double blocked = touched / static_cast<double>(count);
             for (; i < end; ++i) gates_.open[opening.facets[i]] = 1.0 - blocked * (1.0 - kept);
         }

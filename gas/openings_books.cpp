@@ -12,8 +12,7 @@
 
 namespace corpuscle::gas {
 
-const Openings::Passed& Openings::count(const FlightResult& flight, double dt,
-                                        const Inside& inside,
+const Openings::Passed& Openings::count(const FlightResult& flight, double dt, const Inside& inside,
                                         std::span<const std::int32_t> species) {
     passed_.energy = passed_.still_owed = 0.0;
     passed_.rows.clear();

@@ -30,9 +30,8 @@ void Openings::set_gates(double t, double dt, std::span<const Vec3> x, const Ins
         measure(opening, x);
         if (!inside.holds_gas()) continue;
         if (opening.leak >= 0) {
-            const double area = opening.law == Opening::Law::ISENTROPIC
-                                    ? leak_area(opening, inside)
-                                    : 0.0;
+            const double area =
+                opening.law == Opening::Law::ISENTROPIC ? leak_area(opening, inside) : 0.0;
             if (opening.law == Opening::Law::ISENTROPIC)
                 set_isentropic(row, area, dt, inside);
             else
@@ -114,8 +113,8 @@ void Openings::set_isentropic(Index row, double area, double dt, const Inside& i
     Opening& opening = openings_[row];
     Gates::Gate& gate = gates_.all[row];
     if (opening.is_internal) return;  // the same gas on both sides, after TSW
-    const double flow = area * orifice_flow(inside.pressure, p_atm_, inside.temperature, inside.gamma,
-                                            gas_constant_ / inside.molar_mass);
+    const double flow = area * orifice_flow(inside.pressure, p_atm_, inside.temperature,
+                                            inside.gamma, gas_constant_ / inside.molar_mass);
     if (inside.is_uniform) {
         opening.air_flow = flow;
         opening.air_heat = 1.0;
@@ -149,9 +148,9 @@ void Openings::set_intake(Index row, double t, double area, const Inside& inside
     Opening& opening = openings_[row];
     if (!ambient_ || opening.is_internal || inside.pressure >= p_atm_) return;
     if (opening.law != Opening::Law::SEEPAGE) {
-        opening.intake = area * orifice_flow(p_atm_, inside.pressure, T_atm_,
-                                             ambient_->gamma(T_atm_),
-                                             gas_constant_ / ambient_->molar_mass());
+        opening.intake =
+            area * orifice_flow(p_atm_, inside.pressure, T_atm_, ambient_->gamma(T_atm_),
+                                gas_constant_ / ambient_->molar_mass());
         return;
     }
     const LeakCard& leak = leaks_[opening.leak];
@@ -164,9 +163,8 @@ void Openings::set_intake(Index row, double t, double area, const Inside& inside
 double Openings::leak_share(const Opening& opening, double t) const {
     const LeakCard& leak = leaks_[opening.leak];
     const double share = curve_or(leak.area_curve, t, leak.area);
-    return leak.from_reference && opening.area > 0.0
-               ? share * opening.first_area / opening.area
-               : share;
+    return leak.from_reference && opening.area > 0.0 ? share * opening.first_area / opening.area
+                                                     : share;
 }
 
 /// What effuses from gas at rest sets the memory, and is the first guess of what arrives.
@@ -189,9 +187,9 @@ void Openings::expect_arrivals(Opening& opening, double dt, const Inside& inside
 /// chance alone would scatter the mass by the square root of the number that has passed.
 double Openings::steered(const Opening& opening, std::size_t s, double dt,
                          const Inside& inside) const {
-    const double arriving = inside.density[s] * opening.area * opening.free *
-                            effusion_speed(inside.temperature, gas_constant_,
-                                           species_[s].molar_mass());
+    const double arriving =
+        inside.density[s] * opening.area * opening.free *
+        effusion_speed(inside.temperature, gas_constant_, species_[s].molar_mass());
     const double passing = opening.share[s] * arriving;
     if (!(passing > 0.0) || opening.is_internal) return opening.share[s];
     const double memory = STEPS_KEPT * dt + ARRIVALS_KEPT * mass_[s] / passing;
@@ -211,20 +209,21 @@ void Openings::set_seepage(Index row, double t, double dt, const Inside& inside)
                                 leak.by_component ? component : inside.pressure, leak.velocity);
     };
     const double area = opening.area * opening.free;
-    opening.air_flow = opening.is_internal ? 0.0
-                                           : inside.air_density * area *
-                                                 velocity(inside.air_density, inside.air_molar_mass);
+    opening.air_flow =
+        opening.is_internal
+            ? 0.0
+            : inside.air_density * area * velocity(inside.air_density, inside.air_molar_mass);
     opening.air_heat = 1.0;
     if (inside.is_uniform) {
         for (std::size_t s = 0; s < species_.size() && !opening.is_internal; ++s)
-            opening.air_flow += inside.density[s] * area *
-                                velocity(inside.density[s], species_[s].molar_mass());
+            opening.air_flow +=
+                inside.density[s] * area * velocity(inside.density[s], species_[s].molar_mass());
         return;
     }
     for (std::size_t s = 0; s < species_.size(); ++s) {
         const double M = species_[s].molar_mass();
-        const double chance = velocity(inside.density[s], M) /
-                              effusion_speed(inside.temperature, gas_constant_, M);
+        const double chance =
+            velocity(inside.density[s], M) / effusion_speed(inside.temperature, gas_constant_, M);
         opening.share[s] = std::clamp(chance, 0.0, 1.0);
         gates_.all[row].chance[s] = steered(opening, s, dt, inside);
         if (chance > 1.0 && !opening.is_internal)

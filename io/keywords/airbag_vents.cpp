@@ -94,7 +94,8 @@ void part_data(Cards& cards, const Draft& draft, gas::BagCard& bag) {
     gas::HeatCard heat;
     value_or_curve(c, "HCONV", draft.curves, heat.coefficient, heat.curve);
     if (row < 0) return;
-    heat.parts = type == 0 ? std::vector<Index>{row} : draft.part_set[static_cast<std::size_t>(row)];
+    heat.parts =
+        type == 0 ? std::vector<Index>{row} : draft.part_set[static_cast<std::size_t>(row)];
     for (const Index part : heat.parts)
         if (!holds(bag.external_parts, part) && !holds(bag.internal_parts, part))
             c.fault("SIDH", fmt::format("parts of the bag; part {} is none",
@@ -118,25 +119,27 @@ void check_leaks(Cards& cards, const Draft& draft, const gas::BagCard& bag) {
         const auto& material = draft.model.materials[static_cast<std::size_t>(part.material)];
         const auto* cloth = std::get_if<fabric::FabricCard>(&material.card);
         if (cloth == nullptr || !cloth->leaks()) continue;
-        const std::string who =
-            fmt::format("part {} \"{}\": its *MAT_FABRIC {} leaks", part.id, part.title,
-                        material.id);
+        const std::string who = fmt::format("part {} \"{}\": its *MAT_FABRIC {} leaks", part.id,
+                                            part.title, material.id);
         const int option = cloth->leak_option;
         if (cloth->leak_growth) {
             if (option < 0 || option > 2)
-                cards.fault(fmt::format("{} through X0 to X3 with FVOPT = {}, expected 0, 1 or 2: "
-                                        "an orifice of that area",
-                                        who, option));
+                cards.fault(
+                    fmt::format("{} through X0 to X3 with FVOPT = {}, expected 0, 1 or 2: "
+                                "an orifice of that area",
+                                who, option));
             if ((*cloth->leak_growth)[0] < 0.0)
-                cards.fault(fmt::format("{} with X0 = {:g}, expected >= 0: the compression seal is "
-                                        "not acted on yet",
-                                        who, (*cloth->leak_growth)[0]));
+                cards.fault(
+                    fmt::format("{} with X0 = {:g}, expected >= 0: the compression seal is "
+                                "not acted on yet",
+                                who, (*cloth->leak_growth)[0]));
             if (holds(bag.internal_parts, row))
                 cards.fault(who + " through X0 to X3 but is internal, expected FLC and FAC");
         } else if (option != 0 && option != 7 && option != 8) {
-            cards.fault(fmt::format("{} with FVOPT = {}, expected 7 or 8: FLC is a share of the "
-                                    "area and FAC a velocity",
-                                    who, option));
+            cards.fault(
+                fmt::format("{} with FVOPT = {}, expected 7 or 8: FLC is a share of the "
+                            "area and FAC a velocity",
+                            who, option));
         } else if (option == 0) {
             cards.warn(who + " (FLC, FAC) with FVOPT blank: 7 is taken, FAC is a velocity");
         }

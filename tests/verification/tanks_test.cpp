@@ -19,7 +19,8 @@ constexpr double P_ATM = 101325.0;
 const std::string BAG = "/history/airbag/1/";
 
 /// The gas of a run as it is when the tank opens.
-oracle::StirredTank tank_at_opening(const ModelRun& run, std::vector<oracle::StirredTank::Gas> gases) {
+oracle::StirredTank tank_at_opening(const ModelRun& run,
+                                    std::vector<oracle::StirredTank::Gas> gases) {
     for (std::size_t g = 0; g < gases.size(); ++g)
         gases[g].mass = run.at(BAG + "species/" + std::to_string(g + 1) + "/mass", OPENS);
     return {std::move(gases), run.at(BAG + "energy", OPENS), run.at(BAG + "volume", OPENS)};
@@ -55,11 +56,11 @@ void check_books(const ModelRun& run) {
 
 TEST_CASE("a vented tank blows down as Wang and Nefske's flow does", "[models][vents]") {
     // Choked gas at rest effuses 0.58 of the flow. At 7 ms one run goes over to uniform pressure.
-    const auto [C23, uniform_from] =
-        GENERATE(std::pair(0.6, 1.0), std::pair(1.0, 1.0), std::pair(2.0, 1.0), std::pair(1.0, 7e-3));
-    const ModelRun run("vented_tank", "-j 1 -D NP=10000 --until 0.012 -D C23=" +
-                                          std::to_string(C23) +
-                                          " -D TSW=" + std::to_string(uniform_from));
+    const auto [C23, uniform_from] = GENERATE(std::pair(0.6, 1.0), std::pair(1.0, 1.0),
+                                              std::pair(2.0, 1.0), std::pair(1.0, 7e-3));
+    const ModelRun run("vented_tank",
+                       "-j 1 -D NP=10000 --until 0.012 -D C23=" + std::to_string(C23) +
+                           " -D TSW=" + std::to_string(uniform_from));
     REQUIRE(run.status() == 0);
     const oracle::StirredTank tank = tank_at_opening(run, {{0.028, 28.0, 0.0}});
     CHECK(tank.pressure() == Approx(5.0 * P_ATM).epsilon(0.01));
@@ -93,7 +94,8 @@ TEST_CASE("gas at 300 K and at 30 K behind a closed membrane keep their energy",
     check_books(run);
 }
 
-TEST_CASE("a plain vent lets out less than a nozzle, and half of it bounces for C23 = 0.5", "[models][vents]") {
+TEST_CASE("a plain vent lets out less than a nozzle, and half of it bounces for C23 = 0.5",
+          "[models][vents]") {
     const ModelRun plain("vented_tank", "-j 1 -D NP=5000 --until 0.006 -D ENH=0");
     const ModelRun half("vented_tank", "-j 1 -D NP=5000 --until 0.006 -D ENH=0 -D C23=0.5");
     const ModelRun nozzle("vented_tank", "-j 1 -D NP=5000 --until 0.006");
@@ -103,7 +105,8 @@ TEST_CASE("a plain vent lets out less than a nozzle, and half of it bounces for 
     check_books(plain);
 }
 
-TEST_CASE("a porous tank leaks each of its gases by density, area and velocity", "[models][fabric]") {
+TEST_CASE("a porous tank leaks each of its gases by density, area and velocity",
+          "[models][fabric]") {
     const ModelRun run("porous_tank", "-j 1 -D NP=20000 --until 0.012");
     REQUIRE(run.status() == 0);
     const oracle::StirredTank tank =
@@ -114,9 +117,9 @@ TEST_CASE("a porous tank leaks each of its gases by density, area and velocity",
         return 6.0 * 0.1 * 0.1 * 0.1 * velocity / now.volume;
     };
     for (const std::size_t g : {0, 1}) {
-        const double worst = worst_error(
-            run, tank, BAG + "species/" + std::to_string(g + 1) + "/mass", share,
-            [g](const oracle::StirredTank& now) { return now.gases[g].mass; });
+        const double worst =
+            worst_error(run, tank, BAG + "species/" + std::to_string(g + 1) + "/mass", share,
+                        [g](const oracle::StirredTank& now) { return now.gases[g].mass; });
         WARN("gas " << g + 1 << ": mass is off by " << worst << " at worst");
         CHECK(worst < 0.02);
     }

@@ -154,7 +154,7 @@ TEST_CASE("the isentropic flux is that of a nozzle", "[gas][vents]") {
     }
     SECTION("effusion of a diatomic gas is 0.58 of it") {
         const double rho = p * M / (R * T);
-        CHECK(rho * effusion_speed(T, R, M) /
-                  orifice_flow(p, 0.0, T, 1.4, R / M) == Approx(0.5827).epsilon(1e-3));
+        CHECK(rho * effusion_speed(T, R, M) / orifice_flow(p, 0.0, T, 1.4, R / M) ==
+              Approx(0.5827).epsilon(1e-3));
     }
 }

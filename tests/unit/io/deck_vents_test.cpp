@@ -67,7 +67,8 @@ TEST_CASE("AIRBAG_PARTICLE: vents that make no sense are faults", "[io]") {
     CHECK(contains(fault("2,0,1.0,99"), "(LCTC23) = 99"));
     CHECK(contains(fault("2,0,1.0,,-7"), "(LCPC23) = -7"));
     CHECK(contains(fault("2,0,1.0,,,3"), "(ENH_V) = 3, expected 0 or 1 or 2"));
-    CHECK(contains(fault("2,0,-5"), "(C23) = -5, expected >= 0, or minus the id of a *DEFINE_CPM_VENT"));
+    CHECK(contains(fault("2,0,-5"),
+                   "(C23) = -5, expected >= 0, or minus the id of a *DEFINE_CPM_VENT"));
     CHECK(contains(fault("2,0,1.0,,,1", "2"), "(ENH_V) = 1, expected 0 for a vent of internal"));
 }
 
@@ -137,8 +138,9 @@ TEST_CASE("AIRBAG_PARTICLE: fabric that leaks", "[io]") {
         CHECK_FALSE(card(cloth(",0.1,0,,,,7")).leaks());
     }
     SECTION("other options are refused, a blank one is said to be 7") {
-        CHECK(contains(only(folder.faults(read(cloth(",0.1,1.5,,,,3")))),
-                       "part 1 \"cloth\": its *MAT_FABRIC 2 leaks with FVOPT = 3, expected 7 or 8"));
+        CHECK(
+            contains(only(folder.faults(read(cloth(",0.1,1.5,,,,3")))),
+                     "part 1 \"cloth\": its *MAT_FABRIC 2 leaks with FVOPT = 3, expected 7 or 8"));
         CHECK(folder.faults(read(cloth(",0,0,,,,3"))).empty());  // it does not leak
         CHECK(any_contains(folder.read(read(cloth(",0.1,1.5"))).warnings, "FVOPT blank"));
     }
@@ -148,7 +150,8 @@ TEST_CASE("AIRBAG_PARTICLE: fabric that leaks", "[io]") {
         CHECK(*grown.leak_growth == std::array<double, 4>{0.1, 0.2, 0.3, 0.4});
         CHECK(contains(only(folder.faults(read(cloth(",,,,,,7", ",,,,,,0.1")))), "FVOPT = 7"));
         CHECK(contains(only(folder.faults(read(cloth(",,,,,,1", ",,,,,,-1.0")))), "X0 = -1"));
-        CHECK(contains(only(folder.faults(read(cloth(",0.1,1,,,,7", ",,,,,,,0.5")))), "(X1) = 0.5"));
+        CHECK(
+            contains(only(folder.faults(read(cloth(",0.1,1,,,,7", ",,,,,,,0.5")))), "(X1) = 0.5"));
     }
 }
 

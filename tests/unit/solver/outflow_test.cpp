@@ -128,8 +128,8 @@ TEST_CASE("ambient air comes in through a vent until the pressures are even", "[
     CHECK(now.pressure == Approx(P_ATM).epsilon(0.02));
     // dU = h(T_atm) dm of a tank that fills, the inflator's little gas aside
     const double brought = now.mass_in - 1e-5;
-    const double T = (start * 300.0 + 28.0 / (28.0 - GAS_CONSTANT) * brought * 250.0) /
-                     (start + brought);
+    const double T =
+        (start * 300.0 + 28.0 / (28.0 - GAS_CONSTANT) * brought * 250.0) / (start + brought);
     CHECK(now.temperature == Approx(T).epsilon(0.02));
     CHECK(watch.residual < 1e-9 * simulation.bags()[0].inflow_energy());
 }
@@ -176,8 +176,8 @@ TEST_CASE("fabric with X0 to X3 leaks as an orifice of that area", "[solver][fab
     const double T = 0.5 * (from.temperature + to.temperature);
     const double rp = P_ATM / p;
     const double area = (0.06 - 2 * 0.5 * 0.025 * 0.025) * (1e-3 + 2e-3 + 3e-3 * rp + 4e-3 * rp);
-    const double flow = area * gas::orifice_flow(p, P_ATM, T, 28.0 / (28.0 - GAS_CONSTANT),
-                                                 GAS_CONSTANT / 0.028);
+    const double flow =
+        area * gas::orifice_flow(p, P_ATM, T, 28.0 / (28.0 - GAS_CONSTANT), GAS_CONSTANT / 0.028);
     CHECK(to.mass_out_fabric - from.mass_out_fabric ==
           Approx(flow * (simulation.time() - t_0)).epsilon(0.03));
     CHECK(to.mass_out_vent == 0.0);
