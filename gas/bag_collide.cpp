@@ -34,9 +34,7 @@ void BagGas::collide(double dt, const Points& x) {
     since_collision_ += dt;
     if (uniform_ || particles_.size() == 0 || since_collision_ * speed_ < COLLISION_SHARE * cell_) return;
 
-    collider_.find_groups(side_lists_.grid(),
-                          {side_lists_.starts(), side_lists_.facets(), side_lists_.triangles(), x},
-                          particles_);
+    find_groups(x);
     if (!(thermal_ > 0.0)) thermal_ = collider_.thermal_energy(particles_);
     const Heat wanted = thermal_ > 0.0 ? wanted_heat() : Heat{};
     const double factor = thermal_ > 0.0 ? 1.0 + wanted.all() / thermal_ : 1.0;
@@ -48,6 +46,15 @@ void BagGas::collide(double dt, const Points& x) {
     since_collision_ = 0.0;
     fit_cells(occupied(collider_.cells()));
     measure_speed();
+}
+
+/// In cells of about the wanted size, made anew when fabric has moved too far.
+void BagGas::find_groups(const Points& x) {
+    const double edge = side_lists_.grid().edge;
+    const bool fits = wanted_cell_ < 1.2 * edge && edge < 1.2 * wanted_cell_;
+    if (!fits || !side_lists_.hold_for(x)) build(side_lists_, wanted_cell_, 0.0, x, x);
+    cell_ = side_lists_.grid().edge;
+    collider_.find_groups(side_lists_.grid(), {&side_lists_, x}, particles_);
 }
 
 /// Heat that the particles are to get, were their thermal energy still that after the last collisions.
@@ -100,7 +107,7 @@ double BagGas::heat_from_smoothing(double thermal) const {
 void BagGas::fit_cells(std::size_t occupied_cells) {
     const double mean =
         static_cast<double>(particles_.size()) / static_cast<double>(occupied_cells);
-    cell_ = side_lists_.grid().edge * std::clamp(std::cbrt(PARTICLES_PER_CELL / mean), 0.7, 1.4);
+    wanted_cell_ = cell_ * std::clamp(std::cbrt(PARTICLES_PER_CELL / mean), 0.7, 1.4);
 }
 
 /// sqrt(R T / M) of the gas as a whole, bulk motion included: sqrt(2/3 of the kinetic energy /

@@ -28,6 +28,10 @@ constexpr double FLIGHT_SHARE = 0.5;
 /// cells.
 constexpr double FLIGHT_CELL = 1.5;
 
+/// Longest way in a step, along each axis, for which a particle asks one cell only, in ways of thermal
+/// speed. Longer: more candidates a cell.
+constexpr double REACH = 1.5;
+
 constexpr std::size_t MOST_CELLS = 2'000'000;
 
 std::string name_of(const BagCard& card) {
@@ -118,7 +122,7 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
     for (const Species& species : inflators_.species())
         lightest = std::min(lightest, species.molar_mass());
     speed_ = std::sqrt(card.gas_constant * inflators_.highest_temperature() / lightest);
-    cell_ = cell_edge(volume_, card.particles, FIRST_PARTICLES_PER_CELL);
+    cell_ = wanted_cell_ = cell_edge(volume_, card.particles, FIRST_PARTICLES_PER_CELL);
 }
 
 /// Initial air as particles. The fabric feels it from the start: it is owed what hits would have
@@ -172,18 +176,15 @@ void BagGas::book_load(const Points& v_mid, double span) {
 // ---- the gas itself
 // -------------------------------------------------------------------------------
 
-void BagGas::prepare(const Points& x_0, const Points& x_1) {
-    if (uniform_) return;
-    if (!lists_.hold_for(x_1)) build(lists_, FLIGHT_CELL * facet_size_, x_0, x_1);
-    const double edge = side_lists_.grid().edge;
-    const bool fits = cell_ < 1.2 * edge && edge < 1.2 * cell_;
-    if (!fits || !side_lists_.hold_for(x_1)) build(side_lists_, cell_, x_0, x_1);
-    cell_ = side_lists_.grid().edge;
+void BagGas::prepare(double dt, const Points& x_0, const Points& x_1) {
+    if (uniform_ || lists_.hold_for(x_1)) return;
+    build(lists_, FLIGHT_CELL * facet_size_, REACH * speed_ * dt, x_0, x_1);
 }
 
 /// Facet lists over the whole bag in cells of the wanted edge: neither finer than a hundredth of
 /// the bag, which only costs, nor coarser than a quarter of it.
-void BagGas::build(FacetLists& lists, double edge, const Points& x_0, const Points& x_1) {
+void BagGas::build(FacetLists& lists, double edge, double reach, const Points& x_0,
+                   const Points& x_1) {
     contact::Box bag;
     for (const Index n : lists.nodes()) {
         bag.include(x_0[n]);
@@ -192,7 +193,7 @@ void BagGas::build(FacetLists& lists, double edge, const Points& x_0, const Poin
     const double size = (bag.high - bag.low).maxCoeff();
     edge = std::clamp(edge, size / 100.0, size / 4.0);
     bag.inflate(MARGIN * edge);
-    lists.build(Grid::over(bag.low, bag.high, edge, MOST_CELLS), x_0, x_1, MARGIN * edge);
+    lists.build(Grid::over(bag.low, bag.high, edge, MOST_CELLS), x_0, x_1, MARGIN * edge, reach);
 }
 
 void BagGas::inject(double t, double dt, const Points& x_0, const Points& x_1) {

@@ -72,7 +72,7 @@ public:
     /// Nodes that touch something now, N: takes effect in the next flight.
     void set_touching(std::span<const std::uint8_t> nodes) { openings_.block(nodes); }
 
-    void prepare(const Points& x_0, const Points& x_1);  ///< facet lists for the step
+    void prepare(double dt, const Points& x_0, const Points& x_1);  ///< facet lists for the step
     void inject(double t, double dt, const Points& x_0, const Points& x_1);
     void collide(double dt, const Points& x);
     void fly(double t, double dt, const Points& x_0, const Points& x_1);
@@ -130,7 +130,9 @@ public:
 private:
     struct Holding;
     [[nodiscard]] Holding holding(std::int32_t species) const;
-    static void build(FacetLists& lists, double edge, const Points& x_0, const Points& x_1);
+    static void build(FacetLists& lists, double edge, double reach, const Points& x_0,
+                      const Points& x_1);
+    void find_groups(const Points& x);
     struct Heat {  ///< for the particles, by where it comes from                        [J]
         double from_air = 0.0, from_smoothing = 0.0, to_outflow = 0.0;
         [[nodiscard]] double all() const { return from_air + from_smoothing - to_outflow; }
@@ -194,7 +196,7 @@ private:
     double owed_to_outflow_ = 0.0;  ///< by the gas inside: enthalpy and heat         [J]
     Points area_;                   ///< N × 3, node areas at t                      [m^2]
     double volume_ = 0.0;           ///< at t                                        [m^3]
-    double cell_ = 0.0;             ///< wanted edge of the cells                    [m]
+    double cell_ = 0.0, wanted_cell_ = 0.0;  ///< edge of the cells of collisions    [m]
     double speed_ = 0.0;            ///< thermal, sqrt(R T / M) of the gas as a whole  [m/s]
     double since_collision_ = 0.0;  ///< [s]
     std::uint64_t collisions_ = 0;  ///< collision steps so far

@@ -13,10 +13,10 @@ Collider::Collider(std::vector<Species> species, double moles_each, std::uint64_
                    CollisionModel model)
     : mixture_{std::move(species), moles_each}, seed_(seed), model_(model) {}
 
-void Collider::find_groups(const Grid& grid, const FacetsInCells& facets,
+void Collider::find_groups(const Grid& grid, const FabricInCells& fabric,
                            Particles& particles) {
     cells_.sort(grid, particles);
-    groups_.find(cells_.cells(), facets, particles, std::sqrt(3.0) * grid.edge);
+    groups_.find(cells_.cells(), fabric, particles, std::sqrt(3.0) * grid.edge);
 }
 
 double Collider::thermal_energy(const Particles& particles) const {

@@ -45,7 +45,7 @@ CollisionReport collide_lin(const CollisionStep& step, Particles& particles);
 
 /// Collisions and internal energy of a bag's particles, from sorting to scattering.
 ///
-///     collider.find_groups(grid, facets, particles);
+///     collider.find_groups(grid, fabric, particles);
 ///     const CollisionReport report = collider.collide(step, heat, particles);
 ///     brought_in += (heat - 1) * report.thermal;
 class Collider {
@@ -55,7 +55,7 @@ public:
 
     /// Puts particles in the order of cells, and in cells with fabric tells sides apart. Valid until
     /// rows or places change.
-    void find_groups(const Grid& grid, const FacetsInCells& facets, Particles& particles);
+    void find_groups(const Grid& grid, const FabricInCells& fabric, Particles& particles);
 
     /// Energy of all motion relative to the groups' mean velocities, and all internal energy. [J]
     /// What collide(heat) multiplies.

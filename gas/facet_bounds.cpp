@@ -10,15 +10,6 @@
 namespace corpuscle::gas {
 namespace {
 
-struct Span {
-    Vec3 low = Vec3::Constant(INF), high = Vec3::Constant(-INF);
-    Span& operator+=(const Span& o) {
-        low = low.cwiseMin(o.low);
-        high = high.cwiseMax(o.high);
-        return *this;
-    }
-};
-
 /// Exactly as the bound will hold it: in single precision. Zero where there is none.
 Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 across = (b - a).cross(c - a);
@@ -29,29 +20,25 @@ Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
-void FacetBounds::update(std::span<const Triangle> triangles, std::span<const Vec3> x_0,
+void FacetBounds::update(const FacetLists& lists, std::span<const Vec3> x_0,
                          std::span<const Vec3> x_1) {
-    const auto swept = [&](std::size_t f) {
-        Span box;
-        for (const Index n : triangles[f]) {
-            box += {x_0[n], x_0[n]};
-            box += {x_1[n], x_1[n]};
-        }
-        return box;
-    };
-    const Span all = parallel::sum(triangles.size(), Span{}, swept);
-    origin_ = 0.5 * (all.low + all.high);
-    size_ = (all.high - all.low).maxCoeff();
+    const Grid& grid = lists.grid();
+    const Vec3 half = 0.5 * grid.edge * Vec3(grid.count[0], grid.count[1], grid.count[2]);
+    origin_ = grid.low + half;
+    size_ = half.maxCoeff();
+    const std::span<const Triangle> triangles = lists.triangles();
 
     bound_.resize(triangles.size());
     parallel::for_each(triangles.size(), [&](std::size_t f) {
         const auto& [i, j, k] = triangles[f];
-        const Span box = swept(f);
+        const Vec3 low_corner = x_0[i].cwiseMin(x_0[j]).cwiseMin(x_0[k]).cwiseMin(
+                       x_1[i].cwiseMin(x_1[j]).cwiseMin(x_1[k])),
+                   high_corner = x_0[i].cwiseMax(x_0[j]).cwiseMax(x_0[k]).cwiseMax(
+                       x_1[i].cwiseMax(x_1[j]).cwiseMax(x_1[k]));
         FacetBound& bound = bound_[f];
-        for (int a = 0; a < 3; ++a) {
-            bound.low[a] = static_cast<float>(box.low[a] - origin_[a]);
-            bound.high[a] = static_cast<float>(box.high[a] - origin_[a]);
-        }
+        const Eigen::Vector3f low = (low_corner - origin_).cast<float>(),
+                              less = (origin_ - high_corner).cast<float>();
+        bound.box = Eight{low[0], low[1], low[2], 0.0F, less[0], less[1], less[2], 0.0F};
         const auto heights = [&](std::span<const Vec3> x, const Vec3& normal) {
             return std::array{normal.dot(x[i] - origin_), normal.dot(x[j] - origin_),
                               normal.dot(x[k] - origin_)};

@@ -8,69 +8,85 @@
 #include <span>
 #include <vector>
 
-#include "gas/crossing.hpp"
+#include "gas/facet_lists.hpp"
 
 namespace corpuscle::gas {
 
-/// A path in single precision, as FacetBounds compare it.
+/// Eight numbers at once, on every processor.
+using Eight = float __attribute__((vector_size(32)));
+
+/// Is any of a greater than its fellow in b?
+inline bool any_greater(const Eight& a, const Eight& b) {
+    const auto is_greater = a > b;
+#ifdef __AVX__
+    return __builtin_ia32_movmskps256(reinterpret_cast<Eight>(is_greater)) != 0;
+#else
+    bool any = false;
+    for (int i = 0; i < 8; ++i) any |= is_greater[i] != 0;
+    return any;
+#endif
+}
+
+/// The rest of a path, from some instant of the step to its end, in single precision: what FacetBounds
+/// compare.
 struct SmallPath {
-    std::array<float, 3> at_0, at_1;  ///< at t and t + dt, from the bounds' origin             [m]
-    std::array<float, 3> low, high;   ///< box of the part that is asked about                  [m]
-    float slack;                      ///< more than rounding can be wrong                      [m]
+    Eight box;                        ///< high, 0, -low, 0                                   [m]
+    std::array<float, 3> from, to;    ///< from the bounds' origin                            [m]
+    float after;                      ///< share of the step that is over                     [-]
+    float slack;                      ///< more than rounding can be wrong                    [m]
 };
 
 /// What a facet sweeps in one step: its box, and a plane by which most paths pass on one side.
 ///
-/// With n the facet's unit normal at t, its nodes have the height n·x = at_0 at t and lie between low_1
-/// and high_1 at t + dt. A path whose ends are both above, or both below, misses it: seen from the
-/// particle, all corners of the swept facet are then on one side (crossing.hpp).
+/// With n the facet's unit normal at t, all its nodes have the height n·x = at_0 at t and lie between
+/// low_1 and high_1 at t + dt. In between, at the share tau of the step, any point that the exact test
+/// (crossing.hpp) takes for the facet's lies between at_0 + tau (low_1 - at_0) and at_0 + tau (high_1 -
+/// at_0). A path that is above at both its ends, or below, misses it.
 struct FacetBound {
-    std::array<float, 3> low, high;     ///< box                                      [m]
-    std::array<float, 3> normal;        ///< zero for a facet without area: no path is told apart
-    float at_0, low_1, high_1;          ///< heights                                  [m]
+    Eight box;                       ///< low, 0, -high, 0                                    [m]
+    std::array<float, 3> normal;     ///< zero for a facet without area: no path is told apart
+    float at_0, low_1, high_1;       ///< heights                                             [m]
 
-    /// False only when the path misses the facet. Without branches: a wrong guess costs more.
-    [[nodiscard]] bool may_meet(const SmallPath& path) const {
-        bool apart = false;
+    /// Do the boxes overlap?
+    [[nodiscard]] bool is_near(const SmallPath& path) const { return !any_greater(box, path.box); }
+
+    /// Does the path stay on one side?
+    [[nodiscard]] bool is_missed_by(const SmallPath& path) const {
         float h_0 = 0.0F, h_1 = 0.0F;
         for (int a = 0; a < 3; ++a) {
-            apart |= (low[a] > path.high[a]) | (path.low[a] > high[a]);
-            h_0 += normal[a] * path.at_0[a];
-            h_1 += normal[a] * path.at_1[a];
+            h_0 += normal[a] * path.from[a];
+            h_1 += normal[a] * path.to[a];
         }
-        apart |= (h_0 < at_0 - path.slack) & (h_1 < low_1 - path.slack);
-        apart |= (h_0 > at_0 + path.slack) & (h_1 > high_1 + path.slack);
-        return !apart;
+        const float low_0 = at_0 + path.after * (low_1 - at_0),
+                    high_0 = at_0 + path.after * (high_1 - at_0);
+        return (h_0 < low_0 - path.slack && h_1 < low_1 - path.slack) ||
+               (h_0 > high_0 + path.slack && h_1 > high_1 + path.slack);
     }
 };
 
 /// Bounds of all facets in one step. Single precision, rounded outward: half the memory.
 class FacetBounds {
 public:
-    /// Facets move from x_0 to x_1. Cost: some 15 ns a facet.
-    void update(std::span<const Triangle> triangles, std::span<const Vec3> x_0,
-                std::span<const Vec3> x_1);
+    /// Facets of the lists move from x_0 to x_1.
+    void update(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec3> x_1);
 
     [[nodiscard]] const FacetBound& operator[](Index facet) const { return bound_[facet]; }
 
-    /// @param from  where the part of the path begins that is asked about; it ends at path.at_1
-    [[nodiscard]] SmallPath small(const Path& path, const Vec3& from) const {
+    /// The path from `from`, at the share `after` of the step, to `to` at its end.
+    [[nodiscard]] SmallPath small(const Vec3& from, double after, const Vec3& to) const {
         SmallPath out;
         double size = size_;
         for (int a = 0; a < 3; ++a) {
-            const double p = path.at_0[a] - origin_[a], q = path.at_1[a] - origin_[a],
-                         f = from[a] - origin_[a];
-            out.at_0[a] = static_cast<float>(p);
-            out.at_1[a] = static_cast<float>(q);
+            const double p = from[a] - origin_[a], q = to[a] - origin_[a];
+            out.from[a] = static_cast<float>(p);
+            out.to[a] = static_cast<float>(q);
             size = std::max({size, std::abs(p), std::abs(q)});
-            out.low[a] = static_cast<float>(std::min(f, q));
-            out.high[a] = static_cast<float>(std::max(f, q));
         }
+        out.after = static_cast<float>(after);
         out.slack = static_cast<float>(ROUNDING * size);
-        for (int a = 0; a < 3; ++a) {
-            out.low[a] -= out.slack;
-            out.high[a] += out.slack;
-        }
+        const auto high = [&](int a) { return std::max(out.from[a], out.to[a]) + out.slack; };
+        const auto less = [&](int a) { return out.slack - std::min(out.from[a], out.to[a]); };
+        out.box = Eight{high(0), high(1), high(2), 0.0F, less(0), less(1), less(2), 0.0F};
         return out;
     }
 
@@ -78,7 +94,7 @@ private:
     static constexpr double ROUNDING = 2e-6;  ///< some 30 units in the last place of a float
 
     Vec3 origin_ = Vec3::Zero();  ///< near the facets: small numbers are rounded less        [m]
-    double size_ = 0.0;           ///< of the facets' box                                     [m]
+    double size_ = 0.0;           ///< half the longest side of the grid                      [m]
     std::vector<FacetBound> bound_;
 };
 

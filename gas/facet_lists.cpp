@@ -12,6 +12,12 @@ namespace {
 constexpr int BLOCK =
     8;  ///< cells along a block's edge; smaller: tighter pairs, more boxes for FCL
 
+/// Of a cell's edge: nearer than this to its faces, single precision may be wrong about the cell.
+constexpr double ON_THE_FACE = 1e-4;
+
+/// Of the grid's size: heights in single precision may be wrong by less.
+constexpr double ROUNDING = 2e-6;
+
 std::vector<Index> nodes_of(const std::vector<Triangle>& triangles) {
     std::vector<Index> nodes;
     for (const Triangle& t : triangles) nodes.insert(nodes.end(), t.begin(), t.end());
@@ -36,14 +42,17 @@ bool FacetLists::hold_for(std::span<const Vec3> x_1) const {
 }
 
 void FacetLists::build(const Grid& grid, std::span<const Vec3> x_0, std::span<const Vec3> x_1,
-                       double margin) {
+                       double margin, double reach) {
     ++builds_;
     margin_ = margin;
+    reach_ = reach;
+    per_edge_ = static_cast<float>(grid.per_edge);
+    const double around = margin + reach + ON_THE_FACE * grid.edge;
     built_at_.resize(nodes_.size());
     for (std::size_t n = 0; n < nodes_.size(); ++n) built_at_[n] = x_1[nodes_[n]];
     grid_ = grid;
     for (std::size_t f = 0; f < triangles_.size(); ++f)
-        facet_box_[f] = contact::triangle_box(triangles_[f], x_0, x_1, margin);
+        facet_box_[f] = contact::triangle_box(triangles_[f], x_0, x_1, around);
     pair_patches_with_blocks();
 
     start_.assign(grid_.size() + 1, 0);
@@ -52,35 +61,7 @@ void FacetLists::build(const Grid& grid, std::span<const Vec3> x_0, std::span<co
     facet_.resize(static_cast<std::size_t>(start_.back()));
     fill_.assign(start_.begin(), start_.end() - 1);
     for_each_entry([&](std::size_t cell, Index facet) { facet_[fill_[cell]++] = facet; });
-    measure_clearance();
     find_slabs(x_0, x_1);
-}
-
-/// Cells with facets grow by one cell a pass, along each axis in turn.
-void FacetLists::measure_clearance() {
-    clear_.assign(grid_.size(), FAR);
-    for (std::size_t c = 0; c < grid_.size(); ++c)
-        if (start_[c] != start_[c + 1]) clear_[c] = 0;
-    const auto [nx, ny, nz] = grid_.count;
-    const std::array<std::ptrdiff_t, 3> stride{1, nx, static_cast<std::ptrdiff_t>(nx) * ny};
-    for (int pass = 1; pass < FAR; ++pass) {
-        const auto value = static_cast<std::uint8_t>(pass);
-        for (int axis = 0; axis < 3; ++axis) {
-            wider_ = clear_;
-            std::size_t c = 0;
-            for (int k = 0; k < nz; ++k)
-                for (int j = 0; j < ny; ++j)
-                    for (int i = 0; i < nx; ++i, ++c) {
-                        const int at = axis == 0 ? i : axis == 1 ? j : k;
-                        const bool is_near =
-                            (at > 0 && clear_[c - stride[axis]] <= value - (axis == 0)) ||
-                            (at + 1 < grid_.count[axis] &&
-                             clear_[c + stride[axis]] <= value - (axis == 0));
-                        if (is_near) wider_[c] = std::min(wider_[c], value);
-                    }
-            clear_.swap(wider_);
-        }
-    }
 }
 
 /// Normals: the mean of the facets', turned alike. Heights: of all nodes, and the margin.
@@ -90,27 +71,35 @@ void FacetLists::find_slabs(std::span<const Vec3> x_0, std::span<const Vec3> x_1
         const auto& [a, b, c] = triangles_[f];
         normal_[f] = vector_area(x_1[a], x_1[b], x_1[c]);
     });
-    slab_.resize(grid_.size());
+    slab_row_.assign(grid_.size(), 0);
+    Index rows = 1;
+    for (std::size_t cell = 0; cell < grid_.size(); ++cell)
+        if (!is_empty(cell)) slab_row_[cell] = rows++;
+    slab_.assign(static_cast<std::size_t>(rows), {});
+    const double size = grid_.edge * *std::max_element(grid_.count.begin(), grid_.count.end());
     parallel::for_each(grid_.size(), [&](std::size_t cell) {
-        if (start_[cell] == start_[cell + 1]) return;
+        if (is_empty(cell)) return;
         const auto facets = in(cell);
         const Vec3 first = normal_[facets[0]];
         Vec3 sum = Vec3::Zero();
         for (const Index f : facets)
             sum += normal_[f].dot(first) < 0.0 ? Vec3(-normal_[f]) : normal_[f];
-        Slab& slab = slab_[cell];
-        slab.normal = sum.stableNormalized();
-        slab.low = INF;
-        slab.high = -INF;
+        const Vec3 normal = sum.stableNormalized().cast<float>().cast<double>();
+        double low = INF, high = -INF;
         for (const Index f : facets)
-            for (const Index n : triangles_[f]) {
-                const double h_0 = slab.normal.dot(x_0[n]), h_1 = slab.normal.dot(x_1[n]);
-                slab.low = std::min({slab.low, h_0, h_1});
-                slab.high = std::max({slab.high, h_0, h_1});
-            }
-        const double more = margin_ * slab.normal.lpNorm<1>() + 1e-9 * grid_.edge;
-        slab.low -= more;
-        slab.high += more;
+            for (const Index n : triangles_[f])
+                for (const Vec3& x : {x_0[n], x_1[n]}) {
+                    const double height = normal.dot(x - grid_.low);
+                    low = std::min(low, height);
+                    high = std::max(high, height);
+                }
+        const double more = margin_ * normal.lpNorm<1>() + ROUNDING * size;
+        Slab& slab = slab_[slab_row_[cell]];
+        for (int a = 0; a < 3; ++a) slab.normal[a] = static_cast<float>(normal[a]);
+        slab.low = static_cast<float>(low - more);
+        slab.high = static_cast<float>(high + more);
+        slab.begin = start_[cell];
+        slab.end = start_[cell + 1];
     });
 }
 

@@ -3,7 +3,8 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
+#include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -13,15 +14,21 @@
 
 namespace corpuscle::gas {
 
-/// Where the facets of a cell lie: between two parallel planes, low <= normal·x <= high, while the
-/// lists hold. A path that stays above or below meets none of them.
+/// What a cell holds: its facets lie between two parallel planes, low <= normal·x <= high, while the
+/// lists hold. A path that stays above or below meets none of them; in a cell without facets every path
+/// does. Single precision, from the grid's corner, rounded outward.
 struct Slab {
-    Vec3 normal = Vec3::Zero();     ///< of unit length
-    double low = -INF, high = INF;  ///< [m]
+    std::array<float, 3> normal{0.0F, 0.0F, 0.0F};  ///< of unit length
+    float low = 1.0F, high = -1.0F;                 ///< [m]
+    Index begin = 0, end = 0;                       ///< of the cell's list
 
-    [[nodiscard]] bool is_missed_by(const Vec3& from, const Vec3& to) const {
-        const double h_0 = normal.dot(from), h_1 = normal.dot(to);
-        return std::min(h_0, h_1) > high || std::max(h_0, h_1) < low;
+    [[nodiscard]] bool is_missed_by(const std::array<float, 3>& from,
+                                    const std::array<float, 3>& to) const {
+        const float h_0 = height(from), h_1 = height(to);
+        return (std::min(h_0, h_1) > high) | (std::max(h_0, h_1) < low);
+    }
+    [[nodiscard]] float height(const std::array<float, 3>& x) const {
+        return normal[0] * x[0] + normal[1] * x[1] + normal[2] * x[2];
     }
 };
 
@@ -29,14 +36,15 @@ struct Slab {
 ///
 /// Patches of facets and blocks of 8 × 8 × 8 cells are paired by FCL; facets are then entered into
 /// the cells that their boxes overlap. Boxes are inflated by `margin`, so the lists serve until a
-/// node has moved that far: a rebuild every ten steps or so, whatever the number of particles.
+/// node has moved that far: a rebuild every ten steps or so, whatever the number of particles. They are
+/// inflated by `reach`, too: a path no longer than that along each axis only asks the cell it starts in.
 class FacetLists {
 public:
     FacetLists(std::vector<Triangle> triangles, std::span<const Vec3> x);
 
     /// Enters every facet, as it moves from x_0 to x_1 and up to `margin` farther.
     void build(const Grid& grid, std::span<const Vec3> x_0, std::span<const Vec3> x_1,
-               double margin);
+               double margin, double reach = 0.0);
 
     /// True while no node, at x_1, has left the margin that the lists were built with.
     [[nodiscard]] bool hold_for(std::span<const Vec3> x_1) const;
@@ -50,19 +58,39 @@ public:
         return {facet_.data() + start_[cell],
                 static_cast<std::size_t>(start_[cell + 1] - start_[cell])};
     }
-    /// How far the nearest cell with facets is, in cells along the farthest axis; 0: facets here.
-    /// At most FAR.
-    [[nodiscard]] int clear(std::size_t cell) const { return clear_[cell]; }
-    static constexpr int FAR = 3;
+    [[nodiscard]] std::span<const Index> in(const Slab& slab) const {
+        return {facet_.data() + slab.begin, static_cast<std::size_t>(slab.end - slab.begin)};
+    }
+    [[nodiscard]] double reach() const { return reach_; }  ///< [m]
+    [[nodiscard]] bool is_empty(std::size_t cell) const { return start_[cell] == start_[cell + 1]; }
+    [[nodiscard]] const Slab& slab(std::size_t cell) const { return slab_[slab_row_[cell]]; }
 
-    [[nodiscard]] const Slab& slab(std::size_t cell) const { return slab_[cell]; }
+    /// A point as slabs take it.
+    [[nodiscard]] std::array<float, 3> small(const Vec3& x) const {
+        return {static_cast<float>(x[0] - grid_.low[0]), static_cast<float>(x[1] - grid_.low[1]),
+                static_cast<float>(x[2] - grid_.low[2])};
+    }
+    /// Slab of the cell that a point is in. (A point so near a cell's face that rounding decides finds
+    /// the same facets on both sides.)
+    [[nodiscard]] const Slab& slab_at(const std::array<float, 3>& x) const {
+        const auto along = [&](int a) {
+            return std::clamp(static_cast<int>(x[a] * per_edge_), 0, grid_.count[a] - 1);
+        };
+        return slab(grid_.row(along(0), along(1), along(2)));
+    }
+    /// Does the straight way x -> x + d certainly meet no facet? Short ways only; else false.
+    [[nodiscard]] bool is_clear(const Vec3& x, const Vec3& d) const {
+        const auto from = small(x), to = small(x + d);
+        const bool is_short = (std::abs(d[0]) <= reach_) & (std::abs(d[1]) <= reach_) &
+                              (std::abs(d[2]) <= reach_);
+        return is_short & slab_at(from).is_missed_by(from, to);
+    }
     [[nodiscard]] std::span<const Index> starts() const { return start_; }
     [[nodiscard]] std::span<const Index> facets() const { return facet_; }
     [[nodiscard]] std::size_t builds() const { return builds_; }
 
 private:
     void pair_patches_with_blocks();
-    void measure_clearance();
     void find_slabs(std::span<const Vec3> x_0, std::span<const Vec3> x_1);
     template <class Enter>
     void for_each_entry(Enter&& enter) const;
@@ -74,13 +102,15 @@ private:
 
     Grid grid_, blocks_;
     double margin_ = -1.0;  ///< negative: never built
+    double reach_ = 0.0;
+    float per_edge_ = 1.0F;
     std::size_t builds_ = 0;
     Points built_at_;  ///< x_1 of the build, for nodes_
     std::vector<contact::Box> facet_box_, box_;
     std::vector<std::pair<Index, Index>> pairs_;  ///< patch, block
     std::vector<Index> start_, fill_, facet_;     ///< cells -> facets, compressed rows
-    std::vector<std::uint8_t> clear_, wider_;     ///< per cell
-    std::vector<Slab> slab_;                      ///< per cell
+    std::vector<Slab> slab_;                      ///< first that of all empty cells, then one a cell
+    std::vector<Index> slab_row_;                 ///< per cell
     Points normal_;                               ///< of the facets, not of unit length
 };
 

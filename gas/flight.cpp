@@ -26,40 +26,46 @@ struct Meeting {
 /// Everything that a flight reads.
 struct Scene {
     const FacetLists& lists;
-    const FacetBounds& bounds;
+    const FacetBounds* bounds;  ///< nullptr: none, every facet of a cell is looked at
     const Triangle* triangles;
     const Vec3 *x_0, *x_1;
     double dt;
-    const Gates* gates;
+    const Gates* gates;  ///< nullptr: none
 };
 
-/// Who flies, as gates want to know it.
+/// A particle in flight, and what is written down about it.
 struct Flyer {
     std::size_t row;
     std::int32_t species, id;
+    double mass, internal;
+    Vec3 x, v;
+    std::vector<Hit>& hits;
     std::vector<Arrival>& arrivals;
+    int bounces = 0;  ///< so far in this step: tells a gate's draws apart
 };
 
-/// Cells that the box from one point to another overlaps.
-struct CellRange {
+enum class End : std::uint8_t { FLOWN, CAUGHT, GONE };
+
+/// look(facets) for the lists of all cells that a path from one point to another may ask: one cell for
+/// a short path, and none if the path misses what is in it.
+template <class Look>
+void for_lists(const FacetLists& lists, const Vec3& from, const Vec3& to, Look&& look) {
+    const Grid& grid = lists.grid();
+    const auto start = lists.small(from);
+    if ((to - from).cwiseAbs().maxCoeff() <= lists.reach()) {
+        const Slab& slab = lists.slab_at(start);
+        if (!slab.is_missed_by(start, lists.small(to))) look(lists.in(slab));
+        return;
+    }
     std::array<int, 3> first, last;
-
-    CellRange(const Grid& grid, const Vec3& from, const Vec3& to) {
-        for (int a = 0; a < 3; ++a) {
-            first[a] = grid.along(a, std::min(from[a], to[a]));
-            last[a] = grid.along(a, std::max(from[a], to[a]));
-        }
+    for (int a = 0; a < 3; ++a) {
+        first[a] = grid.along(a, std::min(from[a], to[a]));
+        last[a] = grid.along(a, std::max(from[a], to[a]));
     }
-    /// visit(cell) until it returns true; did it?
-    template <class Visit>
-    bool any(const Grid& grid, Visit&& visit) const {
-        for (int k = first[2]; k <= last[2]; ++k)
-            for (int j = first[1]; j <= last[1]; ++j)
-                for (int i = first[0]; i <= last[0]; ++i)
-                    if (visit(grid.row(i, j, k))) return true;
-        return false;
-    }
-};
+    for (int k = first[2]; k <= last[2]; ++k)
+        for (int j = first[1]; j <= last[1]; ++j)
+            for (int i = first[0]; i <= last[0]; ++i) look(lists.in(grid.row(i, j, k)));
+}
 
 /// Keeps the facet in `first` if the path crosses it earlier.
 void meet(const Scene& scene, const Path& path, Index facet, double after, const Meeting& last,
@@ -70,23 +76,23 @@ void meet(const Scene& scene, const Path& path, Index facet, double after, const
     if (hit && (first.facet < 0 || hit->tau < first.where.tau)) first = {facet, *hit};
 }
 
-/// May a path that starts at `from` and ends at `to` meet a facet of this cell?
-bool may_meet(const FacetLists& lists, std::size_t cell, const Vec3& from, const Vec3& to) {
-    return lists.clear(cell) == 0 && !lists.slab(cell).is_missed_by(from, to);
-}
-
-/// First facet that the path crosses after `after`; `last` is the meeting it has just left.
-Meeting first_meeting(const Scene& scene, const Path& path, const Vec3& from, double after,
-                      const Meeting& last) {
-    const Grid& grid = scene.lists.grid();
-    const SmallPath small = scene.bounds.small(path, from);
+/// First facet that the path crosses after `after`; `last` is the meeting it has just left. The path is
+/// at `from` at the share `now` of the step.
+Meeting first_meeting(const Scene& scene, const Path& path, const Vec3& from, double now,
+                      double after, const Meeting& last) {
     Meeting first;
-    CellRange(grid, from, path.at_1).any(grid, [&](std::size_t cell) {
-        if (may_meet(scene.lists, cell, from, path.at_1))
-            for (const Index facet : scene.lists.in(cell))
-                if (scene.bounds[facet].may_meet(small))
-                    meet(scene, path, facet, after, last, first);
-        return false;
+    if (!scene.bounds) {
+        for_lists(scene.lists, from, path.at_1, [&](std::span<const Index> facets) {
+            for (const Index facet : facets) meet(scene, path, facet, after, last, first);
+        });
+        return first;
+    }
+    const FacetBounds& bounds = *scene.bounds;
+    const SmallPath small = bounds.small(from, now, path.at_1);
+    for_lists(scene.lists, from, path.at_1, [&](std::span<const Index> facets) {
+        for (const Index facet : facets)
+            if (bounds[facet].is_near(small) && !bounds[facet].is_missed_by(small))
+                meet(scene, path, facet, after, last, first);
     });
     return first;
 }
@@ -123,97 +129,99 @@ Vec3 reflect(const Scene& scene, const Meeting& meeting, const Vec3& v) {
     return v - 2.0 * approach / plane.normal.squaredNorm() * plane.normal;
 }
 
-/// A particle caught where fabric closes begins the step anew and rides with it instead: from where it
-/// started it goes straight to where no facet is in the way. Ways that are tried: with the fabric, then
-/// faster and faster off it in all directions. Momentum goes to the facet met last; what is left in
-/// speed becomes internal energy, and where there is too little of it the facet pays. False when every
-/// way is closed.
-bool ride(const Scene& scene, double mass, double born, const Meeting& met, Vec3& x, Vec3& v,
-          double& internal, std::vector<Hit>& hits) {
-    constexpr double SHARES[] = {1e-3, 1e-2, 0.1, 0.5, 1.0};
-    const auto is_free = [&](const Vec3& way) {
-        const Path path{x - born * scene.dt * way, x + (1.0 - born) * scene.dt * way};
-        return first_meeting(scene, path, x, born > 0.0 ? born : -1.0, {}).facet < 0;
-    };
-    const Vec3 fabric = velocity_at(scene, met);
-    const double speed = (v - fabric).norm();
-    const auto take = [&](const Vec3& way) {
-        const double heat = 0.5 * mass * (v.squaredNorm() - way.squaredNorm());
-        const double kept = std::max(heat, -0.5 * internal);
-        hits.push_back({met.facet, met.where.at, mass * (v - way), heat - kept});
-        internal += kept;
-        x += (1.0 - born) * scene.dt * way;
-        v = way;
-        return true;
-    };
-    if (is_free(fabric)) return take(fabric);
-    for (const double share : SHARES)
-        for (int k = -1; k <= 1; ++k)
-            for (int j = -1; j <= 1; ++j)
-                for (int i = -1; i <= 1; ++i) {
-                    if (i == 0 && j == 0 && k == 0) continue;
-                    const Vec3 way = fabric + share * speed * Vec3(i, j, k).normalized();
-                    if (is_free(way)) return take(way);
-                }
-    return false;
-}
-
-enum class End : std::uint8_t { FLOWN, CAUGHT, GONE };
-
-/// Flies one particle to the end of the step, until it is caught for good, or out through a gate.
-End fly_one(const Scene& scene, const Flyer& who, double mass, double born, Vec3& x, Vec3& v,
-            double& internal, std::vector<Hit>& hits) {
-    const std::size_t hits_before = hits.size(), arrivals_before = who.arrivals.size();
-    const Vec3 v_before = v;
-    Vec3 from = x;
+/// Flies a particle to the end of the step; or until it is caught between facets, or gone through a
+/// gate: then x is where it was at first.
+End fly_one(const Scene& scene, double born, Flyer& who) {
+    Vec3 from = who.x;
     double now = born;
-    Path path{from - now * scene.dt * v, from + (1.0 - now) * scene.dt * v};
+    Path path{from - now * scene.dt * who.v, from + (1.0 - now) * scene.dt * who.v};
     double after = born > 0.0 ? born : -1.0;  // a full step counts every crossing, exactly
     Meeting last;
     for (int hit = 0; hit < MOST_HITS; ++hit) {
-        const Meeting meeting = first_meeting(scene, path, from, after, last);
+        const Meeting meeting = first_meeting(scene, path, from, now, after, last);
         if (meeting.facet < 0) {
-            x = path.at_1;
+            who.x = path.at_1;
             return End::FLOWN;
         }
+        last = meeting;
         Gates::Passage passage;
         if (scene.gates != nullptr)
-            passage = scene.gates->passage(meeting.facet, who.species, who.id, hit);
+            passage = scene.gates->passage(meeting.facet, who.species, who.id, who.bounces++);
         if (passage.way == Gates::Way::THROUGH) {
             who.arrivals.push_back({who.row, meeting.facet, passage, 0.0});
             after = meeting.where.tau;
-            last = meeting;
             continue;
         }
-        const double stop = std::max(now, meeting.where.tau - SHORT_OF);
-        from += (stop - now) * scene.dt * v;
-        const Vec3 away = reflect(scene, meeting, v);
-        const double given = 0.5 * mass * (v.squaredNorm() - away.squaredNorm());
-        hits.push_back({meeting.facet, meeting.where.at, passage.push * mass * (v - away),
-                        passage.push * given});
+        const Vec3 away = reflect(scene, meeting, who.v);
+        const double before = 0.5 * who.mass * who.v.squaredNorm();
+        const double given = passage.push * (before - 0.5 * who.mass * away.squaredNorm());
+        who.hits.push_back({meeting.facet, meeting.where.at,
+                            passage.push * who.mass * (who.v - away), given});
         if (passage.gate >= 0)
             who.arrivals.push_back(
-                {who.row, meeting.facet, passage,
-                 0.5 * mass * v.squaredNorm() - passage.push * given + internal});
+                {who.row, meeting.facet, passage, before - given + who.internal});
         if (passage.way == Gates::Way::OUT) return End::GONE;
-        v = away;
+        const double stop = std::max(now, meeting.where.tau - SHORT_OF);
+        from += (stop - now) * scene.dt * who.v;
+        who.v = away;
         now = after = stop;
-        last = meeting;
-        path = {from - now * scene.dt * v, from + (1.0 - now) * scene.dt * v};
+        path = {from - now * scene.dt * who.v, from + (1.0 - now) * scene.dt * who.v};
     }
-    hits.resize(hits_before);
-    who.arrivals.resize(arrivals_before);
-    v = v_before;
-    return ride(scene, mass, born, last, x, v, internal, hits) ? End::FLOWN : End::CAUGHT;
+    return End::CAUGHT;
 }
 
-/// Is there no facet anywhere near? First by the start's cell alone, then by all that it may touch.
-bool meets_nothing(const FacetLists& lists, const Vec3& from, const Vec3& to) {
-    const Grid& grid = lists.grid();
-    const int clear = lists.clear(grid.cell_of(from));
-    if (clear > 1 && (to - from).cwiseAbs().maxCoeff() <= (clear - 1) * grid.edge) return true;
-    return !CellRange(grid, from, to).any(
-        grid, [&](std::size_t cell) { return may_meet(lists, cell, from, to); });
+/// Flies a particle through `parts` equal parts of the step.
+///
+/// Within a step the swept facets are flat pieces in space and time (crossing.hpp), which may stray from
+/// the facets themselves by a quarter of what their nodes move against one another: where layers are
+/// closer than that, swept pieces can cut each other and shut a particle in. In parts they stray by
+/// 1/parts² of that, and at the step's ends nothing changes for others.
+End fly_in_parts(const Scene& scene, int parts, double born, Points& y_0, Points& y_1,
+                 Flyer& who) {
+    const auto place = [&](int part, Points& y) {
+        const double tau = static_cast<double>(part) / parts;
+        for (const Index n : scene.lists.nodes())
+            y[n] = part == 0       ? scene.x_0[n]
+                   : part == parts ? scene.x_1[n]
+                                   : Vec3(scene.x_0[n] + tau * (scene.x_1[n] - scene.x_0[n]));
+    };
+    const int first = std::min(static_cast<int>(born * parts), parts - 1);
+    place(first, y_1);
+    End end = End::FLOWN;
+    for (int part = first; part < parts && end == End::FLOWN; ++part) {
+        y_0.swap(y_1);
+        place(part + 1, y_1);
+        const Scene within{scene.lists, nullptr,          scene.triangles, y_0.data(),
+                           y_1.data(),  scene.dt / parts, scene.gates};
+        const double late = part == first ? std::max(0.0, born * parts - first) : 0.0;
+        end = fly_one(within, late, who);
+    }
+    return end;
+}
+
+/// Flies a particle that was caught, in more and more parts. What failed leaves no trace.
+End fly_caught(const Scene& scene, double born, Flyer& who) {
+    const auto nodes = static_cast<std::size_t>(scene.lists.nodes().back()) + 1;
+    Points y_0(nodes), y_1(nodes);
+    const std::size_t hits = who.hits.size(), arrivals = who.arrivals.size();
+    const Vec3 x = who.x, v = who.v;
+    for (const int parts : {16, 256, 4096}) {
+        who.x = x;
+        who.v = v;
+        who.bounces = 0;
+        const End end = fly_in_parts(scene, parts, born, y_0, y_1, who);
+        if (end != End::CAUGHT) return end;
+        who.hits.resize(hits);
+        who.arrivals.resize(arrivals);
+    }
+    return End::CAUGHT;
+}
+
+/// A list a chunk of particles and one for those that were caught, all empty.
+template <class T>
+void clear(std::vector<std::vector<T>>& lists, std::size_t count) {
+    if (lists.size() < count) lists.resize(count);
+    for (auto& list : lists) list.clear();
 }
 
 }  // namespace
@@ -221,31 +229,54 @@ bool meets_nothing(const FacetLists& lists, const Vec3& from, const Vec3& to) {
 void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec3> x_1, double dt,
          std::span<const double> mass, std::span<const double> born, Particles& gas,
          FlightResult& result, const Gates* gates) {
-    result.bounds.update(lists.triangles(), x_0, x_1);
-    const Scene scene{lists, result.bounds, lists.triangles().data(), x_0.data(), x_1.data(),
-                      dt,    gates};
-    const std::size_t old = gas.size() - born.size();
+    result.bounds.update(lists, x_0, x_1);
+    const Scene scene{lists,      &result.bounds, lists.triangles().data(), x_0.data(),
+                      x_1.data(), dt,             gates};
     const std::size_t chunks = parallel::chunk_count(gas.size());
-    if (result.hits.size() < chunks) result.hits.resize(chunks);
-    for (auto& hits : result.hits) hits.clear();
-    if (result.arrivals.size() < chunks) result.arrivals.resize(chunks);
-    for (auto& arrivals : result.arrivals) arrivals.clear();
-    std::vector<std::vector<Lost>> lost(chunks);
+    clear(result.hits, chunks + 1);
+    clear(result.arrivals, chunks + 1);
+    clear(result.caught, chunks);
+    const std::size_t old = gas.size() - born.size();
+    const auto start = [&](std::size_t i) { return i < old ? 0.0 : born[i - old]; };
+    const auto flyer = [&](std::size_t i, std::size_t list) {
+        return Flyer{i,        gas.species[i], gas.id[i],         mass[gas.species[i]], gas.e[i],
+                     gas.x[i], gas.v[i],       result.hits[list], result.arrivals[list]};
+    };
+    const auto land = [&](const Flyer& who) {
+        gas.x[who.row] = who.x;
+        gas.v[who.row] = who.v;
+    };
 
     parallel::for_chunks(gas.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
         for (std::size_t i = begin; i < end; ++i) {
-            const double start = i < old ? 0.0 : born[i - old];
-            const Vec3 to = gas.x[i] + (1.0 - start) * dt * gas.v[i];
-            if (meets_nothing(lists, gas.x[i], to))
-                gas.x[i] = to;
-            else if (fly_one(scene, {i, gas.species[i], gas.id[i], result.arrivals[chunk]},
-                             mass[gas.species[i]], start, gas.x[i], gas.v[i], gas.e[i],
-                             result.hits[chunk]) == End::CAUGHT)
-                lost[chunk].push_back({i, gas.x[i]});
+            const Vec3 way = (1.0 - start(i)) * dt * gas.v[i];
+            if (lists.is_clear(gas.x[i], way)) {
+                gas.x[i] += way;
+                continue;
+            }
+            Flyer who = flyer(i, chunk);
+            const std::size_t hits = who.hits.size(), arrivals = who.arrivals.size();
+            switch (fly_one(scene, start(i), who)) {
+                case End::FLOWN:
+                    land(who);
+                    break;
+                case End::GONE:
+                    break;
+                case End::CAUGHT:
+                    who.hits.resize(hits);
+                    who.arrivals.resize(arrivals);
+                    result.caught[chunk].push_back(i);
+            }
         }
     });
     result.lost.clear();
-    for (const auto& some : lost) result.lost.insert(result.lost.end(), some.begin(), some.end());
+    for (const auto& some : result.caught)
+        for (const std::size_t i : some) {
+            Flyer who = flyer(i, chunks);
+            const End end = fly_caught(scene, start(i), who);
+            if (end == End::FLOWN) land(who);
+            if (end == End::CAUGHT) result.lost.push_back({i, gas.x[i]});
+        }
 }
 
 }  // namespace corpuscle::gas

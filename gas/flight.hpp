@@ -32,6 +32,7 @@ struct FlightResult {
     std::vector<Lost> lost;
     FacetBounds bounds;  ///< of this flight; kept for its memory
     std::vector<std::vector<Arrival>> arrivals;  ///< at gates, a list a chunk, to be read in order
+    std::vector<std::vector<std::size_t>> caught;  ///< that had to fly again, a list a chunk
 };
 
 /// Free flight through one step, t -> t + dt, with specular reflection off the moving facets.
@@ -41,8 +42,8 @@ struct FlightResult {
 ///
 /// Facets move linearly; positions, normals and velocities v_w are those of the instant and the
 /// point of the hit. Any number of hits in a step; no facet is ever passed (see crossing.hpp).
-/// A particle that bounces a thousand times in a step is caught where fabric closes: it rides with the
-/// fabric and turns its speed into internal energy. `born[i]`: for the last born.size()
+/// A particle that bounces a thousand times in a step is caught between facets, and flies the step
+/// again in smaller and smaller parts. `born[i]`: for the last born.size()
 /// particles, the share of the step at which they start. `mass[s]`: of a particle of species s.
 /// `gates`: where particles may pass; what has left stays in `gas` where it was, to be removed.
 void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec3> x_1, double dt,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "gas/sight.hpp"
 #include "solver/base/parallel.hpp"
@@ -19,15 +20,14 @@ constexpr int WITNESSES =
 /// Divides the particles of one cell. Keeps its memory from cell to cell.
 class Divider {
 public:
-    Divider(const FacetsInCells& facets, const Particles& particles, double reach)
-        : facets_(facets), particles_(particles), reach_(reach) {}
+    Divider(const FabricInCells& fabric, const Particles& particles, double reach)
+        : fabric_(fabric), particles_(particles), reach_(reach) {}
 
     /// Orders `rows` by group, in place; true in begins[k] where a group begins. Returns their
     /// number.
-    std::size_t divide(std::span<const Index> facets_here, std::span<Index> rows,
-                       std::uint8_t* begins) {
+    std::size_t divide(std::size_t cell, std::span<Index> rows, std::uint8_t* begins) {
         begins[0] = 1;
-        if (rows.size() < 2 || !find_screens(facets_here, rows)) return 1;
+        if (rows.size() < 2 || !reaches_fabric(cell, rows) || !find_screens(cell, rows)) return 1;
         find_classes();
         const std::size_t groups = join_classes();
         if (groups > 1) write(groups, rows, begins);
@@ -40,9 +40,21 @@ private:
         int witnesses = 0;
     };
 
+    /// False when all particles are on one side of all that the cell holds.
+    [[nodiscard]] bool reaches_fabric(std::size_t cell, std::span<const Index> rows) const {
+        const Slab& slab = fabric_.lists->slab(cell);
+        float low = std::numeric_limits<float>::max(), high = -low;
+        for (const Index row : rows) {
+            const float height = slab.height(fabric_.lists->small(particles_.x[row]));
+            low = std::min(low, height);
+            high = std::max(high, height);
+        }
+        return low <= slab.high && high >= slab.low;
+    }
+
     /// Keeps the facets that have particles on both sides, and who is where. False when there are
     /// none.
-    bool find_screens(std::span<const Index> facets_here, std::span<const Index> rows) {
+    bool find_screens(std::size_t cell, std::span<const Index> rows) {
         screens_.clear();
         side_.clear();
         n_ = rows.size();
@@ -54,9 +66,9 @@ private:
             high = high.cwiseMax(x_[i]);
         }
         bool is_ordered = false;
-        for (const Index f : facets_here) {
-            const auto& [i, j, k] = facets_.triangles[f];
-            const Vec3 &a = facets_.x[i], &b = facets_.x[j], &c = facets_.x[k];
+        for (const Index f : fabric_.lists->in(cell)) {
+            const auto& [i, j, k] = fabric_.lists->triangles()[f];
+            const Vec3 &a = fabric_.x[i], &b = fabric_.x[j], &c = fabric_.x[k];
             if ((a.cwiseMin(b).cwiseMin(c).array() > high.array()).any() ||
                 (a.cwiseMax(b).cwiseMax(c).array() < low.array()).any())
                 continue;
@@ -173,7 +185,7 @@ private:
         for (std::size_t i = 0; i < n_; ++i) rows[next_[of_row_[i]]++] = old_[i];
     }
 
-    const FacetsInCells& facets_;
+    const FabricInCells& fabric_;
     const Particles& particles_;
     double reach_;
 
@@ -188,28 +200,23 @@ private:
 
 }  // namespace
 
-void Groups::find(const Lists& cells, const FacetsInCells& facets, const Particles& particles,
+void Groups::find(const Lists& cells, const FabricInCells& fabric, const Particles& particles,
                   double reach) {
     order_.assign(cells.order.begin(), cells.order.end());
     begins_.assign(order_.size(), 0);
-    const bool has_fabric = !facets.start.empty();
     count_.assign(parallel::chunk_count(cells.size(), CELLS_A_CHUNK), 0);
     parallel::for_chunks(
         cells.size(),
         [&](std::size_t first, std::size_t last, std::size_t chunk) {
-            Divider divider(facets, particles, reach);
+            Divider divider(fabric, particles, reach);
             for (std::size_t c = first; c < last; ++c) {
                 const auto begin = static_cast<std::size_t>(cells.start[c]);
                 const auto end = static_cast<std::size_t>(cells.start[c + 1]);
                 if (begin == end) continue;
                 begins_[begin] = 1;
-                if (!has_fabric || facets.start[c] == facets.start[c + 1]) continue;
-                const auto here = facets.facet.subspan(
-                    static_cast<std::size_t>(facets.start[c]),
-                    static_cast<std::size_t>(facets.start[c + 1] - facets.start[c]));
-                if (divider.divide(here, std::span(order_).subspan(begin, end - begin),
-                                   begins_.data() + begin) > 1)
-                    ++count_[chunk];
+                if (!fabric.lists || fabric.lists->is_empty(c)) continue;
+                const auto rows = std::span(order_).subspan(begin, end - begin);
+                if (divider.divide(c, rows, begins_.data() + begin) > 1) ++count_[chunk];
             }
         },
         CELLS_A_CHUNK);

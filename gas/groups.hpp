@@ -7,17 +7,16 @@
 #include <vector>
 
 #include "gas/cell_grid.hpp"
+#include "gas/facet_lists.hpp"
 #include "gas/particles.hpp"
 #include "solver/base/surface.hpp"
 
 namespace corpuscle::gas {
 
-/// Which facets reach into which cell of the grid that the particles are sorted by.
-struct FacetsInCells {
-    std::span<const Index> start;  ///< cells + 1; empty when there is no fabric at all
-    std::span<const Index> facet;  ///< rows of triangles
-    std::span<const Triangle> triangles;
-    std::span<const Vec3> x;  ///< nodes at the particles' instant            [m]
+/// The fabric among particles that are sorted by the grid of its lists.
+struct FabricInCells {
+    const FacetLists* lists = nullptr;  ///< none: no fabric at all
+    std::span<const Vec3> x;            ///< nodes at the particles' instant            [m]
 };
 
 /// Particles of a cell that see each other: the only ones that may trade momentum and heat.
@@ -31,7 +30,7 @@ struct FacetsInCells {
 class Groups {
 public:
     /// @param reach  longest distance within a cell                                      [m]
-    void find(const Lists& cells, const FacetsInCells& facets, const Particles& particles,
+    void find(const Lists& cells, const FabricInCells& fabric, const Particles& particles,
               double reach);
 
     [[nodiscard]] Lists lists() const { return {start_, order_}; }

@@ -36,7 +36,7 @@ StepReport Simulation::step(const Observer& observe) {
     // 4. Gas, t -> t + dt, against the fabric that moves from x to x_1
     for (gas::BagGas& bag : bags_) {
         if (bag.switches(t)) bag.become_uniform(nodes_.x);
-        bag.prepare(nodes_.x, nodes_.x_1);                                      lap("facet lists");
+        bag.prepare(dt, nodes_.x, nodes_.x_1);                                  lap("facet lists");
         bag.collide(dt, nodes_.x);                                              lap("collisions");
         bag.inject(t, dt, nodes_.x, nodes_.x_1);                                lap("inflators");
         bag.fly(t, dt, nodes_.x, nodes_.x_1);                                   lap("flight");

@@ -61,7 +61,7 @@ public:
     void step() {
         gas_->add_load(x_0_, STEP, force_);
         move();
-        gas_->prepare(x_0_, x_1_);
+        gas_->prepare(STEP, x_0_, x_1_);
         gas_->collide(STEP, x_0_);
         gas_->inject(t_, STEP, x_0_, x_1_);
         gas_->fly(t_, STEP, x_0_, x_1_);
@@ -116,6 +116,25 @@ void inflated(benchmark::State& state) {
         static_cast<double>(bag.gas().collision_steps() - collisions) / steps;
 }
 
+/// The limit: positions and velocities once through the processor, mirror walls, nothing else.
+void streaming(benchmark::State& state) {
+    const auto n = static_cast<std::size_t>(state.range(0));
+    std::vector<double> x(3 * n, 0.0), v(3 * n);
+    for (std::size_t i = 0; i < v.size(); ++i)
+        v[i] = 500.0 * Random(1, Stream::INITIAL, 1, i).uniform() - 250.0;
+    for (auto _ : state) {
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            const double to = x[i] + STEP * v[i];
+            v[i] = std::abs(to) > 0.3 ? -v[i] : v[i];
+            x[i] = to;
+        }
+        benchmark::ClobberMemory();
+    }
+    state.counters["particle_steps"] =
+        benchmark::Counter(static_cast<double>(n), benchmark::Counter::kIsIterationInvariantRate);
+}
+
+BENCHMARK(streaming)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
 BENCHMARK(inflated)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
 
 }  // namespace

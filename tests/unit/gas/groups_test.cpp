@@ -22,7 +22,6 @@ struct Scene {
     Points x;
     std::vector<Triangle> triangles;
     Particles gas;
-    std::vector<Index> start, facet;
 
     /// cells × cells quads, halved, over -2..2 in u and v; node (u, v) goes to place(u, v).
     void add_sheet(int cells, const std::function<Vec3(double, double)>& place) {
@@ -51,13 +50,12 @@ struct Scene {
         Grid grid;
         grid.low = Vec3(-1, -1, -1);
         grid.set_edge(2.0);
-        facet.resize(triangles.size());
-        std::iota(facet.begin(), facet.end(), 0);
-        start = {0, static_cast<Index>(facet.size())};
+        FacetLists lists(triangles, x);
+        lists.build(grid, x, x, 0.0);
         CellSort cells;
         cells.sort(grid, gas);
         Groups groups;
-        groups.find(cells.cells(), {start, facet, triangles, x}, gas, 2.0 * std::sqrt(3.0));
+        groups.find(cells.cells(), {&lists, x}, gas, 2.0 * std::sqrt(3.0));
         std::vector<int> group(gas.size(), -1);
         for (std::size_t g = 0; g < groups.lists().size(); ++g)
             for (const Index row : groups.lists()[g]) group[gas.id[row]] = static_cast<int>(g);
