@@ -60,8 +60,8 @@ void BagGas::find_groups(const Points& x) {
 /// Heat that the particles are to get, were their thermal energy still that after the last collisions.
 BagGas::Heat BagGas::wanted_heat() const {
     Heat heat{heat_from_air(thermal_), heat_from_smoothing(thermal_), 0.0};
-    heat.to_outflow =
-        std::min(owed_to_outflow_, thermal_ + heat.all() - LEFT_BY_ACCOUNT * thermal_);
+    const double spare = std::max(0.0, heat.all() + (1.0 - LEFT_BY_ACCOUNT) * thermal_);
+    heat.to_outflow = std::min(owed_to_outflow_, spare);
     return heat;
 }
 
