@@ -22,6 +22,9 @@ constexpr double COLLISION_SHARE = 0.25;
 /// Least share of the particles' thermal energy that the smoothing account leaves them in one step.
 constexpr double LEFT_BY_ACCOUNT = 0.7;
 
+/// Share of the particles that may come or go between two counts of their thermal energy.
+constexpr double MOST_CHANGE = 0.01;
+
 std::size_t occupied(const Lists& cells) {
     std::size_t count = 0;
     for (std::size_t c = 0; c < cells.size(); ++c) count += !cells[c].empty();
@@ -35,7 +38,7 @@ void BagGas::collide(double dt, const Points& x) {
     if (uniform_ || particles_.size() == 0 || since_collision_ * speed_ < COLLISION_SHARE * cell_) return;
 
     find_groups(x);
-    if (!(thermal_ > 0.0)) thermal_ = collider_.thermal_energy(particles_);
+    expect_thermal();
     const Heat wanted = thermal_ > 0.0 ? wanted_heat() : Heat{};
     const double factor = thermal_ > 0.0 ? 1.0 + wanted.all() / thermal_ : 1.0;
     const CollisionReport report = collider_.collide(collisions_, factor, particles_);
@@ -48,6 +51,17 @@ void BagGas::collide(double dt, const Points& x) {
     measure_speed();
 }
 
+/// Thermal energy before these collisions: that after the last ones, as long as few have entered or left;
+/// else it is added up, which takes a quarter of what the collisions take.
+void BagGas::expect_thermal() {
+    const auto now = static_cast<double>(particles_.size()), then = static_cast<double>(counted_);
+    if (std::abs(now - then) > MOST_CHANGE * then)
+        thermal_ = collider_.thermal_energy(particles_);
+    else
+        thermal_ *= now / then;
+    counted_ = particles_.size();
+}
+
 /// In cells of about the wanted size, made anew when fabric has moved too far.
 void BagGas::find_groups(const Points& x) {
     const double edge = side_lists_.grid().edge;
@@ -57,7 +71,7 @@ void BagGas::find_groups(const Points& x) {
     collider_.find_groups(side_lists_.grid(), {&side_lists_, x}, particles_);
 }
 
-/// Heat that the particles are to get, were their thermal energy still that after the last collisions.
+/// Heat that the particles are to get, were their thermal energy as expected.
 BagGas::Heat BagGas::wanted_heat() const {
     Heat heat{heat_from_air(thermal_), heat_from_smoothing(thermal_), 0.0};
     const double spare = std::max(0.0, heat.all() + (1.0 - LEFT_BY_ACCOUNT) * thermal_);

@@ -137,6 +137,7 @@ private:
         double from_air = 0.0, from_smoothing = 0.0, to_outflow = 0.0;
         [[nodiscard]] double all() const { return from_air + from_smoothing - to_outflow; }
     };
+    void expect_thermal();
     [[nodiscard]] Heat wanted_heat() const;
     void settle(const Heat& wanted, double ratio);
     [[nodiscard]] double heat_from_air(double thermal) const;
@@ -200,7 +201,8 @@ private:
     double speed_ = 0.0;            ///< thermal, sqrt(R T / M) of the gas as a whole  [m/s]
     double since_collision_ = 0.0;  ///< [s]
     std::uint64_t collisions_ = 0;  ///< collision steps so far
-    double thermal_ = 0.0;          ///< of the particles, after the last collisions   [J]
+    double thermal_ = 0.0;          ///< of the particles, as expected at collisions   [J]
+    std::size_t counted_ = 0;       ///< particles that held it
     std::size_t unrelaxed_ = 0;     ///< groups whose energy belonged to no temperature
 
     std::optional<ControlVolume> uniform_;  ///< after TSW; the initial air is its last species
