@@ -86,13 +86,12 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
       lists_(turned(enclosure_, walls_), x),
       side_lists_(lists_.triangles(), x),
       orifices_(card.orifices, lists_.triangles(), walls_.triangles, walls_.shell, card.frame, x),
-      store_(x.size(), loaded_nodes(lists_, orifices_), held,
+      store_(x.size(), loaded_nodes(lists_, orifices_), enclosure_, held,
              RELEASE_TIME * card.second * card.smoothing),
       collider_(collider_of(card, inflators_, seed)),
       openings_(card, walls_, curves, inflators_.species(), mass_, x, seed),
       heat_loss_(card, walls_, curves),
       area_(x.size(), Vec3::Zero()),
-      held_(held.begin(), held.end()),
       part_impulse_(walls_.part_ids.size(), 0.0),
       triangle_impulse_(walls_.triangles.size(), 0.0) {
     volume_ = enclosure_.volume(x);
@@ -125,8 +124,7 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
     cell_ = wanted_cell_ = cell_edge(volume_, card.particles, FIRST_PARTICLES_PER_CELL);
 }
 
-/// Initial air as particles. The fabric feels it from the start: it is owed what hits would have
-/// brought before.
+/// Initial air as particles. The fabric feels it from the start.
 void BagGas::fill_with_air(const Points& x, std::uint64_t seed) {
     const std::size_t row = inflators_.inflows();
     add_resident_air({inflators_.resident(), static_cast<std::int32_t>(row),
@@ -140,22 +138,19 @@ void BagGas::fill_with_air(const Points& x, std::uint64_t seed) {
             name_of(card_), inflators_.resident(), inflators_.resident() + inflators_.particles(),
             asked));
     enclosure_.node_areas(x, area_);
-    for (const Index n : enclosure_.nodes())
-        if (!held_[n]) store_.owe(n, card_.air->pressure * store_.time() * area_[n]);
+    store_.begin_with(card_.air->pressure, area_);
 }
 
 // ---- the load on the fabric
 // -----------------------------------------------------------------------
 
 void BagGas::add_load(const Points& x, double span, Points& f) {
-    store_.release(span, f);
     volume_ = enclosure_.volume(x);
     enclosure_.node_areas(x, area_);
-    if (uniform_) {
-        settle(*uniform_, volume_);
-        fade_late_pressure(span);
-    }
-    for (const Index n : enclosure_.nodes()) f[n] += (pressure_on(n) - card_.p_atm) * area_[n];
+    store_.release(span, area_, f);
+    if (uniform_) settle(*uniform_, volume_);
+    const double gauge = air_pressure() - card_.p_atm;
+    for (const Index n : enclosure_.nodes()) f[n] += gauge * area_[n];
 }
 
 void BagGas::book_load(const Points& v_mid, double span) {

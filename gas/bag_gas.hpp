@@ -62,7 +62,7 @@ public:
 
     /// All that the gas and the atmosphere do to a node at t.                                 [N]
     [[nodiscard]] Vec3 force(Index node) const {
-        return store_.force(node) + (pressure_on(node) - card_.p_atm) * area_[node];
+        return store_.force(node) + (air_pressure() - card_.p_atm) * area_[node];
     }
 
     /// Does contact close holes of this bag?
@@ -157,16 +157,11 @@ private:
         if (uniform_) return uniform_->pressure();
         return air_ ? air_->pressure(volume_) : 0.0;
     }
-    /// The same as a node feels it.
-    [[nodiscard]] double pressure_on(Index node) const {
-        return uniform_ && !held_[node] ? air_pressure() - late_pressure_ : air_pressure();
-    }
 
     // After TSW (bag_uniform.cpp)
     void settle(ControlVolume& gas, double volume) const;
     void flow_uniform(double t, double dt, const Points& x);
     void let_out_uniform(double t, double dt, const Points& x);
-    void fade_late_pressure(double span);
     [[nodiscard]] double uniform_work(const Points& v_mid, double span) const;
     [[nodiscard]] GasState uniform_state(const Points& x) const;
     [[nodiscard]] double energy_of(std::int32_t species) const;
@@ -206,9 +201,7 @@ private:
     std::size_t unrelaxed_ = 0;     ///< groups whose energy belonged to no temperature
 
     std::optional<ControlVolume> uniform_;  ///< after TSW; the initial air is its last species
-    double late_pressure_ = 0.0;  ///< that owed impulse still stands for, after TSW      [Pa]
     double time_ = 0.0;           ///< to which gas has come in                              [s]
-    std::vector<std::uint8_t> held_;  ///< N: nodes that feel hits at once
 
     std::vector<double> part_impulse_, triangle_impulse_;  ///< since the last look   [N s]
     double part_air_ = 0.0, triangle_air_ = 0.0;           ///< integral of air pressure [Pa s]

@@ -18,9 +18,8 @@ bool BagGas::switches(double t) const {
 }
 
 /// Mass, energy and so temperature stay as they are; motion becomes heat.
-///
-/// What hits have brought and the fabric has not felt yet is still released, and fades as it would
-/// have faded in. Uniform pressure takes its place at that rate, so that the force does not jump.
+/// Uniform pressure takes the place of that which hits made one expect; what they have brought beyond it
+/// is still released.
 void BagGas::become_uniform(const Points& x) {
     std::vector<Species> kinds = inflators_.species();
     if (air_) kinds.push_back(air_->species());
@@ -33,9 +32,8 @@ void BagGas::become_uniform(const Points& x) {
         all.add(s, count * inflators_.moles_each(), energy_of(kind));
     }
     if (air_) all.add(mass_.size(), air_->moles(), air_->energy());
-    const double by_air = air_ ? air_->pressure(volume_) : 0.0;
     settle(all, enclosure_.volume(x));
-    late_pressure_ = all.pressure() - by_air;
+    store_.end_of_hits();
     uniform_ = std::move(all);
     for (std::size_t i = 0; i < particles_.size(); ++i) {
         particles_.e[i] += 0.5 * mass_[particles_.species[i]] * particles_.v[i].squaredNorm();
@@ -68,17 +66,10 @@ void BagGas::flow_uniform(double t, double dt, const Points& x) {
     if (!openings_.empty() || !heat_loss_.empty()) let_out_uniform(t, dt, x);
 }
 
-/// The share of the pressure that owed impulse still stands for fades with it; nodes that are held
-/// are owed nothing.
-void BagGas::fade_late_pressure(double span) {
-    late_pressure_ *= std::exp(-span / store_.time());
-}
-
 double BagGas::uniform_work(const Points& v_mid, double span) const {
     const auto nodes = enclosure_.nodes();
-    return span * parallel::sum(nodes.size(), 0.0, [&](std::size_t i) {
-               const Index n = nodes[i];
-               return pressure_on(n) * area_[n].dot(v_mid[n]);
+    return air_pressure() * span * parallel::sum(nodes.size(), 0.0, [&](std::size_t i) {
+               return area_[nodes[i]].dot(v_mid[nodes[i]]);
            });
 }
 

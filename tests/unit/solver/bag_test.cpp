@@ -80,14 +80,19 @@ TEST_CASE("going over to uniform pressure leaves mass, temperature and motion as
     Simulation particles(model), uniform(other);
 
     AirbagSample before, after;
-    double at_before = 0.0, worst = 0.0, inflow = 0.0, entropy = NaN, adiabat = 0.0;
+    Vec3 owed = Vec3::Zero();
+    double at_before = 0.0, at_after = 0.0, worst = 0.0, inflow = 0.0, entropy = NaN, adiabat = 0.0;
     const double gamma = 28.0 / (28.0 - GAS_CONSTANT);
     const auto watch = [&](Simulation& at_t) {
         worst = std::max(worst, std::abs(at_t.books().residual));
         inflow = at_t.books().inflow;
         const bool is_uniform = at_t.bags()[0].is_uniform();
         if (!is_uniform) before = at_t.sample().airbags[0], at_before = at_t.time();
-        if (is_uniform && after.volume == 0.0) after = at_t.sample().airbags[0];
+        if (is_uniform && after.volume == 0.0) {
+            after = at_t.sample().airbags[0];
+            owed = at_t.bags()[0].owed_impulse();
+            at_after = at_t.time();
+        }
         if (at_t.time() < SWITCH + 6e-4) return;  // the smoothing account is paid back
         const AirbagSample now = at_t.sample().airbags[0];
         const double s = now.pressure * std::pow(now.volume, gamma);
@@ -102,7 +107,10 @@ TEST_CASE("going over to uniform pressure leaves mass, temperature and motion as
     CHECK(after.particles == before.particles);
     CHECK(worst < 2e-3 * inflow);
     CHECK(adiabat < 1e-4);
-    CHECK(uniform.bags()[0].owed_impulse().norm() < 1e-6);
+    // What hits brought beyond the pressure expected is released in a time of its own.
+    const double left =
+        std::exp(-(uniform.time() - at_after) / (50e-6 * gas::ImpulseStore::PATIENCE));
+    CHECK((uniform.bags()[0].owed_impulse() - left * owed).norm() < 0.02 * owed.norm());
 
     // The walls feel no jump: with and without the switch they go the same way.
     while (!particles.is_over()) particles.step(nothing);
