@@ -55,6 +55,12 @@ struct InitialAirCard {
     std::size_t particles = 0;   ///< NPAIR, beside NP; 0: a share of NP
 };
 
+/// Rough fabric: what a bounce takes from the velocity along it.
+struct WallFriction {
+    double factor = 0.0;         ///< FRIC: v_t' = (1 - factor) v_t, beside the fabric         [-]
+    bool pushes_along = true;    ///< IDFRIC = 0: the fabric feels it; 1: it feels only the normal part
+};
+
 /// One *AIRBAG_PARTICLE.
 struct BagCard {
     int id = 0;                           ///< the _ID card's number, else order in the deck from 1
@@ -78,6 +84,7 @@ struct BagCard {
     std::vector<VentCard> vents;          ///< NVENT cards
     std::vector<HeatCard> heat;           ///< HCONV of NPDATA cards
     BlockCard block;                      ///< BLOCK
+    WallFriction friction;                ///< FRIC, IDFRIC
     double smoothing = 1.0;               ///< SFFDC, scales the time over which impulse is released [-]
 };
 

@@ -234,7 +234,8 @@ void BagGas::fly(double t, double dt, const Points& x_0, const Points& x_1) {
     const bool loses = !openings_.empty() || !heat_loss_.empty();
     if (loses && (collisions_ != looked_at_ || collisions_ == 0)) look_inside(x_0);
     if (!openings_.empty()) openings_.set_gates(t, dt, x_0, inside_);
-    gas::fly(lists_, x_0, x_1, dt, mass_, born_, particles_, flight_, openings_.gates());
+    gas::fly(lists_, x_0, x_1, dt, mass_, born_, particles_, flight_, openings_.gates(),
+             card_.friction);
     flights_ += particles_.size();
     store_.receive(flight_, lists_.triangles());
     record_hits(x_1);

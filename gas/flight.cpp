@@ -31,6 +31,7 @@ struct Scene {
     const Vec3 *x_0, *x_1;
     double dt;
     const Gates* gates;  ///< nullptr: none
+    const WallFriction& friction;
 };
 
 /// A particle in flight, and what is written down about it.
@@ -129,6 +130,32 @@ Vec3 reflect(const Scene& scene, const Meeting& meeting, const Vec3& v) {
     return v - 2.0 * approach / plane.normal.squaredNorm() * plane.normal;
 }
 
+/// What a bounce does to a particle.
+struct Bounce {
+    Vec3 away;                    ///< velocity after it                                     [m/s]
+    Vec3 impulse = Vec3::Zero();  ///< to the facet                                          [N s]
+    double heat = 0.0;            ///< to the particle, from friction                        [J]
+};
+
+/// Specular, but for what friction takes from the velocity u_t along the facet, relative to it.
+///
+///     v'' = v' - f u_t,  heat = m u_t² (1 - (1 - f)²) / 2
+Bounce bounce(const Scene& scene, const Meeting& meeting, double mass, const Vec3& v) {
+    Bounce out{reflect(scene, meeting, v)};
+    out.impulse = mass * (v - out.away);
+    const double f = scene.friction.factor;
+    if (f == 0.0) return out;
+    const Vec3 normal = out.impulse.normalized(), wall = velocity_at(scene, meeting);
+    const Vec3 along = (v - wall) - (v - wall).dot(normal) * normal;
+    out.away -= f * along;
+    out.heat = 0.5 * mass * along.squaredNorm() * f * (2.0 - f);
+    if (scene.friction.pushes_along)
+        out.impulse += mass * f * along;
+    else
+        out.heat += mass * f * along.dot(wall);  // work that no one does
+    return out;
+}
+
 /// Flies a particle to the end of the step; or until it is caught between facets, or gone through a
 /// gate: then x is where it was at first.
 End fly_one(const Scene& scene, double born, Flyer& who) {
@@ -152,11 +179,10 @@ End fly_one(const Scene& scene, double born, Flyer& who) {
             after = meeting.where.tau;
             continue;
         }
-        const Vec3 away = reflect(scene, meeting, who.v);
+        const auto [away, impulse, heat] = bounce(scene, meeting, who.mass, who.v);
         const double before = 0.5 * who.mass * who.v.squaredNorm();
-        const double given = passage.push * (before - 0.5 * who.mass * away.squaredNorm());
-        who.hits.push_back({meeting.facet, meeting.where.at,
-                            passage.push * who.mass * (who.v - away), given});
+        const double given = passage.push * (before - 0.5 * who.mass * away.squaredNorm() - heat);
+        who.hits.push_back({meeting.facet, meeting.where.at, passage.push * impulse, given});
         if (passage.gate >= 0)
             who.arrivals.push_back(
                 {who.row, meeting.facet, passage, before - given + who.internal});
@@ -164,6 +190,7 @@ End fly_one(const Scene& scene, double born, Flyer& who) {
         const double stop = std::max(now, meeting.where.tau - SHORT_OF);
         from += (stop - now) * scene.dt * who.v;
         who.v = away;
+        who.internal += heat;
         now = after = stop;
         path = {from - now * scene.dt * who.v, from + (1.0 - now) * scene.dt * who.v};
     }
@@ -192,7 +219,7 @@ End fly_in_parts(const Scene& scene, int parts, double born, Points& y_0, Points
         y_0.swap(y_1);
         place(part + 1, y_1);
         const Scene within{scene.lists, nullptr,          scene.triangles, y_0.data(),
-                           y_1.data(),  scene.dt / parts, scene.gates};
+                           y_1.data(),  scene.dt / parts, scene.gates,     scene.friction};
         const double late = part == first ? std::max(0.0, born * parts - first) : 0.0;
         end = fly_one(within, late, who);
     }
@@ -205,9 +232,11 @@ End fly_caught(const Scene& scene, double born, Flyer& who) {
     Points y_0(nodes), y_1(nodes);
     const std::size_t hits = who.hits.size(), arrivals = who.arrivals.size();
     const Vec3 x = who.x, v = who.v;
+    const double internal = who.internal;
     for (const int parts : {16, 256, 4096}) {
         who.x = x;
         who.v = v;
+        who.internal = internal;
         who.bounces = 0;
         const End end = fly_in_parts(scene, parts, born, y_0, y_1, who);
         if (end != End::CAUGHT) return end;
@@ -228,10 +257,10 @@ void clear(std::vector<std::vector<T>>& lists, std::size_t count) {
 
 void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec3> x_1, double dt,
          std::span<const double> mass, std::span<const double> born, Particles& gas,
-         FlightResult& result, const Gates* gates) {
+         FlightResult& result, const Gates* gates, const WallFriction& friction) {
     result.bounds.update(lists, x_0, x_1);
     const Scene scene{lists,      &result.bounds, lists.triangles().data(), x_0.data(),
-                      x_1.data(), dt,             gates};
+                      x_1.data(), dt,             gates,                    friction};
     const std::size_t chunks = parallel::chunk_count(gas.size());
     clear(result.hits, chunks + 1);
     clear(result.arrivals, chunks + 1);
@@ -245,6 +274,7 @@ void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec
     const auto land = [&](const Flyer& who) {
         gas.x[who.row] = who.x;
         gas.v[who.row] = who.v;
+        gas.e[who.row] = who.internal;
     };
 
     parallel::for_chunks(gas.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "gas/bag.hpp"
 #include "gas/facet_bounds.hpp"
 #include "gas/facet_lists.hpp"
 #include "gas/gates.hpp"
@@ -45,9 +46,10 @@ struct FlightResult {
 /// A particle that bounces a thousand times in a step is caught between facets, and flies the step
 /// again in smaller and smaller parts. `born[i]`: for the last born.size()
 /// particles, the share of the step at which they start. `mass[s]`: of a particle of species s.
-/// `gates`: where particles may pass; what has left stays in `gas` where it was, to be removed.
+/// `friction`: what rough fabric takes from the velocity along it turns into the particle's internal
+/// energy. `gates`: where particles may pass; what has left stays in `gas` where it was, to be removed.
 void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec3> x_1, double dt,
          std::span<const double> mass, std::span<const double> born, Particles& gas,
-         FlightResult& result, const Gates* gates = nullptr);
+         FlightResult& result, const Gates* gates = nullptr, const WallFriction& friction = {});
 
 }  // namespace corpuscle::gas

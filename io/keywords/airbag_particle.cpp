@@ -81,6 +81,7 @@ private:
             return;
         }
         part_rows_ = c.integer("NPDATA", COUNT);
+        bag_.friction.factor = c.real("FRIC", within(0.0, 1.0));
         c.noted("IRDP", "particles have no radius here");
     }
 
@@ -122,6 +123,7 @@ private:
     void front_tracking() {
         Card c = cards_.next_plus("SFIAIR4=1 IDFRIC IAIRSTAT DPWR=1 VNDAMP JETLEN JETEND SHLOFF");
         c.harmless("SFIAIR4 IAIRSTAT DPWR");  // of IAIR = 4
+        bag_.friction.pushes_along = c.choice("IDFRIC", {0, 1}) == 0;
     }
 
     void counts() {

@@ -93,6 +93,27 @@ TEST_CASE("a head-on hit on a moving wall reverses the relative velocity", "[gas
     CHECK(total(flight).energy == Approx(total(flight).impulse.z() * wall));
 }
 
+TEST_CASE("rough fabric takes its share of the velocity along it, and turns it into heat",
+          "[gas][flight]") {
+    const double dt = 1e-3, wall = 20.0, f = 0.3;
+    const shapes::Shape shape{{{-1, -1, 0.1}, {1, -1, 0.1}, {0, 2, 0.1}}, {{0, 1, 2}}};
+    Points x_1 = shape.x;
+    for (Vec3& x : x_1) x += dt * Vec3(10, 0, wall);
+    const FacetLists lists = lists_for(shape, shape.x, x_1, 0.1);
+    const bool pushes_along = GENERATE(true, false);
+    Particles gas;
+    gas.add({0, 0, 0.09}, {60, 0, 120}, 7.0, 0, 0);
+    FlightResult flight;
+    fly(lists, shape.x, x_1, dt, std::vector<double>{2.0}, {}, gas, flight, nullptr,
+        {f, pushes_along});
+    CHECK(gas.v[0].x() == Approx(10.0 + (1.0 - f) * 50.0));
+    CHECK(gas.v[0].z() == Approx(2 * wall - 120.0));
+    CHECK(total(flight).impulse.x() == Approx(pushes_along ? 2.0 * f * 50.0 : 0.0).margin(1e-9));
+    CHECK(total(flight).energy == Approx(total(flight).impulse.dot(Vec3(10, 0, wall))));
+    const double before = 0.5 * 2.0 * Vec3(60, 0, 120).squaredNorm() + 7.0;
+    CHECK(0.5 * 2.0 * gas.v[0].squaredNorm() + gas.e[0] + total(flight).energy == Approx(before));
+}
+
 TEST_CASE("no particle leaves a closed surface that shakes violently", "[gas][flight]") {
     const int levels = GENERATE(0, 2, 3);
     shapes::Shape shape = shapes::sphere(0.1, levels);

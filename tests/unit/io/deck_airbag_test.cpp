@@ -161,9 +161,8 @@ TEST_CASE("AIRBAG_PARTICLE: what nothing acts on yet is one fault, its rows are 
     SECTION("card 1") {
         bag.card_1 = "1,0,0,0,21";
         CHECK(contains(only_fault(folder, bag), "card 1, field 5 (BLOCK) = 21, expected 0 or 1"));
-        bag.card_1 = "1,0,0,0,0,0,0.1";
-        CHECK(contains(only_fault(folder, bag),
-                       "(FRIC) = 0.1, expected 0 or blank: this field is not"));
+        bag.card_1 = "1,0,0,0,0,0,-0.1";
+        CHECK(contains(only_fault(folder, bag), "(FRIC) = -0.1, expected 0 to 1"));
         bag.card_1 = "1,0,2,2";
         bag.rows = "1,0,10.0\n2,0,10.0\n";
         CHECK(contains(only_fault(folder, bag), "(STYPE2) = 2, expected 0 or 1: this choice"));
