@@ -21,6 +21,24 @@ inline constexpr int LANES = 2;
 using Lanes = double __attribute__((vector_size(LANES * sizeof(double))));
 using LaneMask = decltype(Lanes{} < Lanes{});
 
+/// Numbers in a Real, and one of them.
+template <class Real>
+inline constexpr int WIDTH = 1;
+template <>
+inline constexpr int WIDTH<Lanes> = LANES;
+inline double get_lane(double a, int /*lane*/) {
+    return a;
+}
+inline double get_lane(const Lanes& a, int lane) {
+    return a[lane];
+}
+inline void set_lane(double& a, int /*lane*/, double value) {
+    a = value;
+}
+inline void set_lane(Lanes& a, int lane, double value) {
+    a[lane] = value;
+}
+
 inline Lanes load_lanes(const double* from) {
     Lanes out;
     std::memcpy(&out, from, sizeof(out));

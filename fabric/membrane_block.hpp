@@ -30,10 +30,12 @@ public:
         double energy = 0.0;
         double rate = 0.0;  ///< largest (2/dt)² met                              [1/s^2]
         Index shell = -1;   ///< whose it is
+        double lost = 0.0;  ///< by loops of loading since the last call          [J]
     };
-    /// Forces of packs begin..end. `damping` is written only by damped blocks.
+    /// Forces of packs begin..end; laws that remember move on. `damping` is written only by damped
+    /// blocks.
     virtual Result force(std::size_t begin, std::size_t end, const Points& x, const Points& v,
-                         double* elastic, double* damping) const = 0;
+                         double* elastic, double* damping) = 0;
 
     /// Lowest row of a shell whose energy or forces (as last written) are not finite, or -1.
     [[nodiscard]] virtual Index first_broken(const Points& x, const double* elastic,

@@ -56,11 +56,42 @@ void store_corners(double* to, const std::array<Vector<Lanes>, CORNERS>& f) {
     }
 }
 
+/// A law that remembers, at the points of one pack.
+template <class Law, class Shape, std::size_t POINTS>
+struct AtPack {
+    using Memories = std::array<typename Law::Memory, POINTS>;
+
+    const Law& law;
+    const Shape& shape;
+    Memories& memories;
+    mutable Lanes lost{};  ///< [J]
+
+    [[nodiscard]] decltype(auto) moduli() const { return law.moduli(); }
+    [[nodiscard]] Stress<Lanes> stress(int k, const Strain<Lanes>& e) const {
+        Lanes density{};
+        const Stress<Lanes> s = law.move(e, memories[static_cast<std::size_t>(k)], density);
+        lost += density * shape.volume_at(k);
+        return s;
+    }
+};
+
+/// What a block keeps for each pack of a law that remembers; nothing for others.
+template <class Law, std::size_t POINTS>
+struct MemoryOf {
+    struct Nothing {};
+    using PerPack = Nothing;
+};
+template <Remembering Law, std::size_t POINTS>
+struct MemoryOf<Law, POINTS> {
+    using PerPack = std::array<typename Law::Memory, POINTS>;
+};
+
 /// The loop over a block; it knows no mechanics. `DAMPED` and the law are settled at construction.
 template <template <class> class Element, class Law, bool DAMPED>
 class BlockOf final : public MembraneBlock {
 public:
     static constexpr int CORNERS = Element<Lanes>::CORNERS;
+    static constexpr std::size_t POINTS = Element<Lanes>::POINTS;
     static constexpr std::size_t STRIDE = 3 * LANES * CORNERS;  ///< corner forces of a pack
 
     template <class Make>
@@ -73,28 +104,31 @@ public:
         mass.resize(size() * CORNERS);
         stiffness.resize(size());
         damping_time_.resize(packs_.size() * LANES, 0.0);
+        if constexpr (Remembering<Law>) memory_.resize(packs_.size());
         for (std::size_t e = 0; e < packs_.size() * LANES; ++e)
             place(in, e, make(in.shapes[std::min(e, size() - 1)], in.thickness));
     }
 
     Result force(std::size_t begin, std::size_t end, const Points& x, const Points& v,
-                 double* elastic, double* damping) const override {
-        Lanes energy{}, rate{}, pack_of{};
+                 double* elastic, double* damping) override {
+        Lanes energy{}, rate{}, pack_of{}, lost{};
         for (std::size_t p = begin; p < end; ++p) {
             const Pack<Element>& pack = packs_[p];
             const auto motion = pack.shape.motion(corners_of(x.data()->data(), pack.nodes));
             const auto strain = pack.shape.strain(motion);
             Lanes stored;
-            const auto load = pack.shape.elastic(law_, motion, strain, stored);
+            const auto load = respond(p, motion, strain, stored, lost);
             store_corners(elastic + p * STRIDE, pack.shape.spread(motion, load, Lanes{} + 1.0));
             energy += stored;
             if constexpr (DAMPED) damp(p, motion, v, damping);
 
-            const Lanes now = pack.rate * (1.0 + 3.0 * greatest_extension(strain));
+            const Lanes now = pack.rate * stiffening(strain);
             pack_of = select(now > rate, Lanes{} + static_cast<double>(p), pack_of);
             rate = greater(now, rate);
         }
-        return summary(energy, rate, pack_of);
+        Result out = summary(energy, rate, pack_of);
+        if constexpr (Remembering<Law>) out.lost = sum_of(lost);
+        return out;
     }
 
     Index first_broken(const Points& x, const double* elastic,
@@ -105,7 +139,7 @@ public:
             const Element<Lanes>& shape = packs_[p].shape;
             const auto motion = shape.motion(corners_of(x.data()->data(), packs_[p].nodes));
             Lanes stored;
-            shape.elastic(law_, motion, shape.strain(motion), stored);
+            recall(p, motion, shape.strain(motion), stored);
             bool is_finite = std::isfinite(stored[lane]);
             for (std::size_t k = 0; k < 3 * CORNERS; ++k) {
                 const std::size_t at = p * STRIDE + k * LANES + lane;
@@ -123,8 +157,10 @@ public:
             const auto motion = shape.motion(corners_of(x.data()->data(), packs_[p].nodes));
             Strain<Lanes> e{};
             Stress<Lanes> s{};
-            for (const Strain<Lanes>& at : shape.strain(motion)) {
-                const Stress<Lanes> here = law_.stress(at);
+            const auto strains = shape.strain(motion);
+            for (std::size_t k = 0; k < POINTS; ++k) {
+                const Strain<Lanes>& at = strains[k];
+                const Stress<Lanes> here = recalled(p, k, at);
                 e = {e.warp + at.warp, e.weft + at.weft, e.shear + at.shear};
                 s = {s.warp + here.warp, s.weft + here.weft, s.shear + here.shear, s.energy};
             }
@@ -168,12 +204,58 @@ private:
         pack.set(static_cast<int>(lane), one);
     }
 
+    /// Load of a pack; a law that remembers moves on.
+    auto respond(std::size_t p, const auto& motion, const auto& strain, Lanes& stored,
+                 Lanes& lost) {
+        const Element<Lanes>& shape = packs_[p].shape;
+        if constexpr (Remembering<Law>) {
+            const AtPack<Law, Element<Lanes>, POINTS> law{law_, shape, memory_[p]};
+            const auto load = shape.elastic(law, motion, strain, stored);
+            lost += law.lost;
+            return load;
+        } else {
+            return shape.elastic(law_, motion, strain, stored);
+        }
+    }
+
+    /// The energy alone, from what is remembered; nothing moves on.
+    void recall(std::size_t p, const auto& motion, const auto& strain, Lanes& stored) const {
+        const Element<Lanes>& shape = packs_[p].shape;
+        if constexpr (Remembering<Law>) {
+            auto memory = memory_[p];
+            shape.elastic(AtPack<Law, Element<Lanes>, POINTS>{law_, shape, memory}, motion, strain,
+                          stored);
+        } else {
+            shape.elastic(law_, motion, strain, stored);
+        }
+    }
+    Stress<Lanes> recalled(std::size_t p, std::size_t k, const Strain<Lanes>& e) const {
+        if constexpr (Remembering<Law>) {
+            auto memory = memory_[p][k];
+            Lanes lost{};
+            return law_.move(e, memory, lost);
+        } else {
+            return law_.stress(e);
+        }
+    }
+
     void damp(std::size_t p, const auto& motion, const Points& v, double* damping) const {
         const Pack<Element>& pack = packs_[p];
         const auto rate = pack.shape.motion(corners_of(v.data()->data(), pack.nodes));
         const auto load = pack.shape.viscous(law_.moduli(), motion, rate);
         const Lanes time = load_lanes(damping_time_.data() + p * LANES);
         store_corners(damping + p * STRIDE, pack.shape.spread(motion, load, time));
+    }
+
+    /// How much (2/dt)² may have grown since rest.
+    Lanes stiffening(const auto& strain) const {
+        if constexpr (requires { law_.stiffening(strain[0]); }) {
+            Lanes most{};
+            for (const Strain<Lanes>& e : strain) most = greater(most, law_.stiffening(e));
+            return most;
+        } else {
+            return 1.0 + 3.0 * greatest_extension(strain);
+        }
     }
 
     /// Bound of the largest principal strain over all points, not below 0 [Gershgorin].
@@ -211,6 +293,7 @@ private:
     Law law_;
     std::vector<Pack<Element>> packs_;
     std::vector<double> damping_time_;  ///< β, for every lane                     [s]
+    std::vector<typename MemoryOf<Law, POINTS>::PerPack> memory_;  ///< empty: nothing to remember
 };
 
 template <template <class> class Element, class Make>

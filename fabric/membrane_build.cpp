@@ -52,7 +52,7 @@ std::vector<BlockInput> sort_into_blocks(const MembraneSetup& setup) {
         const Material& material = setup.materials[static_cast<std::size_t>(part.material)];
         if (const auto [law, is_new] = laws.try_emplace(shell.part); is_new) {
             try {
-                law->second = make_law(material);
+                law->second = make_law(material, setup.curves);
             } catch (const InputError& e) {
                 faults.insert(faults.end(), e.faults.begin(), e.faults.end());
             }

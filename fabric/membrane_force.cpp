@@ -41,7 +41,7 @@ Index Membranes::add_force(const Points& x, const Points& v, Points& f) {
             const MembraneBlock::Result r = blocks_[task.block]->force(
                 task.begin, task.end, x, v, corner_force_.data() + block_start_[task.block],
                 corner_damping_.data() + damped_start_[task.block]);
-            found_[i] = {r.energy, r.rate, r.shell};
+            found_[i] = {r.energy, r.rate, r.shell, r.lost};
         },
         /*chunk=*/1);
 
@@ -89,6 +89,7 @@ void Membranes::reduce() {
     Index shell = -1;
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
         part_energy_[static_cast<std::size_t>(blocks_[tasks_[i].block]->part)] += found_[i].energy;
+        lost_energy_ += found_[i].lost;
         if (found_[i].rate > rate) {
             rate = found_[i].rate;
             shell = found_[i].shell;

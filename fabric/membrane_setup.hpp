@@ -9,6 +9,7 @@
 
 #include "fabric/materials/fabric_card.hpp"
 #include "fabric/mesh.hpp"
+#include "solver/base/curve.hpp"
 #include "solver/base/vec.hpp"
 
 namespace corpuscle::fabric {
@@ -20,8 +21,9 @@ struct MembraneSetup {
     std::span<const Material> materials;             ///< M
     std::span<const std::array<Vec3, 4>> reference;  ///< E × 4 stress-free corners              [m]
     std::span<const std::uint8_t>
-        active;                  ///< E; 0: never strained (all nodes prescribed, rigid, null)
-    std::size_t node_count = 0;  ///< N
+        active;                       ///< E; 0: never strained (all nodes prescribed, rigid, null)
+    std::size_t node_count = 0;       ///< N
+    std::span<const Curve> curves{};  ///< that the materials' rows mean
 };
 
 /// Mass of every shell, whatever it is made of, from its reference area: rho·h·A0.     E    [kg]

@@ -53,6 +53,10 @@ public:
     /// -Σ f·(v_0 + v_1)/2·dt, exactly the loss of kinetic energy that it causes.                [J]
     [[nodiscard]] double damping_energy(const Points& v_0, const Points& v_1, double dt) const;
 
+    /// What loops of loading and unloading (LCUA, LCUB, LCUAB) have lost up to the last
+    /// add_force.                                                                           [J]
+    [[nodiscard]] double lost_energy() const { return lost_energy_; }
+
     struct AddedMass {
         std::vector<double> node;  ///< N, to be added to the lumped mass                     [kg]
         double total = 0.0;        ///< may be negative when the step was forced on all       [kg]
@@ -78,6 +82,7 @@ private:
         double energy;
         double rate;  ///< (2/dt)² of the element that limits it [1/s^2]
         Index shell;
+        double lost;  ///< [J]
     };
     /// For every node that has active corners: where their forces lie. Node row i's are
     /// places[starts[i]] .. places[starts[i + 1]].
@@ -106,6 +111,7 @@ private:
         damping_check_;  ///< sums that are finite when all forces are
     std::vector<double> part_energy_;
     Points damping_force_;
+    double lost_energy_ = 0.0;
     std::size_t element_count_ = 0, node_count_ = 0;
     Step step_{INF, -1};
 };

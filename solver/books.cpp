@@ -60,7 +60,10 @@ void Simulation::book_forces(double span) {
 
 EnergyBooks Simulation::books() const {
     EnergyBooks instant;
-    for (const fabric::Membranes& fabric : fabric_) instant.strain += fabric.strain_energy();
+    for (const fabric::Membranes& fabric : fabric_) {
+        instant.strain += fabric.strain_energy();
+        instant.damping += fabric.lost_energy();
+    }
     for (const gas::BagGas& bag : bags_) {
         instant.gas += bag.energy();
         instant.smoothing += bag.smoothing_taken();

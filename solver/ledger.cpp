@@ -12,7 +12,7 @@ EnergyBooks Ledger::balance(const EnergyBooks& instant) const {
     books.kinetic = mean(&Moved::kinetic);
     books.contact = mean(&Moved::contact);
     books.friction = mean(&Moved::friction);
-    books.damping = mean(&Moved::damping);
+    books.damping += mean(&Moved::damping);
     books.ambient = mean(&Moved::ambient);
     books.external = mean(&Moved::external);
     books.smoothing = instant.smoothing - mean(&Moved::smoothing);

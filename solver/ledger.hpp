@@ -31,7 +31,8 @@ public:
     Moved before, after;  ///< half steps t - dt_last/2, t + dt/2
     double weight = 0.5;  ///< of `after` at t: dt_last / (dt_last + dt)                        [-]
 
-    /// What is where at t: strain, gas, inflow and outflow are the instant's own.
+    /// What is where at t: strain, gas, inflow and outflow are the instant's own, and of damping
+    /// what loops of loading have lost.
     [[nodiscard]] EnergyBooks balance(const EnergyBooks& instant) const;
 
     /// Fixes what there is at the start; everything later is compared with it.

@@ -160,7 +160,8 @@ void Simulation::build_fabric() {
     active_ = strained_shells(model_, supports_);
     reference_ = reference_corners(model_);
     const fabric::MembraneSetup setup{model_.shells, model_.parts, model_.materials,
-                                      reference_,    active_,      model_.x.size()};
+                                      reference_,    active_,      model_.x.size(),
+                                      model_.curves};
     nodes_.mass = fabric::lumped_mass(setup);
     shell_mass_ = fabric::shell_mass(setup);
     active_shells_ = static_cast<std::size_t>(std::count(active_.begin(), active_.end(), 1));

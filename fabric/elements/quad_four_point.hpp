@@ -35,6 +35,9 @@ struct QuadFourPoint {
     /// Neither stores nor pushes.
     void empty() { thickness = Real{}; }
 
+    /// What point k stands for.                                                            [m^3]
+    Real volume_at(int k) const { return gradient(k).volume; }
+
     using Corners = std::array<Vector<Real>, CORNERS>;
     using Motion = QuadModes<Real>;
     struct Load {
@@ -61,7 +64,7 @@ struct QuadFourPoint {
         Load load;
         energy = Real{};
         for (int k = 0; k < POINTS; ++k) {
-            load.stress[k] = law.stress(e[k]);
+            load.stress[k] = stress_at(law, k, e[k]);
             energy += gradient(k).volume * load.stress[k].energy;
         }
         return load;

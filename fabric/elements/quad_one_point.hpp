@@ -49,6 +49,9 @@ struct QuadOnePoint {
     /// Neither stores nor pushes.
     void empty() { volume = Real{}; }
 
+    /// What point k stands for.                                                            [m^3]
+    Real volume_at(int /*k*/) const { return volume; }
+
     using Corners = std::array<Vector<Real>, CORNERS>;
     struct Motion {
         Vector<Real> g1, g2, q;
@@ -74,7 +77,7 @@ struct QuadOnePoint {
     template <class Law>
     Load elastic(const Law& law, const Motion& m, const std::array<Strain<Real>, POINTS>& e,
                  Real& energy) const {
-        const Stress<Real> s = law.stress(e[0]);
+        const Stress<Real> s = stress_at(law, 0, e[0]);
         const Real along_1 = dot(m.g1, m.q), along_2 = dot(m.g2, m.q);
         const PlaneModuli d = law.moduli();
         const Real hold_1 = (HOURGLASS * d.warp) * m11() * along_1;

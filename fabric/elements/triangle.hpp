@@ -18,8 +18,8 @@ namespace corpuscle::fabric {
 ///
 /// Force is -dW/dx exactly; the corners' forces add up to nothing because B_0 = -B_1 - B_2.
 ///
-/// Every element offers the same six names: CORNERS, POINTS, fields, motion, elastic, viscous,
-/// spread.
+/// Every element offers the same names: CORNERS, POINTS, fields, volume_at, motion, elastic,
+/// viscous, spread.
 template <class Real>
 struct Triangle {
     static constexpr int CORNERS = 3;
@@ -32,6 +32,9 @@ struct Triangle {
 
     /// Neither stores nor pushes.
     void empty() { volume = Real{}; }
+
+    /// What point k stands for.                                                            [m^3]
+    Real volume_at(int /*k*/) const { return volume; }
 
     using Corners = std::array<Vector<Real>, CORNERS>;
     struct Motion {
@@ -55,7 +58,7 @@ struct Triangle {
     template <class Law>
     Load elastic(const Law& law, const Motion&, const std::array<Strain<Real>, POINTS>& e,
                  Real& energy) const {
-        const Stress<Real> s = law.stress(e[0]);
+        const Stress<Real> s = stress_at(law, 0, e[0]);
         energy = volume * s.energy;
         return {s};
     }

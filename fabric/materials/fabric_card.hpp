@@ -11,6 +11,21 @@
 
 namespace corpuscle::fabric {
 
+/// Stress-strain curves of *MAT_FABRIC, FORM 4 (second Piola-Kirchhoff stress over Green strain)
+/// and 14 (engineering stress over engineering strain): rows among the curves, -1 for none.
+struct FabricCurves {
+    std::array<Index, 3> load{-1, -1, -1};    ///< LCA, LCB, LCAB; none: EA, EB, GAB
+    std::array<Index, 3> unload{-1, -1, -1};  ///< LCUA, LCUB, LCUAB; none: as loaded
+    double reload = 0.0;  ///< RL: 0 reloads along the unloading curve, 1 along its chord    [-]
+
+    [[nodiscard]] bool any() const {
+        for (const auto& rows : {load, unload})
+            for (const Index row : rows)
+                if (row >= 0) return true;
+        return false;
+    }
+};
+
 /// Orthotropic woven fabric, *MAT_FABRIC (034): the card as the user means it, defaults resolved.
 struct FabricCard {
     double density = NaN;  ///< RO                                                    [kg/m^3]
@@ -28,6 +43,7 @@ struct FabricCard {
     Vec3 v = Vec3::UnitZ();       ///< V1-V3, for AOPT 3
     double beta = 0.0;            ///< BETA, turns the axes about the normal                 [rad]
     int form = 0;                 ///< FORM
+    FabricCurves curves;          ///< instead of EA, EB, PRBA, GAB
     double leak_area = 0.0;       ///< FLC > 0                                               [-]
     double leak_velocity = 0.0;   ///< FAC > 0 (FVOPT 7/8), coefficient otherwise            [m/s]
     Index leak_area_curve = -1;   ///< FLC < 0: row in Model::curves

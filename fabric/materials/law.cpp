@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "fabric/materials/law.hpp"
 
+#include "fabric/materials/curved_law.hpp"
 #include "solver/base/error.hpp"
 
 namespace corpuscle::fabric {
@@ -49,7 +50,8 @@ bool is_isotropic(const FabricCard& c) {
            std::abs(2.0 * c.G * (1.0 + c.nu_ba) - c.E_warp) < ROUNDING * c.E_warp;
 }
 
-Law fabric_law(const FabricCard& c) {
+Law fabric_law(const FabricCard& c, std::span<const Curve> curves) {
+    if (c.curves.any()) return curved_law(c, curves);
     if (!c.no_compression)
         return maybe_lined(Linear(orthotropic_moduli(c.E_warp, c.E_weft, c.nu_ba, c.G)), c);
     if (is_isotropic(c)) return maybe_lined(IsotropicTensionField(c.E_warp, c.nu_ba), c);
@@ -58,11 +60,14 @@ Law fabric_law(const FabricCard& c) {
 
 }  // namespace
 
-PartLaw make_law(const Material& material) {
+PartLaw make_law(const Material& material, std::span<const Curve> curves) {
     Faults faults;
     if (const auto* fabric = std::get_if<FabricCard>(&material.card)) {
         check(faults, material, *fabric);
-        if (faults.empty()) return {fabric_law(*fabric), fabric->density, fabric->damping};
+        for (const CurveFault& fault : curve_faults(*fabric, curves))
+            faults.push_back(fmt::format("material {}: {}, expected {}", material.id, fault.field,
+                                         fault.expected));
+        if (faults.empty()) return {fabric_law(*fabric, curves), fabric->density, fabric->damping};
     } else if (const auto* elastic = std::get_if<ElasticCard>(&material.card)) {
         check(faults, material, *elastic);
         if (faults.empty())

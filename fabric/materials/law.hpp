@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+#include <string>
 #include <variant>
+#include <vector>
 
+#include "fabric/materials/curved.hpp"
 #include "fabric/materials/fabric_card.hpp"
 #include "fabric/materials/isotropic_tension_field.hpp"
 #include "fabric/materials/linear.hpp"
@@ -13,8 +17,10 @@
 namespace corpuscle::fabric {
 
 /// Every law that a block of elements can have: chosen once a part, never in a loop.
-using Law = std::variant<Linear, IsotropicTensionField, OrthotropicTensionField, Lined<Linear>,
-                         Lined<IsotropicTensionField>, Lined<OrthotropicTensionField>>;
+using Law =
+    std::variant<Linear, IsotropicTensionField, OrthotropicTensionField, Lined<Linear>,
+                 Lined<IsotropicTensionField>, Lined<OrthotropicTensionField>, Curved<GreenMeasure>,
+                 Curved<EngineeringMeasure>, Looped<GreenMeasure>, Looped<EngineeringMeasure>>;
 
 struct PartLaw {
     Law law{Linear(PlaneModuli{})};
@@ -25,7 +31,15 @@ struct PartLaw {
 /// The law that a card asks for. *MAT_NULL and *MAT_RIGID have none: InputError, as for moduli that
 /// are not positive or a Poisson's ratio for which the sheet would gain energy; each fault names
 /// the material.
-PartLaw make_law(const Material& material);
+/// @param curves  that a card's rows mean
+PartLaw make_law(const Material& material, std::span<const Curve> curves = {});
+
+/// A field of a card's curves that cannot be, and what was expected of it.
+struct CurveFault {
+    const char* field;  ///< LCA ... LCUAB
+    std::string expected;
+};
+std::vector<CurveFault> curve_faults(const FabricCard& card, std::span<const Curve> curves);
 
 /// Density of any card.                                                  [kg/m^3]
 double density(const MaterialCard& card);

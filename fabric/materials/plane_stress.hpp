@@ -37,6 +37,15 @@ struct PlaneModuli {
     }
 };
 
+/// Stress at an element's point k: laws that remember know their points apart.
+template <class Law, class Real>
+Stress<Real> stress_at(const Law& law, int k, const Strain<Real>& e) {
+    if constexpr (requires { law.stress(k, e); })
+        return law.stress(k, e);
+    else
+        return law.stress(e);
+}
+
 /// D11 = E1/(1 - nu12·nu21), D12 = nu21·D11, D22 = E2/(1 - nu12·nu21), nu12 = nu21·E1/E2.
 /// @param nu_21  strain along 1 from stress along 2 (PRBA)
 inline PlaneModuli orthotropic_moduli(double E_1, double E_2, double nu_21, double G) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fabric/materials/law.hpp"
 #include "io/keywords/keywords.hpp"
 
 namespace corpuscle::io::keywords {
@@ -55,7 +56,7 @@ void elasticity(Cards& cards, Draft& draft, fabric::Material& material, FabricCa
 
 void fabric_form(Card& c, FabricCard& cloth) {
     cloth.form = c.choice("FORM", {0, 1, 2, 3, 4, 12, 13, 14}, {-14, 24});
-    if (cloth.form > 2)
+    if (cloth.form > 2 && cloth.form != 4 && cloth.form != 14)
         c.warn("FORM", "taken as form 2, linear in the Green-Lagrange strain of warp and weft");
 }
 
@@ -85,6 +86,24 @@ void leak_growth(Card& c, FabricCard& cloth) {
     cloth.leak_area = cloth.leak_velocity = 0.0;
 }
 
+/// Forms 4 and 14 may have curves; old decks print the card, empty, for every form.
+void stress_curves(Cards& cards, Draft& draft, FabricCard& cloth) {
+    if (!cards.more()) return;
+    Card c = cards.next("LCA LCB LCAB LCUA LCUB LCUAB RL -");
+    if (cloth.form != 4 && cloth.form != 14) return;
+    const char* fields[] = {"LCA", "LCB", "LCAB", "LCUA", "LCUB", "LCUAB"};
+    for (std::size_t i = 0; i < 3; ++i) {
+        cloth.curves.load[i] = c.row_or_none(fields[i], draft.curves);
+        cloth.curves.unload[i] = c.row_or_none(fields[i + 3], draft.curves);
+    }
+    if (cloth.form == 14) cloth.curves.reload = c.real("RL", within(0.0, 1.0));
+    if (!c.good()) return;
+    for (const fabric::CurveFault& fault : fabric::curve_faults(cloth, draft.model.curves))
+        c.fault(fault.field, fault.expected);
+    if (cloth.curves.any() && cloth.nu_ba != 0.0)
+        c.warn("LCA", "with curves warp and weft do not feel each other: PRBA does not count");
+}
+
 void directions(Cards& cards, FabricCard& cloth) {
     {
         Card c = cards.next("- RGBRTH A0REF A1 A2 A3 X0 X1");
@@ -110,11 +129,10 @@ void mat_fabric(Cards& cards, Draft& draft) {
     elasticity(cards, draft, material, cloth);
     if (axes_and_leakage(cards, draft, cloth)) cards.next("L R C1 C2 C3").harmless("L R C1 C2 C3");
     directions(cards, cloth);
-    // forms 4 and 14 have their curves here; old decks print the card, empty, for every form
-    if (cards.more())
-        cards.next("LCA LCB LCAB LCUA LCUB LCUAB RL -");
-    else if (cloth.form == 4 || cloth.form == 14)
-        cards.warn("has no load curves: form 4 is taken as form 2");
+    stress_curves(cards, draft, cloth);
+    if ((cloth.form == 4 || cloth.form == 14) && !cloth.curves.any())
+        cards.warn(
+            "has no load curves: it is linear in the Green-Lagrange strain of warp and weft");
     material.card = cloth;
     draft.model.materials.push_back(material);
 }

@@ -19,6 +19,7 @@ struct Sheet {
     std::vector<Part> parts;
     std::vector<Material> materials;
     std::vector<std::array<Vec3, 4>> reference;  ///< empty: x
+    std::vector<Curve> curves;
 
     [[nodiscard]] MembraneSetup setup() {
         if (reference.empty())
@@ -28,7 +29,7 @@ struct Sheet {
                     corners[i] = x[static_cast<std::size_t>(s.nodes[i])];
             }
         active.assign(shells.size(), 1);
-        return {shells, parts, materials, reference, active, x.size()};
+        return {shells, parts, materials, reference, active, x.size(), curves};
     }
     [[nodiscard]] Membranes membranes() { return Membranes(setup()); }
 

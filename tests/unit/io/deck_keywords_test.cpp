@@ -104,8 +104,32 @@ TEST_CASE("MAT_FABRIC: what cannot be, and what is not acted on yet", "[io]") {
     CHECK(contains(one(fabric_deck("0.4", "0", "0,,,,1")),
                    "(LNRC) = 1, expected 0 or blank: this field is not"));
     CHECK(contains(one(fabric_deck("0.4", "0", "0,,,,,4", "7,0\n")),
+                   "(LCA) = 7, expected a curve through (0, 0)"));
+    CHECK(contains(one(fabric_deck("0.4", "0", "0,,,,,4", "8\n")), "(LCA) = 8, expected"));
+    CHECK(contains(one(fabric_deck("0.4", "0", "0,,,,,2", "7,0\n")),
                    "(LCA) = 7, expected 0 or blank"));
+    CHECK(contains(one(fabric_deck("0.4", "0", "0,,,,,,,1")), "(TSRFAC) = 1, expected 0 or blank"));
     CHECK(folder.read(fabric_deck("0.4", "0", "0,,,,,14", "0,0\n")).warnings.size() == 1);
+}
+
+TEST_CASE("MAT_FABRIC: curves of forms 4 and 14, loading and unloading", "[io]") {
+    const DeckFolder folder;
+    const std::string curves =
+        "*DEFINE_CURVE\n21\n0,0\n0.1,0.01\n0.3,0.09\n*DEFINE_CURVE\n22\n0,0\n0.2,0.01\n0.3,0.09\n"
+        "*DEFINE_CURVE\n23\n0,0\n0.2,0.06\n0.3,0.09\n";
+    const auto deck = [&](const std::string& form, const std::string& card) {
+        return fabric_deck("0.4,0.3,,0.2", "0.01", "0,,,,," + form, card + "\n" + curves);
+    };
+    const Model model = folder.read(deck("14", "21,,,22,,,0.5"));
+    CHECK(cloth(model).curves.load == std::array<Index, 3>{1, -1, -1});
+    CHECK(cloth(model).curves.unload == std::array<Index, 3>{2, -1, -1});
+    CHECK(cloth(model).curves.reload == 0.5);
+    REQUIRE(model.warnings.size() == 1);
+    CHECK(contains(model.warnings[0], "PRBA does not count"));
+    CHECK(contains(folder.faults(deck("14", "21,,,23")).at(0),
+                   "(LCUA) = 23, expected a curve that nowhere exceeds that of loading"));
+    CHECK(contains(folder.faults(deck("14", "21,,,22,,,2")).at(0), "(RL) = 2, expected 0 to 1"));
+    CHECK(contains(folder.faults(deck("4", "21,,,22,,,0.5")).at(0), "(RL) = 0.5, expected 0"));
 }
 
 TEST_CASE("rigid parts: constraints, motion, initial velocity", "[io]") {
