@@ -21,7 +21,12 @@ namespace corpuscle {
 /// *AIRBAG_REFERENCE_GEOMETRY: the stress-free place of some nodes.
 struct ReferenceGeometry {
     std::vector<std::pair<Index, Vec3>> nodes;  ///< node row, reference position      [m]
-    double birth = 0.0;                         ///< stress starts here                [s]
+};
+
+/// *AIRBAG_SHELL_REFERENCE_GEOMETRY: the stress-free corners of one shell, whatever its nodes' are.
+struct ShellReference {
+    Index shell = -1;             ///< row
+    std::array<Vec3, 4> corners;  ///< in the order of the shell's nodes                [m]
 };
 
 /// Bits 0-2: translation x y z, bits 3-5: rotation (membranes have none).
@@ -86,6 +91,7 @@ struct Model {
     std::vector<Part> parts;
     std::vector<fabric::Material> materials;
     std::vector<ReferenceGeometry> references;
+    std::vector<ShellReference> shell_references;  ///< go before `references`
 
     // What acts on it
     std::vector<Curve> curves;

@@ -43,7 +43,8 @@ std::vector<std::uint8_t> strained_shells(const Model& model, const Constraints&
     return active;
 }
 
-/// Stress-free corners of every shell: the reference geometry where all nodes of a shell have one.
+/// Stress-free corners of every shell: its own reference geometry, or that of its nodes where all
+/// of them have one.
 std::vector<std::array<Vec3, 4>> reference_corners(const Model& model) {
     Points place = model.x;
     std::vector<bool> listed(model.x.size(), false);
@@ -59,6 +60,8 @@ std::vector<std::array<Vec3, 4>> reference_corners(const Model& model) {
             std::all_of(nodes.begin(), nodes.end(), [&](Index n) { return listed[n]; });
         for (int c = 0; c < 4; ++c) corners[s][c] = all ? place[nodes[c]] : model.x[nodes[c]];
     }
+    for (const ShellReference& reference : model.shell_references)
+        corners[reference.shell] = reference.corners;
     return corners;
 }
 
@@ -159,9 +162,8 @@ Simulation::Simulation(Model model, std::uint64_t seed)
 void Simulation::build_fabric() {
     active_ = strained_shells(model_, supports_);
     reference_ = reference_corners(model_);
-    const fabric::MembraneSetup setup{model_.shells, model_.parts, model_.materials,
-                                      reference_,    active_,      model_.x.size(),
-                                      model_.curves};
+    const fabric::MembraneSetup setup{model_.shells, model_.parts,    model_.materials, reference_,
+                                      active_,       model_.x.size(), model_.curves};
     nodes_.mass = fabric::lumped_mass(setup);
     shell_mass_ = fabric::shell_mass(setup);
     active_shells_ = static_cast<std::size_t>(std::count(active_.begin(), active_.end(), 1));
@@ -205,8 +207,8 @@ void Simulation::build_bags(std::uint64_t seed) {
         }
     };
     for (const gas::BagCard& card : model_.bags)
-        build(bags_, card, bag_walls(model_, card, reference_), model_.curves, model_.node_id, held_nodes(),
-              model_.x, seed);
+        build(bags_, card, bag_walls(model_, card, reference_), model_.curves, model_.node_id,
+              held_nodes(), model_.x, seed);
     for (const gas::UniformBagCard& card : model_.uniform_bags)
         build(uniform_bags_, card, bag_walls(model_, card), model_.curves, model_.node_id,
               model_.x);

@@ -73,6 +73,7 @@ void airbag_wang_nefske(Cards&, Draft&);
 void airbag_particle(Cards&, Draft&);
 void define_cpm_vent(Cards&, Draft&);
 void airbag_reference_geometry(Cards&, Draft&);
+void airbag_shell_reference_geometry(Cards&, Draft&);
 // boundary.cpp, motion.cpp, initial_velocity.cpp
 void boundary_spc_node(Cards&, Draft&);
 void boundary_spc_set(Cards&, Draft&);

@@ -43,7 +43,11 @@ void airbag_reference_geometry(Cards& cards, Draft& draft) {
     ReferenceGeometry reference;
     Scaling scaling;
     if (cards.has("ID")) scaling = id_card(cards, draft);
-    if (cards.has("BIRTH")) reference.birth = cards.next("BIRTH").real("BIRTH", NON_NEGATIVE);
+    if (cards.has("BIRTH")) {
+        Card c = cards.next("BIRTH");
+        const double birth = c.real("BIRTH", NON_NEGATIVE);
+        if (birth > 0.0) c.fault("BIRTH", "0: shells bear stress against it from the start");
+    }
     Registry seen("*AIRBAG_REFERENCE_GEOMETRY node");
     while (cards.rows()) {
         Card c = cards.next(place);
@@ -58,6 +62,50 @@ void airbag_reference_geometry(Cards& cards, Draft& draft) {
     if (reference.nodes.empty() && cards.good()) cards.fault("has no nodes, expected some");
     scale(reference, scaling, draft.model.x);
     draft.model.references.push_back(std::move(reference));
+}
+
+namespace {
+
+/// One row: a shell and the nodes whose places are its stress-free corners.
+ShellReference shell_row(Cards& cards, const Draft& draft, Registry& seen) {
+    static const Layout row("EID:8 PID:8 N1:8 N2:8 N3:8 N4:8");
+    Card c = cards.next(row);
+    ShellReference reference;
+    reference.shell = c.row(std::size_t{0}, draft.shells);
+    const Index part = c.row(std::size_t{1}, draft.parts);
+    for (std::size_t i = 0; i < 4; ++i) {
+        if (i == 3 && !c.given(5)) {
+            reference.corners[3] = reference.corners[2];
+            continue;
+        }
+        const Index node = c.row(i + 2, draft.nodes);
+        if (node >= 0) reference.corners[i] = draft.model.x[static_cast<std::size_t>(node)];
+    }
+    if (reference.shell < 0 || part < 0) return reference;
+    if (draft.model.shells[static_cast<std::size_t>(reference.shell)].part != part)
+        c.fault("PID", "the part of the shell");
+    if (!seen.add(reference.shell, reference.shell, c.place()))
+        c.fault("EID", fmt::format("each shell once, but {} has it too",
+                                   cards.faults().where(seen.find(reference.shell)->place)));
+    return reference;
+}
+
+}  // namespace
+
+void airbag_shell_reference_geometry(Cards& cards, Draft& draft) {
+    Scaling scaling;
+    if (cards.has("ID")) scaling = id_card(cards, draft);
+    Registry seen("*AIRBAG_SHELL_REFERENCE_GEOMETRY shell");
+    std::vector<ShellReference> references;
+    while (cards.rows()) references.push_back(shell_row(cards, draft, seen));
+    if (references.empty() && cards.good()) cards.fault("has no shells, expected some");
+    if (references.empty()) return;
+    const Vec3 origin = scaling.about >= 0 ? draft.model.x[static_cast<std::size_t>(scaling.about)]
+                                           : references.front().corners[0];
+    for (ShellReference& reference : references) {
+        for (Vec3& at : reference.corners) at = origin + scaling.factor.cwiseProduct(at - origin);
+        draft.model.shell_references.push_back(reference);
+    }
 }
 
 }  // namespace corpuscle::io::keywords

@@ -63,6 +63,7 @@ const Keyword KEYWORDS[] = {
     {"AIRBAG_WANG_NEFSKE", "ID", "POP MULTIPLE JETTING", P::SCENE, airbag_wang_nefske},
     {"DEFINE_CPM_VENT", "", "", P::SUM_OF_SETS, define_cpm_vent},
     {"AIRBAG_REFERENCE_GEOMETRY", "BIRTH RDT ID", "", P::SCENE, airbag_reference_geometry},
+    {"AIRBAG_SHELL_REFERENCE_GEOMETRY", "RDT ID", "", P::SCENE, airbag_shell_reference_geometry},
     {"BOUNDARY_SPC_NODE", "ID", "BIRTH DEATH", P::SCENE, boundary_spc_node},
     {"BOUNDARY_SPC_SET", "ID", "BIRTH DEATH", P::SCENE, boundary_spc_set},
     {"BOUNDARY_PRESCRIBED_MOTION_NODE", "ID", "", P::SCENE, motion_node},

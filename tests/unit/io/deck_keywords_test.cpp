@@ -311,12 +311,11 @@ TEST_CASE("control and output", "[io]") {
 TEST_CASE("the reference geometry may be scaled about a node", "[io]") {
     const DeckFolder folder;
     const Model model =
-        folder.read(small_deck("*AIRBAG_REFERENCE_GEOMETRY_BIRTH_RDT_ID\n1,2.0,1.0,0.5,3\n0.25\n"
+        folder.read(small_deck("*AIRBAG_REFERENCE_GEOMETRY_BIRTH_RDT_ID\n1,2.0,1.0,0.5,3\n0\n"
                                "       1             0.0             0.0             4.0\n3,1,1,0\n"
                                "*AIRBAG_REFERENCE_GEOMETRY\n2,9,9,9\n"));
     REQUIRE(model.references.size() == 2);
     const ReferenceGeometry& first = model.references[0];
-    CHECK(first.birth == 0.25);
     REQUIRE(first.nodes.size() == 2);
     CHECK(first.nodes[0].first == 0);
     CHECK(first.nodes[0].second == Vec3(-1.0, 0.0, 2.0));
@@ -324,4 +323,27 @@ TEST_CASE("the reference geometry may be scaled about a node", "[io]") {
     CHECK(model.references[1].nodes[0].second == Vec3(9, 9, 9));
     CHECK(folder.faults(small_deck("*AIRBAG_REFERENCE_GEOMETRY\n2,9,9,9\n2,9,9,9\n77,1,1,1\n"))
               .size() == 2);
+    CHECK(contains(
+        folder.faults(small_deck("*AIRBAG_REFERENCE_GEOMETRY_BIRTH\n0.1\n2,9,9,9\n")).at(0),
+        "(BIRTH) = 0.1, expected 0"));
+}
+
+TEST_CASE("shells may have reference corners of their own, scaled about a node", "[io]") {
+    const DeckFolder folder;
+    const Model model =
+        folder.read(small_deck("*AIRBAG_SHELL_REFERENCE_GEOMETRY_RDT_ID\n1,2.0,1.0,1.0,2\n"
+                               "      11       1       1       2       6\n13,2,2,5,6,3\n"));
+    REQUIRE(model.shell_references.size() == 2);
+    CHECK(model.shell_references[0].shell == 0);
+    CHECK(model.shell_references[0].corners[0] == Vec3(-1, 0, 0));
+    CHECK(model.shell_references[0].corners[2] == Vec3(3, 1, 0));
+    CHECK(model.shell_references[0].corners[3] == Vec3(3, 1, 0));
+    CHECK(model.shell_references[1].corners[1] == Vec3(3, 0, 0));
+    const auto faults = [&](const std::string& rows) {
+        return folder.faults(small_deck("*AIRBAG_SHELL_REFERENCE_GEOMETRY\n" + rows)).size();
+    };
+    CHECK(faults("11,2,1,2,3,3\n") == 1);   // not its part
+    CHECK(faults("99,1,1,2,3,3\n") == 1);   // no such shell
+    CHECK(faults("11,1,1,2,77,3\n") == 1);  // no such node
+    CHECK(faults("11,1,1,2,3\n11,1,1,2,3\n") == 1);
 }
