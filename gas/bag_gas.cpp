@@ -30,7 +30,7 @@ constexpr double FLIGHT_CELL = 1.5;
 
 /// Longest way in a step, along each axis, for which a particle asks one cell only, in ways of thermal
 /// speed. Longer: more candidates a cell.
-constexpr double REACH = 1.5;
+constexpr double REACH = 2.0;
 
 constexpr std::size_t MOST_CELLS = 2'000'000;
 

@@ -76,7 +76,7 @@ void FacetLists::find_slabs(std::span<const Vec3> x_0, std::span<const Vec3> x_1
     for (std::size_t cell = 0; cell < grid_.size(); ++cell)
         if (!is_empty(cell)) slab_row_[cell] = rows++;
     slab_.assign(static_cast<std::size_t>(rows), {});
-    const double size = grid_.edge * *std::max_element(grid_.count.begin(), grid_.count.end());
+    size_ = grid_.edge * *std::max_element(grid_.count.begin(), grid_.count.end());
     parallel::for_each(grid_.size(), [&](std::size_t cell) {
         if (is_empty(cell)) return;
         const auto facets = in(cell);
@@ -93,7 +93,7 @@ void FacetLists::find_slabs(std::span<const Vec3> x_0, std::span<const Vec3> x_1
                     low = std::min(low, height);
                     high = std::max(high, height);
                 }
-        const double more = margin_ * normal.lpNorm<1>() + ROUNDING * size;
+        const double more = margin_ * normal.lpNorm<1>() + ROUNDING * size_;
         Slab& slab = slab_[slab_row_[cell]];
         for (int a = 0; a < 3; ++a) slab.normal[a] = static_cast<float>(normal[a]);
         slab.low = static_cast<float>(low - more);

@@ -78,12 +78,34 @@ public:
         };
         return slab(grid_.row(along(0), along(1), along(2)));
     }
-    /// Does the straight way x -> x + d certainly meet no facet? Short ways only; else false.
-    [[nodiscard]] bool is_clear(const Vec3& x, const Vec3& d) const {
-        const auto from = small(x), to = small(x + d);
-        const bool is_short = (std::abs(d[0]) <= reach_) & (std::abs(d[1]) <= reach_) &
-                              (std::abs(d[2]) <= reach_);
-        return is_short & slab_at(from).is_missed_by(from, to);
+    /// visit(slab) for the slabs that the straight way from one point to another does not miss, until it
+    /// returns true; did it? One cell for a short way; for a long one all that its box overlaps.
+    template <class Visit>
+    bool any_slab(const Vec3& from, const Vec3& to, Visit&& visit) const {
+        const auto a = small(from), b = small(to);
+        const Vec3 way = (to - from).cwiseAbs();
+        if ((way[0] <= reach_) & (way[1] <= reach_) & (way[2] <= reach_)) {
+            const Slab& slab = slab_at(a);
+            return !slab.is_missed_by(a, b) && visit(slab);
+        }
+        const bool is_far = way.maxCoeff() > size_;  // single precision would not do
+        std::array<int, 3> first, last;
+        for (int k = 0; k < 3; ++k) {
+            first[k] = grid_.along(k, std::min(from[k], to[k]));
+            last[k] = grid_.along(k, std::max(from[k], to[k]));
+        }
+        for (int k = first[2]; k <= last[2]; ++k)
+            for (int j = first[1]; j <= last[1]; ++j)
+                for (int i = first[0]; i <= last[0]; ++i) {
+                    const Slab& cell = slab(grid_.row(i, j, k));
+                    if (cell.begin == cell.end || (!is_far && cell.is_missed_by(a, b))) continue;
+                    if (visit(cell)) return true;
+                }
+        return false;
+    }
+    /// Does the straight way from one point to another certainly meet no facet?
+    [[nodiscard]] bool is_clear(const Vec3& from, const Vec3& to) const {
+        return !any_slab(from, to, [](const Slab&) { return true; });
     }
     [[nodiscard]] std::span<const Index> starts() const { return start_; }
     [[nodiscard]] std::span<const Index> facets() const { return facet_; }
@@ -102,7 +124,7 @@ private:
 
     Grid grid_, blocks_;
     double margin_ = -1.0;  ///< negative: never built
-    double reach_ = 0.0;
+    double reach_ = 0.0, size_ = 0.0;  ///< size: longest side of the grid            [m]
     float per_edge_ = 1.0F;
     std::size_t builds_ = 0;
     Points built_at_;  ///< x_1 of the build, for nodes_

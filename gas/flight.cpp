@@ -47,25 +47,13 @@ struct Flyer {
 
 enum class End : std::uint8_t { FLOWN, CAUGHT, GONE };
 
-/// look(facets) for the lists of all cells that a path from one point to another may ask: one cell for
-/// a short path, and none if the path misses what is in it.
+/// look(facets) for the lists that a path from one point to another must ask.
 template <class Look>
 void for_lists(const FacetLists& lists, const Vec3& from, const Vec3& to, Look&& look) {
-    const Grid& grid = lists.grid();
-    const auto start = lists.small(from);
-    if ((to - from).cwiseAbs().maxCoeff() <= lists.reach()) {
-        const Slab& slab = lists.slab_at(start);
-        if (!slab.is_missed_by(start, lists.small(to))) look(lists.in(slab));
-        return;
-    }
-    std::array<int, 3> first, last;
-    for (int a = 0; a < 3; ++a) {
-        first[a] = grid.along(a, std::min(from[a], to[a]));
-        last[a] = grid.along(a, std::max(from[a], to[a]));
-    }
-    for (int k = first[2]; k <= last[2]; ++k)
-        for (int j = first[1]; j <= last[1]; ++j)
-            for (int i = first[0]; i <= last[0]; ++i) look(lists.in(grid.row(i, j, k)));
+    lists.any_slab(from, to, [&](const Slab& slab) {
+        look(lists.in(slab));
+        return false;
+    });
 }
 
 /// Keeps the facet in `first` if the path crosses it earlier.
@@ -280,7 +268,7 @@ void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec
     parallel::for_chunks(gas.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
         for (std::size_t i = begin; i < end; ++i) {
             const Vec3 way = (1.0 - start(i)) * dt * gas.v[i];
-            if (lists.is_clear(gas.x[i], way)) {
+            if (lists.is_clear(gas.x[i], gas.x[i] + way)) {
                 gas.x[i] += way;
                 continue;
             }
