@@ -28,7 +28,8 @@ ExpectedPressure::ExpectedPressure(std::size_t node_count, const Enclosure& encl
     std::vector<std::pair<Index, Index>> edges;  // both ways; each edge belongs to two triangles
     for (const Triangle& t : enclosure.triangles())
         for (int c = 0; c < 3; ++c) edges.emplace_back(place[t[c]], place[t[(c + 1) % 3]]);
-    for (std::size_t e = edges.size(); e-- > 0;) edges.emplace_back(edges[e].second, edges[e].first);
+    for (std::size_t e = edges.size(); e-- > 0;)
+        edges.emplace_back(edges[e].second, edges[e].first);
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     start_.assign(nodes_.size() + 1, 0);

@@ -9,14 +9,14 @@
 
 namespace corpuscle::gas {
 
-/// The pressure that hits make one expect at each node of a bag's surface: their normal force, averaged
-/// over `time` and over neighbours on the cloth.
+/// The pressure that hits make one expect at each node of a bag's surface: their normal force,
+/// averaged over `time` and over neighbours on the cloth.
 ///
 ///     p_n = (W R)_n / (W |A|)_n,   R' = (j·A/|A| / span - R) / time
 ///
-/// j: impulse that has come to the node, A: its vector area. W: PASSES times the mean of a node and its
-/// neighbours, in effect over some 150 facets, so that a pressure as even as a gas makes it is known far
-/// better than from a node's own hits.
+/// j: impulse that has come to the node, A: its vector area. W: PASSES times the mean of a node and
+/// its neighbours, in effect over some 150 facets, so that a pressure as even as a gas makes it is
+/// known far better than from a node's own hits.
 class ExpectedPressure {
 public:
     ExpectedPressure(std::size_t node_count, const Enclosure& enclosure, double time);
@@ -39,12 +39,12 @@ private:
     };
     void spread();
 
-    std::vector<Index> nodes_;               ///< rows, of the enclosure
-    std::vector<Index> start_, neighbour_;   ///< places in nodes_, compressed rows
-    double time_;                            ///< [s]
-    std::vector<double> force_;              ///< R                                           [N]
-    std::vector<double> pressure_;           ///< [Pa]
-    std::vector<ForceAndArea> field_, next_; ///< what is spread
+    std::vector<Index> nodes_;                ///< rows, of the enclosure
+    std::vector<Index> start_, neighbour_;    ///< places in nodes_, compressed rows
+    double time_;                             ///< [s]
+    std::vector<double> force_;               ///< R                                           [N]
+    std::vector<double> pressure_;            ///< [Pa]
+    std::vector<ForceAndArea> field_, next_;  ///< what is spread
 };
 
 }  // namespace corpuscle::gas

@@ -27,25 +27,25 @@ inline bool any_greater(const Eight& a, const Eight& b) {
 #endif
 }
 
-/// The rest of a path, from some instant of the step to its end, in single precision: what FacetBounds
-/// compare.
+/// The rest of a path, from some instant of the step to its end, in single precision: what
+/// FacetBounds compare.
 struct SmallPath {
-    Eight box;                        ///< high, 0, -low, 0                                   [m]
-    std::array<float, 3> from, to;    ///< from the bounds' origin                            [m]
-    float after;                      ///< share of the step that is over                     [-]
-    float slack;                      ///< more than rounding can be wrong                    [m]
+    Eight box;                      ///< high, 0, -low, 0                                   [m]
+    std::array<float, 3> from, to;  ///< from the bounds' origin                            [m]
+    float after;                    ///< share of the step that is over                     [-]
+    float slack;                    ///< more than rounding can be wrong                    [m]
 };
 
 /// What a facet sweeps in one step: its box, and a plane by which most paths pass on one side.
 ///
-/// With n the facet's unit normal at t, all its nodes have the height n·x = at_0 at t and lie between
-/// low_1 and high_1 at t + dt. In between, at the share tau of the step, any point that the exact test
-/// (crossing.hpp) takes for the facet's lies between at_0 + tau (low_1 - at_0) and at_0 + tau (high_1 -
-/// at_0). A path that is above at both its ends, or below, misses it.
+/// With n the facet's unit normal at t, all its nodes have the height n·x = at_0 at t and lie
+/// between low_1 and high_1 at t + dt. In between, at the share tau of the step, any point that the
+/// exact test (crossing.hpp) takes for the facet's lies between at_0 + tau (low_1 - at_0) and at_0
+/// + tau (high_1 - at_0). A path that is above at both its ends, or below, misses it.
 struct FacetBound {
-    Eight box;                       ///< low, 0, -high, 0                                    [m]
-    std::array<float, 3> normal;     ///< zero for a facet without area: no path is told apart
-    float at_0, low_1, high_1;       ///< heights                                             [m]
+    Eight box;                    ///< low, 0, -high, 0                                    [m]
+    std::array<float, 3> normal;  ///< zero for a facet without area: no path is told apart
+    float at_0, low_1, high_1;    ///< heights                                             [m]
 
     /// Do the boxes overlap?
     [[nodiscard]] bool is_near(const SmallPath& path) const { return !any_greater(box, path.box); }

@@ -77,30 +77,33 @@ void FacetLists::find_slabs(std::span<const Vec3> x_0, std::span<const Vec3> x_1
         if (!is_empty(cell)) slab_row_[cell] = rows++;
     slab_.assign(static_cast<std::size_t>(rows), {});
     size_ = grid_.edge * *std::max_element(grid_.count.begin(), grid_.count.end());
-    parallel::for_each(grid_.size(), [&](std::size_t cell) {
-        if (is_empty(cell)) return;
-        const auto facets = in(cell);
-        const Vec3 first = normal_[facets[0]];
-        Vec3 sum = Vec3::Zero();
-        for (const Index f : facets)
-            sum += normal_[f].dot(first) < 0.0 ? Vec3(-normal_[f]) : normal_[f];
-        const Vec3 normal = sum.stableNormalized().cast<float>().cast<double>();
-        double low = INF, high = -INF;
-        for (const Index f : facets)
-            for (const Index n : triangles_[f])
-                for (const Vec3& x : {x_0[n], x_1[n]}) {
-                    const double height = normal.dot(x - grid_.low);
-                    low = std::min(low, height);
-                    high = std::max(high, height);
-                }
-        const double more = margin_ * normal.lpNorm<1>() + ROUNDING * size_;
-        Slab& slab = slab_[slab_row_[cell]];
-        for (int a = 0; a < 3; ++a) slab.normal[a] = static_cast<float>(normal[a]);
-        slab.low = static_cast<float>(low - more);
-        slab.high = static_cast<float>(high + more);
-        slab.begin = start_[cell];
-        slab.end = start_[cell + 1];
-    });
+    parallel::for_each(
+        grid_.size(),
+        [&](std::size_t cell) {
+            if (is_empty(cell)) return;
+            const auto facets = in(cell);
+            const Vec3 first = normal_[facets[0]];
+            Vec3 sum = Vec3::Zero();
+            for (const Index f : facets)
+                sum += normal_[f].dot(first) < 0.0 ? Vec3(-normal_[f]) : normal_[f];
+            const Vec3 normal = sum.stableNormalized().cast<float>().cast<double>();
+            double low = INF, high = -INF;
+            for (const Index f : facets)
+                for (const Index n : triangles_[f])
+                    for (const Vec3& x : {x_0[n], x_1[n]}) {
+                        const double height = normal.dot(x - grid_.low);
+                        low = std::min(low, height);
+                        high = std::max(high, height);
+                    }
+            const double more = margin_ * normal.lpNorm<1>() + ROUNDING * size_;
+            Slab& slab = slab_[slab_row_[cell]];
+            for (int a = 0; a < 3; ++a) slab.normal[a] = static_cast<float>(normal[a]);
+            slab.low = static_cast<float>(low - more);
+            slab.high = static_cast<float>(high + more);
+            slab.begin = start_[cell];
+            slab.end = start_[cell + 1];
+        },
+        parallel::CHUNK);
 }
 
 void FacetLists::pair_patches_with_blocks() {

@@ -14,9 +14,9 @@
 
 namespace corpuscle::gas {
 
-/// What a cell holds: its facets lie between two parallel planes, low <= normal·x <= high, while the
-/// lists hold. A path that stays above or below meets none of them; in a cell without facets every path
-/// does. Single precision, from the grid's corner, rounded outward.
+/// What a cell holds: its facets lie between two parallel planes, low <= normal·x <= high, while
+/// the lists hold. A path that stays above or below meets none of them; in a cell without facets
+/// every path does. Single precision, from the grid's corner, rounded outward.
 struct Slab {
     std::array<float, 3> normal{0.0F, 0.0F, 0.0F};  ///< of unit length
     float low = 1.0F, high = -1.0F;                 ///< [m]
@@ -36,8 +36,9 @@ struct Slab {
 ///
 /// Patches of facets and blocks of 8 × 8 × 8 cells are paired by FCL; facets are then entered into
 /// the cells that their boxes overlap. Boxes are inflated by `margin`, so the lists serve until a
-/// node has moved that far: a rebuild every ten steps or so, whatever the number of particles. They are
-/// inflated by `reach`, too: a path no longer than that along each axis only asks the cell it starts in.
+/// node has moved that far: a rebuild every ten steps or so, whatever the number of particles. They
+/// are inflated by `reach`, too: a path no longer than that along each axis only asks the cell it
+/// starts in.
 class FacetLists {
 public:
     FacetLists(std::vector<Triangle> triangles, std::span<const Vec3> x);
@@ -70,16 +71,17 @@ public:
         return {static_cast<float>(x[0] - grid_.low[0]), static_cast<float>(x[1] - grid_.low[1]),
                 static_cast<float>(x[2] - grid_.low[2])};
     }
-    /// Slab of the cell that a point is in. (A point so near a cell's face that rounding decides finds
-    /// the same facets on both sides.)
+    /// Slab of the cell that a point is in. (A point so near a cell's face that rounding decides
+    /// finds the same facets on both sides.)
     [[nodiscard]] const Slab& slab_at(const std::array<float, 3>& x) const {
         const auto along = [&](int a) {
             return std::clamp(static_cast<int>(x[a] * per_edge_), 0, grid_.count[a] - 1);
         };
         return slab(grid_.row(along(0), along(1), along(2)));
     }
-    /// visit(slab) for the slabs that the straight way from one point to another does not miss, until it
-    /// returns true; did it? One cell for a short way; for a long one all that its box overlaps.
+    /// visit(slab) for the slabs that the straight way from one point to another does not miss,
+    /// until it returns true; did it? One cell for a short way; for a long one all that its box
+    /// overlaps.
     template <class Visit>
     bool any_slab(const Vec3& from, const Vec3& to, Visit&& visit) const {
         const auto a = small(from), b = small(to);
@@ -123,7 +125,7 @@ private:
     contact::BroadPhase patch_tree_, block_tree_;
 
     Grid grid_, blocks_;
-    double margin_ = -1.0;  ///< negative: never built
+    double margin_ = -1.0;             ///< negative: never built
     double reach_ = 0.0, size_ = 0.0;  ///< size: longest side of the grid            [m]
     float per_edge_ = 1.0F;
     std::size_t builds_ = 0;
@@ -131,9 +133,9 @@ private:
     std::vector<contact::Box> facet_box_, box_;
     std::vector<std::pair<Index, Index>> pairs_;  ///< patch, block
     std::vector<Index> start_, fill_, facet_;     ///< cells -> facets, compressed rows
-    std::vector<Slab> slab_;                      ///< first that of all empty cells, then one a cell
-    std::vector<Index> slab_row_;                 ///< per cell
-    Points normal_;                               ///< of the facets, not of unit length
+    std::vector<Slab> slab_;       ///< first that of all empty cells, then one a cell
+    std::vector<Index> slab_row_;  ///< per cell
+    Points normal_;                ///< of the facets, not of unit length
 };
 
 }  // namespace corpuscle::gas

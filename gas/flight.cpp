@@ -65,8 +65,8 @@ void meet(const Scene& scene, const Path& path, Index facet, double after, const
     if (hit && (first.facet < 0 || hit->tau < first.where.tau)) first = {facet, *hit};
 }
 
-/// First facet that the path crosses after `after`; `last` is the meeting it has just left. The path is
-/// at `from` at the share `now` of the step.
+/// First facet that the path crosses after `after`; `last` is the meeting it has just left. The
+/// path is at `from` at the share `now` of the step.
 Meeting first_meeting(const Scene& scene, const Path& path, const Vec3& from, double now,
                       double after, const Meeting& last) {
     Meeting first;
@@ -102,8 +102,8 @@ Vec3 reflect(const Scene& scene, const Meeting& meeting, const Vec3& v) {
     const Vec3 wall = velocity_at(scene, meeting);
     std::array<Vec3, 3> x;
     for (int c = 0; c < 3; ++c)
-        x[c] = scene.x_0[nodes[c]] +
-               meeting.where.tau * (scene.x_1[nodes[c]] - scene.x_0[nodes[c]]);
+        x[c] =
+            scene.x_0[nodes[c]] + meeting.where.tau * (scene.x_1[nodes[c]] - scene.x_0[nodes[c]]);
     const MovingPlane plane = plane_of(meeting.where.piece, nodes, scene.x_0, scene.x_1);
     const double approach = plane.normal.dot(v) - plane.speed / scene.dt;
 
@@ -187,12 +187,11 @@ End fly_one(const Scene& scene, double born, Flyer& who) {
 
 /// Flies a particle through `parts` equal parts of the step.
 ///
-/// Within a step the swept facets are flat pieces in space and time (crossing.hpp), which may stray from
-/// the facets themselves by a quarter of what their nodes move against one another: where layers are
-/// closer than that, swept pieces can cut each other and shut a particle in. In parts they stray by
-/// 1/parts² of that, and at the step's ends nothing changes for others.
-End fly_in_parts(const Scene& scene, int parts, double born, Points& y_0, Points& y_1,
-                 Flyer& who) {
+/// Within a step the swept facets are flat pieces in space and time (crossing.hpp), which may stray
+/// from the facets themselves by a quarter of what their nodes move against one another: where
+/// layers are closer than that, swept pieces can cut each other and shut a particle in. In parts
+/// they stray by 1/parts² of that, and at the step's ends nothing changes for others.
+End fly_in_parts(const Scene& scene, int parts, double born, Points& y_0, Points& y_1, Flyer& who) {
     const auto place = [&](int part, Points& y) {
         const double tau = static_cast<double>(part) / parts;
         for (const Index n : scene.lists.nodes())
@@ -247,8 +246,8 @@ void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec
          std::span<const double> mass, std::span<const double> born, Particles& gas,
          FlightResult& result, const Gates* gates, const WallFriction& friction) {
     result.bounds.update(lists, x_0, x_1);
-    const Scene scene{lists,      &result.bounds, lists.triangles().data(), x_0.data(),
-                      x_1.data(), dt,             gates,                    friction};
+    const Scene scene{lists, &result.bounds, lists.triangles().data(), x_0.data(), x_1.data(), dt,
+                      gates, friction};
     const std::size_t chunks = parallel::chunk_count(gas.size());
     clear(result.hits, chunks + 1);
     clear(result.arrivals, chunks + 1);
@@ -265,28 +264,31 @@ void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec
         gas.e[who.row] = who.internal;
     };
 
-    parallel::for_chunks(gas.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Vec3 way = (1.0 - start(i)) * dt * gas.v[i];
-            if (lists.is_clear(gas.x[i], gas.x[i] + way)) {
-                gas.x[i] += way;
-                continue;
+    parallel::for_chunks(
+        gas.size(),
+        [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const Vec3 way = (1.0 - start(i)) * dt * gas.v[i];
+                if (lists.is_clear(gas.x[i], gas.x[i] + way)) {
+                    gas.x[i] += way;
+                    continue;
+                }
+                Flyer who = flyer(i, chunk);
+                const std::size_t hits = who.hits.size(), arrivals = who.arrivals.size();
+                switch (fly_one(scene, start(i), who)) {
+                    case End::FLOWN:
+                        land(who);
+                        break;
+                    case End::GONE:
+                        break;
+                    case End::CAUGHT:
+                        who.hits.resize(hits);
+                        who.arrivals.resize(arrivals);
+                        result.caught[chunk].push_back(i);
+                }
             }
-            Flyer who = flyer(i, chunk);
-            const std::size_t hits = who.hits.size(), arrivals = who.arrivals.size();
-            switch (fly_one(scene, start(i), who)) {
-                case End::FLOWN:
-                    land(who);
-                    break;
-                case End::GONE:
-                    break;
-                case End::CAUGHT:
-                    who.hits.resize(hits);
-                    who.arrivals.resize(arrivals);
-                    result.caught[chunk].push_back(i);
-            }
-        }
-    });
+        },
+        parallel::CHUNK);
     result.lost.clear();
     for (const auto& some : result.caught)
         for (const std::size_t i : some) {

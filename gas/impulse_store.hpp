@@ -13,14 +13,17 @@ namespace corpuscle::gas {
 
 /// Impulse on its way from particles to fabric.
 ///
-/// One hit on a light facet is a kick of tens of m/s, so what hits bring is owed to the nodes, shared
-/// by barycentric weight, and released smoothly. Nothing is lost: what is owed goes to the node in the
-/// end.
-/// - On the bag's surface the pressure that hits make one expect (expected_pressure.hpp) is given, and
-///   what is owed beyond it corrects it slowly: dP = p A dt + owed (1 - exp(-dt / (PATIENCE time))).
-///   The mean is as prompt as `time`, the noise of single hits as low as PATIENCE times that.
+/// One hit on a light facet is a kick of tens of m/s, so what hits bring is owed to the nodes,
+/// shared by barycentric weight, and released smoothly. Nothing is lost: what is owed goes to the
+/// node in the end.
+/// - On the bag's surface the pressure that hits make one expect (expected_pressure.hpp) is given,
+/// and
+///   what is owed beyond it corrects it slowly: dP = p A dt + owed (1 - exp(-dt / (PATIENCE
+///   time))). The mean is as prompt as `time`, the noise of single hits as low as PATIENCE times
+///   that.
 /// - Inside (tethers, valves), and of what is not from hits: dP = owed (1 - exp(-dt / time)).
-/// - A held node moves as it is told, whatever hits it: there impulse is passed on at once, so that the
+/// - A held node moves as it is told, whatever hits it: there impulse is passed on at once, so that
+/// the
 ///   work is done where it arose.
 class ImpulseStore {
 public:

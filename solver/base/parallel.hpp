@@ -19,6 +19,18 @@ namespace corpuscle::parallel {
 inline constexpr std::size_t CHUNK =
     1024;  ///< items a chunk; smaller spreads better, costs more calls
 
+/// Loops that are not told their chunk are light, some nanoseconds an item: with fewer items than
+/// this one thread is done before it could have called the others.
+inline constexpr std::size_t WORTH_THREADS = 16 * CHUNK;
+
+/// How a loop is cut, and whether threads are worth calling. Chunks do not depend on the latter.
+struct Cut {
+    std::size_t chunk = CHUNK;
+    bool is_light = true;
+    Cut() = default;
+    Cut(std::size_t items) : chunk(items), is_light(false) {}  // NOLINT: a number is a cut
+};
+
 inline void set_threads([[maybe_unused]] int n) {
 #ifdef _OPENMP
     omp_set_num_threads(n);
@@ -39,10 +51,12 @@ inline void set_threads([[maybe_unused]] int n) {
 
 /// body(begin, end, chunk index) for every chunk of 0..n; chunks run in any order.
 template <class Body>
-void for_chunks(std::size_t n, Body&& body, std::size_t chunk = CHUNK) {
+void for_chunks(std::size_t n, Body&& body, Cut cut = {}) {
+    const std::size_t chunk = cut.chunk;
     const auto chunks = static_cast<std::ptrdiff_t>(chunk_count(n, chunk));
+    [[maybe_unused]] const bool is_worth_it = chunks > 1 && (!cut.is_light || n >= WORTH_THREADS);
 #ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 1) if (chunks > 1)
+#pragma omp parallel for schedule(dynamic, 1) if (is_worth_it)
 #endif
     for (std::ptrdiff_t c = 0; c < chunks; ++c) {
         const std::size_t begin = static_cast<std::size_t>(c) * chunk;
@@ -52,19 +66,19 @@ void for_chunks(std::size_t n, Body&& body, std::size_t chunk = CHUNK) {
 
 /// body(i) for every i in 0..n, in any order.
 template <class Body>
-void for_each(std::size_t n, Body&& body, std::size_t chunk = CHUNK) {
+void for_each(std::size_t n, Body&& body, Cut cut = {}) {
     for_chunks(
         n,
         [&](std::size_t begin, std::size_t end, std::size_t) {
             for (std::size_t i = begin; i < end; ++i) body(i);
         },
-        chunk);
+        cut);
 }
 
 /// Sum of term(i): chunks first, then the chunks' sums in their order.
 template <class T, class Term>
-[[nodiscard]] T sum(std::size_t n, T zero, Term&& term, std::size_t chunk = CHUNK) {
-    std::vector<T> part(chunk_count(n, chunk), zero);
+[[nodiscard]] T sum(std::size_t n, T zero, Term&& term, Cut cut = {}) {
+    std::vector<T> part(chunk_count(n, cut.chunk), zero);
     for_chunks(
         n,
         [&](std::size_t begin, std::size_t end, std::size_t c) {
@@ -72,7 +86,7 @@ template <class T, class Term>
             for (std::size_t i = begin; i < end; ++i) s += term(i);
             part[c] = s;
         },
-        chunk);
+        cut);
     T total = zero;
     for (const T& s : part) total += s;
     return total;
@@ -84,8 +98,8 @@ struct Least {
     std::size_t at;
 };
 template <class Value>
-[[nodiscard]] Least least(std::size_t n, double start, Value&& value, std::size_t chunk = CHUNK) {
-    std::vector<Least> part(chunk_count(n, chunk), Least{start, n});
+[[nodiscard]] Least least(std::size_t n, double start, Value&& value, Cut cut = {}) {
+    std::vector<Least> part(chunk_count(n, cut.chunk), Least{start, n});
     for_chunks(
         n,
         [&](std::size_t begin, std::size_t end, std::size_t c) {
@@ -94,7 +108,7 @@ template <class Value>
                 if (const double v = value(i); v < low.value) low = {v, i};
             part[c] = low;
         },
-        chunk);
+        cut);
     Least low{start, n};
     for (const Least& p : part)
         if (p.value < low.value) low = p;

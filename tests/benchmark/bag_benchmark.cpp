@@ -89,8 +89,7 @@ private:
 /// Ellipsoid of 56 l, 10 092 triangles.
 Bag inflated_bag(std::size_t particles) {
     shapes::Shape shape = shapes::box(Vec3(2, 2, 2), 29);
-    for (Vec3& x : shape.x)
-        x = (x - Vec3::Ones()).normalized().cwiseProduct(Vec3(0.3, 0.3, 0.15));
+    for (Vec3& x : shape.x) x = (x - Vec3::Ones()).normalized().cwiseProduct(Vec3(0.3, 0.3, 0.15));
     Points orifices;
     for (std::uint64_t i = 0; orifices.size() < 500; ++i) {
         Random draw(1, Stream::INITIAL, 0, i);

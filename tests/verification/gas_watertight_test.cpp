@@ -21,8 +21,8 @@ namespace {
 constexpr double RADIUS = 0.2, STEP = 2e-5, SPEED = 500.0;
 
 /// A ball of 8 192 facets with twelve pleats that open and close, and nodes that jitter: at their
-/// deepest the pleats are wedges of a few degrees. Each ray from the centre meets it once, so the facets
-/// never cross each other.
+/// deepest the pleats are wedges of a few degrees. Each ray from the centre meets it once, so the
+/// facets never cross each other.
 class PleatedBall {
 public:
     PleatedBall() {
@@ -36,8 +36,8 @@ public:
         Points x(shape_.x.size());
         for (std::size_t n = 0; n < x.size(); ++n) {
             const Vec3& u = shape_.x[n];
-            const double pleat = std::cos(12.0 * std::atan2(u.y(), u.x()) + turn) *
-                                 std::hypot(u.x(), u.y());
+            const double pleat =
+                std::cos(12.0 * std::atan2(u.y(), u.x()) + turn) * std::hypot(u.x(), u.y());
             const double jitter = Random(5, Stream::WALL, step, n).uniform() - 0.5;
             x[n] = RADIUS * (0.6 + (0.25 + 0.1 * beat) * pleat + 0.01 * jitter) * u;
         }
@@ -52,14 +52,16 @@ struct Flown {
     std::size_t hits = 0, lost = 0, outside = 0;
 };
 
-/// Flies until there have been so many hits. Speeds are kept: the walls would heat the gas for ever.
+/// Flies until there have been so many hits. Speeds are kept: the walls would heat the gas for
+/// ever.
 Flown fly_in_pleats(int particles, std::size_t hits_wanted) {
     const PleatedBall ball;
     Points x_0 = ball.at(0), x_1;
     Particles gas;
     for (int i = 0; i < particles; ++i) {
         Random draw(1, Stream::INITIAL, 0, static_cast<std::uint64_t>(i));
-        gas.add(0.2 * RADIUS * draw.uniform() * draw.direction(), SPEED * draw.direction(), 0.0, 0, i);
+        gas.add(0.2 * RADIUS * draw.uniform() * draw.direction(), SPEED * draw.direction(), 0.0, 0,
+                i);
     }
     FacetLists lists(ball.triangles(), x_0);
     const Grid grid = Grid::over(Vec3::Constant(-RADIUS), Vec3::Constant(RADIUS), 0.01, 1000000);

@@ -20,8 +20,8 @@ namespace {
 
 constexpr double TIME = 50e-6, STEP = 5e-6;
 
-/// A box whose walls are hit at random, each facet equally often, with an impulse that is exponential in
-/// size (as m v_n² is): one hit a facet and `TIME` at `pressure` 1.
+/// A box whose walls are hit at random, each facet equally often, with an impulse that is
+/// exponential in size (as m v_n² is): one hit a facet and `TIME` at `pressure` 1.
 class HitBox {
 public:
     explicit HitBox(bool is_quiet)
@@ -34,7 +34,8 @@ public:
         flight_.hits.resize(1);
     }
 
-    /// Mean and root mean square deviation of the facets' pressure, of those whose mean is `pressure`.
+    /// Mean and root mean square deviation of the facets' pressure, of those whose mean is
+    /// `pressure`.
     struct Facets {
         double mean = 0.0, scatter = 0.0;
     };
@@ -62,11 +63,10 @@ public:
             for (const Index n : bag_.triangles()[t])
                 on += f[n].dot(area_[n]) / area_[n].squaredNorm() / 3.0;
             out.mean += on / static_cast<double>(bag_.triangles().size());
-            out.scatter += (on - pressure) * (on - pressure) /
-                           static_cast<double>(bag_.triangles().size());
+            out.scatter +=
+                (on - pressure) * (on - pressure) / static_cast<double>(bag_.triangles().size());
         }
-        for (std::size_t n = 0; n < f.size(); ++n)
-            given_ += STEP * f[n].dot(area_[n].normalized());
+        for (std::size_t n = 0; n < f.size(); ++n) given_ += STEP * f[n].dot(area_[n].normalized());
         out.scatter = std::sqrt(out.scatter);
         return out;
     }
@@ -99,8 +99,8 @@ struct Measured {
     double scatter = 0.0, delay = 0.0, share_given = 0.0;
 };
 
-/// Scatter at rest; time until a step of the pressure from 1 to 2 has come through by 1 - 1/e; and the
-/// share of all impulse that the fabric has had at the end.
+/// Scatter at rest; time until a step of the pressure from 1 to 2 has come through by 1 - 1/e; and
+/// the share of all impulse that the fabric has had at the end.
 Measured measure(bool is_quiet) {
     HitBox box(is_quiet);
     Measured out;
@@ -117,11 +117,12 @@ Measured measure(bool is_quiet) {
 
 }  // namespace
 
-TEST_CASE("the expected pressure is a third as noisy as plain smoothing, at the same delay", "[gas]") {
+TEST_CASE("the expected pressure is a third as noisy as plain smoothing, at the same delay",
+          "[gas]") {
     const Measured quiet = measure(true), plain = measure(false);
-    WARN("facet pressure scatters by " << 100 * quiet.scatter << " % against " << 100 * plain.scatter
-                                       << " %, delay " << 1e6 * quiet.delay << " against "
-                                       << 1e6 * plain.delay << " us");
+    WARN("facet pressure scatters by " << 100 * quiet.scatter << " % against "
+                                       << 100 * plain.scatter << " %, delay " << 1e6 * quiet.delay
+                                       << " against " << 1e6 * plain.delay << " us");
     CHECK(quiet.scatter < plain.scatter / 3.0);
     CHECK(quiet.delay <= plain.delay + STEP);
     // Nothing is lost: after 10 ms without hits all has been given.
