@@ -109,8 +109,9 @@ public:
             place(in, e, make(in.shapes[std::min(e, size() - 1)], in.thickness));
     }
 
-    Result force(std::size_t begin, std::size_t end, const Points& x, const Points& v,
-                 double* elastic, double* damping) override {
+    /// Flattened: with so many laws in one file the compiler would call what must be inline.
+    [[gnu::flatten]] Result force(std::size_t begin, std::size_t end, const Points& x,
+                                  const Points& v, double* elastic, double* damping) override {
         Lanes energy{}, rate{}, pack_of{}, lost{};
         for (std::size_t p = begin; p < end; ++p) {
             const Pack<Element>& pack = packs_[p];
