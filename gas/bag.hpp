@@ -81,6 +81,7 @@ struct BagCard {
     std::array<Index, 3> frame{-1, -1, -1};///< NID1-3: node rows that directions turn with; -1: none
     bool is_of_2007 = false;              ///< the cards mean what they meant in the course notes
     std::optional<CollisionModel> collision;  ///< none: the collider's own choice
+    double mean_free_path = NaN;          ///< of that model; NaN: its default        [m]
     std::vector<VentCard> vents;          ///< NVENT cards
     std::vector<HeatCard> heat;           ///< HCONV of NPDATA cards
     BlockCard block;                      ///< BLOCK

@@ -41,7 +41,8 @@ void BagGas::collide(double dt, const Points& x) {
     expect_thermal();
     const Heat wanted = thermal_ > 0.0 ? wanted_heat() : Heat{};
     const double factor = thermal_ > 0.0 ? 1.0 + wanted.all() / thermal_ : 1.0;
-    const CollisionReport report = collider_.collide(collisions_, factor, particles_);
+    const CollisionReport report = 
+        collider_.collide(collisions_, since_collision_, factor, particles_);
     if (thermal_ > 0.0) settle(wanted, report.thermal / thermal_);
     thermal_ = factor * report.thermal;
     unrelaxed_ += report.unrelaxed;

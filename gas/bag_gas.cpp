@@ -69,7 +69,8 @@ std::vector<Index> loaded_nodes(const FacetLists& lists, const Orifices& orifice
 
 Collider collider_of(const BagCard& card, const Inflators& inflators, std::uint64_t seed) {
     if (card.collision)
-        return {inflators.species(), inflators.moles_each(), seed, *card.collision};
+        return {inflators.species(), inflators.moles_each(), seed, *card.collision,
+                card.mean_free_path};
     return {inflators.species(), inflators.moles_each(), seed};
 }
 

@@ -9,6 +9,7 @@
 #include "gas/groups.hpp"
 #include "gas/particles.hpp"
 #include "gas/species.hpp"
+#include "solver/base/constants.hpp"
 
 namespace corpuscle::gas {
 
@@ -17,13 +18,29 @@ namespace corpuscle::gas {
 enum class CollisionModel {
     PAIRS,  ///< each particle collides with one other, drawn at random: the plain kinetic picture
     LIN,  ///< the group's stress is over-relaxed by one linear map: sharper waves (collide_lin.cpp)
+    NTC,  ///< as many pairs, near ones, as molecules of a mean free path make (collide_ntc.cpp)
+    SPHERES,  ///< hard spheres that meet on their way, as in the notes (collide_spheres.cpp)
 };
+
+/// Has the model a mean free path that may be chosen? The others' follows from cell and step.
+constexpr bool has_mean_free_path(CollisionModel model) {
+    return model == CollisionModel::NTC || model == CollisionModel::SPHERES;
+}
+
+/// Mean free path where none is asked for, in mean distances n^(-1/3) of particles. Spheres' own
+/// volume adds a false pressure of 2 pi/3 n d³ = 0.224 (n^(-1/3) / mean free path)^1.5: 5 % at 2.7.
+constexpr double default_free_path(CollisionModel model) {
+    return model == CollisionModel::SPHERES ? 2.7 : 1.0;
+}
 
 /// What a model needs to know to collide all groups once.
 struct CollisionStep {
     Lists groups;
     const Mixture& mixture;
-    double heat;  ///< factor on each group's thermal energy, 1: none                [-]
+    double heat;           ///< factor on each group's thermal energy, 1: none                [-]
+    double dt;             ///< since the last collision step                       [s]
+    double volume;         ///< of a cell                                           [m^3]
+    double cross_section;  ///< pi d² of the spheres; 0 where a model has none      [m^2]
     std::uint64_t seed;
     std::uint64_t step;  ///< counts collision steps: no two draw the same numbers
 };
@@ -42,36 +59,46 @@ struct CollisionReport {
 
 CollisionReport collide_pairs(const CollisionStep& step, Particles& particles);
 CollisionReport collide_lin(const CollisionStep& step, Particles& particles);
+CollisionReport collide_ntc(const CollisionStep& step, Particles& particles);
+CollisionReport collide_spheres(const CollisionStep& step, Particles& particles);
 
 /// Collisions and internal energy of a bag's particles, from sorting to scattering.
 ///
 ///     collider.find_groups(grid, fabric, particles);
-///     const CollisionReport report = collider.collide(step, heat, particles);
+///     const CollisionReport report = collider.collide(step, dt, heat, particles);
 ///     brought_in += (heat - 1) * report.thermal;
 class Collider {
 public:
+    /// @param mean_free_path  of NTC and SPHERES at the mean density of the cells that hold
+    ///                        particles [m]; NaN: as many mean distances of particles as
+    ///                        default_free_path() says
     Collider(std::vector<Species> species, double moles_each, std::uint64_t seed,
-             CollisionModel model = CollisionModel::LIN);
+             CollisionModel model = CollisionModel::LIN, double mean_free_path = NaN);
 
-    /// Puts particles in the order of cells, and in cells with fabric tells sides apart. Valid until
-    /// rows or places change.
+    /// Puts particles in the order of cells, and in cells with fabric tells sides apart. Valid
+    /// until rows or places change.
     void find_groups(const Grid& grid, const FabricInCells& fabric, Particles& particles);
 
     /// Energy of all motion relative to the groups' mean velocities, and all internal energy. [J]
     /// What collide(heat) multiplies.
     [[nodiscard]] double thermal_energy(const Particles& particles) const;
 
-    /// One collision step of every group; thermal energy is multiplied by `heat` on the way.
-    CollisionReport collide(std::uint64_t step, double heat, Particles& particles) const;
+    /// One collision step of every group, for the time dt that has gone by since the last one;
+    /// thermal energy is multiplied by `heat` on the way.
+    CollisionReport collide(std::uint64_t step, double dt, double heat, Particles& particles) const;
 
     [[nodiscard]] const Groups& groups() const { return groups_; }
     [[nodiscard]] const Mixture& mixture() const { return mixture_; }
     [[nodiscard]] Lists cells() const { return cells_.cells(); }
 
 private:
+    [[nodiscard]] double cross_section() const;
+
     Mixture mixture_;
     std::uint64_t seed_;
     CollisionModel model_;
+    double mean_free_path_;     ///< NaN: the default                                [m]
+    double cell_volume_ = 0.0;  ///< [m^3]
     CellSort cells_;
     Groups groups_;
 };

@@ -13,6 +13,8 @@ namespace {
 constexpr std::pair<std::string_view, CollisionModel> NAMES[] = {
     {"lin", CollisionModel::LIN},
     {"pairs", CollisionModel::PAIRS},
+    {"ntc", CollisionModel::NTC},
+    {"spheres", CollisionModel::SPHERES},
 };
 
 bool is_same(std::string_view a, std::string_view b) {

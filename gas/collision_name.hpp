@@ -16,7 +16,7 @@ std::optional<CollisionModel> collision_model(std::string_view name);
 /// What a user calls the model.
 std::string_view name_of(CollisionModel model);
 
-/// All names, for messages: "lin, pairs".
+/// All names, for messages: "lin, pairs, ...".
 std::string collision_names();
 
 }  // namespace corpuscle::gas

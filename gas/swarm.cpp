@@ -99,6 +99,10 @@ double Swarm::translational() const {
     return 0.5 * total(sum);
 }
 
+double Swarm::least_mass() const {
+    return *std::min_element(m_.begin(), m_.begin() + static_cast<std::ptrdiff_t>(n_));
+}
+
 double Swarm::internal() const {
     return std::accumulate(e.begin(), e.begin() + static_cast<std::ptrdiff_t>(n_), 0.0);
 }
@@ -120,10 +124,13 @@ Mat3 Swarm::moment(const Columns& a, const Columns& b) const {
     return out;
 }
 
-double Swarm::set_internal(double T, const Mixture& mixture) {
+double Swarm::set_internal(double T, const Mixture& mixture, double memory) {
     if (!is_mixed_) {
-        const double each = internal_at_(T) / static_cast<double>(n_);
-        std::fill_n(e.begin(), n_, each);
+        const double all = internal_at_(T), before = internal();
+        if (!(before > 0.0)) memory = 0.0;
+        const double each = (1.0 - memory) * all / static_cast<double>(n_);
+        const double kept = memory > 0.0 ? memory * all / before : 0.0;
+        for (std::size_t i = 0; i < n_; ++i) e[i] = each + kept * e[i];
         return internal();
     }
     for (std::size_t i = 0; i < n_; ++i) e[i] = mixture.particle_internal(species_[i])(T);
@@ -169,13 +176,24 @@ void Swarm::collide_pairs(Random& draw) {
         std::swap(shuffled_[i + 1], shuffled_[i + 1 + draw.below(n - i - 1)]);
         const auto p = static_cast<std::size_t>(shuffled_[i]);
         const auto q = static_cast<std::size_t>(shuffled_[i + 1]);
-        const double share = m_[q] / (m_[p] + m_[q]);
-        const Vec3 apart = c[p] - c[q];
-        const Vec3 centre = c[q] + (1.0 - share) * apart;
-        const Vec3 turned = apart.norm() * draw.direction();
-        c.set(p, centre + share * turned);
-        c.set(q, centre - (1.0 - share) * turned);
+        collide_pair(p, q, draw);
     }
+}
+
+void Swarm::collide_pair(std::size_t p, std::size_t q, Random& draw) {
+    const double share = m_[q] / (m_[p] + m_[q]);
+    const Vec3 apart = c[p] - c[q];
+    const Vec3 centre = c[q] + (1.0 - share) * apart;
+    const Vec3 turned = apart.norm() * draw.direction();
+    c.set(p, centre + share * turned);
+    c.set(q, centre - (1.0 - share) * turned);
+}
+
+void Swarm::bounce(std::size_t p, std::size_t q, const Vec3& n) {
+    const double share = m_[q] / (m_[p] + m_[q]);
+    const Vec3 change = 2.0 * (c[q] - c[p]).dot(n) * n;
+    c.set(p, c[p] + share * change);
+    c.set(q, c[q] - (1.0 - share) * change);
 }
 
 }  // namespace corpuscle::gas

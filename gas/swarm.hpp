@@ -44,6 +44,8 @@ public:
     [[nodiscard]] std::size_t size() const { return n_; }
     [[nodiscard]] bool is_mixed() const { return is_mixed_; }
 
+    [[nodiscard]] double least_mass() const;  ///< of a particle                        [kg]
+
     /// Sum of m c² / 2.                                                                    [J]
     [[nodiscard]] double translational() const;
     /// Sum of e.                                                                            [J]
@@ -53,8 +55,9 @@ public:
 
     /// Internal energy at equilibrium, as it grows with temperature.
     [[nodiscard]] const EnergyPolynomial& internal_at() const { return internal_at_; }
-    /// Sets e to its equilibrium at T; returns the sum.                                     [J]
-    double set_internal(double T, const Mixture& mixture);
+    /// Sets the sum of e to its equilibrium at T, and returns it. Each e comes closer to its own:
+    ///     e_i' = e(T) (1 - memory + memory e_i / mean e).                                  [J]
+    double set_internal(double T, const Mixture& mixture, double memory = 0.0);
 
     void scale(double factor);           ///< c *= factor
     void scale_internal(double factor);  ///< e *= factor
@@ -66,6 +69,12 @@ public:
     ///     c1' = C + m2/(m1+m2) g n,  c2' = C - m1/(m1+m2) g n,  g = |c1 - c2|, n even on the
     ///     sphere
     void collide_pairs(Random& draw);
+
+    /// Two particles leave in a random direction, as above.
+    void collide_pair(std::size_t p, std::size_t q, Random& draw);
+    /// Two spheres that touch along the unit vector n: what they have towards each other turns
+    /// round.
+    void bounce(std::size_t p, std::size_t q, const Vec3& n);
 
     Vec3 U;                 ///< mean velocity, by mass                                   [m/s]
     double mass = 0.0;      ///< of all                                                   [kg]

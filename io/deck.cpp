@@ -47,6 +47,24 @@ std::optional<gas::CollisionModel> collision(Parameters& parameters, Faults& fau
     return model;
 }
 
+/// MEAN_FREE_PATH, by -D or by *PARAMETER: of a collision model that has one.               [m]
+double mean_free_path(const std::optional<gas::CollisionModel>& model, Parameters& parameters,
+                      Faults& faults) {
+    double path = NaN;
+    if (const Parameter* p = parameters.find("MEAN_FREE_PATH", 0))
+        path = p->value.number;
+    else if (const auto text = parameters.take_override("MEAN_FREE_PATH"))
+        path = parse_real(*text).value_or(-1.0);
+    else
+        return path;
+    if (!(path > 0.0))
+        faults.fault(Place{0, 1}, "MEAN_FREE_PATH, expected a length > 0");
+    else if (!model || !gas::has_mean_free_path(*model))
+        faults.fault(Place{0, 1}, "MEAN_FREE_PATH is set, expected COLLISION = ntc or spheres, the "
+                                  "models that have one");
+    return path;
+}
+
 struct Task {
     const Block* block;
     keywords::Match match;
@@ -109,6 +127,7 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options) {
     Draft draft(model);
     draft.dialect = dialect(parameters, faults);
     draft.collision = collision(parameters, faults);
+    draft.mean_free_path = mean_free_path(draft.collision, parameters, faults);
     for (Task& task : sort_out(text, faults)) read_block(task, parameters, faults, draft);
     if (!text.files.empty()) check_whole(draft, text, faults);
 

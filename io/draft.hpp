@@ -28,6 +28,7 @@ struct Draft {
     Model& model;
     Dialect dialect = Dialect::TODAY;
     std::optional<gas::CollisionModel> collision;  ///< of all bags; none: the default
+    double mean_free_path = NaN;                   ///< of that model; NaN: its default      [m]
 
     Registry nodes{"*NODE"}, shells{"*ELEMENT_SHELL"}, parts{"*PART"}, materials{"*MAT"},
         sections{"*SECTION_SHELL"}, curves{"*DEFINE_CURVE"}, vectors{"*DEFINE_VECTOR"};

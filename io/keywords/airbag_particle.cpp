@@ -209,6 +209,7 @@ void airbag_particle(Cards& cards, Draft& draft) {
     gas::BagCard bag = reading.read();
     bag.is_of_2007 = draft.dialect == Dialect::NOTES_2007;
     bag.collision = draft.collision;
+    bag.mean_free_path = draft.mean_free_path;
     draft.model.notes.push_back(
         fmt::format("*AIRBAG_PARTICLE {} is read with {}", bag.id,
                     bag.is_of_2007 ? "the meaning of the 2007 course notes (DIALECT = 2007)"

@@ -28,11 +28,12 @@ void closed_box(benchmark::State& state, CollisionModel model, std::vector<Speci
     const Grid grid =
         Grid::over(Vec3::Zero(), BOX - Vec3::Constant(1e-9), cell_edge(1.0, n, PER_CELL), n);
     const double c_T = std::sqrt(GAS_CONSTANT * 300.0 / mixture.species()[0].molar_mass());
+    const double dt = SHARE * grid.edge / c_T;
     std::uint64_t step = 0;
     for (auto _ : state) {
         collider.find_groups(grid, {}, gas);
-        collider.collide(step, 1.0, gas);
-        drift_in_box(SHARE * grid.edge / c_T, BOX, gas);
+        collider.collide(step, dt, 1.0, gas);
+        drift_in_box(dt, BOX, gas);
         ++step;
     }
     state.counters["particle_steps"] =
@@ -59,6 +60,8 @@ void sort(benchmark::State& state) {
 }
 
 BENCHMARK_CAPTURE(closed_box, pairs, CollisionModel::PAIRS, {AIR})->Arg(100000)->Arg(1000000);
+BENCHMARK_CAPTURE(closed_box, ntc, CollisionModel::NTC, {AIR})->Arg(100000);
+BENCHMARK_CAPTURE(closed_box, spheres, CollisionModel::SPHERES, {AIR})->Arg(100000);
 BENCHMARK_CAPTURE(closed_box, lin, CollisionModel::LIN, {AIR})->Arg(100000)->Arg(1000000);
 BENCHMARK_CAPTURE(closed_box, lin_mixture, CollisionModel::LIN, {AIR, HELIUM})->Arg(100000);
 BENCHMARK(sort)->Arg(100000)->Arg(1000000);

@@ -266,6 +266,19 @@ TEST_CASE("the collision model is chosen by -D or by *PARAMETER", "[io]") {
     CHECK(contains(faults[0], "COLLISION = sph, expected one of lin"));
 }
 
+TEST_CASE("a mean free path is for collision models that have one", "[io]") {
+    const DeckFolder folder;
+    const std::string deck = Bag{}.deck();
+    const auto bag = folder.read(deck, {{{"COLLISION", "ntc"}, {"MEAN_FREE_PATH", "5e-3"}}}).bags.at(0);
+    CHECK(bag.collision == gas::CollisionModel::NTC);
+    CHECK(bag.mean_free_path == 5e-3);
+    CHECK(std::isnan(folder.read(deck, {{{"COLLISION", "spheres"}}}).bags.at(0).mean_free_path));
+    CHECK(contains(folder.faults(deck, {{{"MEAN_FREE_PATH", "5e-3"}}}).at(0), "expected COLLISION"));
+    CHECK(contains(
+        folder.faults(deck, {{{"COLLISION", "ntc"}, {"MEAN_FREE_PATH", "0"}}}).at(0),
+        "expected a length > 0"));
+}
+
 TEST_CASE("AIRBAG_PARTICLE: inner parts do not close the bag", "[io]") {
     const DeckFolder folder;
     Bag bag;
