@@ -14,7 +14,7 @@ namespace {
 
 /// What a particle keeps of its e's deviation from the mean in a group of one species. At 0 every
 /// collision step would conduct heat across the whole cell and smear contacts (Sod's tube at 10^5
-/// particles: L1 of density .0118, here .0101).
+/// particles: L1 of density .0118, here .0105).
 constexpr double MEMORY = 0.95;
 constexpr double MOST_NOISE = 0.8;  ///< share of the smaller part that fluctuation may take away
 
