@@ -34,6 +34,8 @@ constexpr double REACH = 2.0;
 
 constexpr std::size_t MOST_CELLS = 2'000'000;
 
+constexpr std::size_t MOST_LOSSES = 20;  ///< that are told one by one
+
 std::string name_of(const BagCard& card) {
     return fmt::format("*AIRBAG_PARTICLE {}", card.id);
 }
@@ -270,11 +272,12 @@ void BagGas::book_lost(double t) {
         const std::size_t i = lost.particle;
         lost_energy_ +=
             0.5 * mass_[particles_.species[i]] * particles_.v[i].squaredNorm() + particles_.e[i];
-        warnings_.push_back(fmt::format(
+        gone_.push_back(i);
+        if (losses_.size() == MOST_LOSSES) continue;
+        losses_.push_back(fmt::format(
             "{}: particle {} was lost at time {:g} near ({:g}, {:g}, {:g}), "
             "caught between closing facets",
             name_of(card_), particles_.id[i], t, lost.at[0], lost.at[1], lost.at[2]));
-        gone_.push_back(i);
     }
     lost_ += flight_.lost.size();
 }

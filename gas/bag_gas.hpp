@@ -118,6 +118,8 @@ public:
     /// Of air that is no particles (IAIR 1, -1).                                           [Pa]
     [[nodiscard]] double initial_air_pressure() const { return air_ ? air_->pressure(volume_) : 0.0; }
     [[nodiscard]] std::size_t lost() const { return lost_; }
+    /// Who was lost, when and where: the first few.
+    [[nodiscard]] const std::vector<std::string>& losses() const { return losses_; }
     [[nodiscard]] std::size_t hits() const { return hits_; }
     [[nodiscard]] std::size_t flights() const { return flights_; }
     [[nodiscard]] std::size_t unrelaxed() const { return unrelaxed_; }
@@ -210,7 +212,7 @@ private:
     double ambient_work_ = 0.0, inflow_energy_ = 0.0, lost_energy_ = 0.0;  ///<           [J]
     double mass_in_ = 0.0, mass_in_seen_ = 0.0, mass_out_seen_ = 0.0;      ///<           [kg]
     std::size_t lost_ = 0, hits_ = 0, flights_ = 0;
-    std::vector<std::string> warnings_;
+    std::vector<std::string> warnings_, losses_;
 };
 
 }  // namespace corpuscle::gas

@@ -36,6 +36,7 @@ void print_bag(const gas::BagGas& bag, const Points& x) {
     for (const std::string& shortage : bag.openings().shortages())
         fmt::print("    {}\n", shortage);
     fmt::print("    lost particles: {}\n", bag.lost());
+    for (const std::string& loss : bag.losses()) fmt::print("      {}\n", loss);
 }
 
 void print_bag(const gas::UniformBag& bag) {
