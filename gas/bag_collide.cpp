@@ -53,7 +53,7 @@ void BagGas::collide(double dt, const Points& x) {
 }
 
 /// Thermal energy before these collisions: that after the last ones, as long as few have entered or left;
-/// else it is added up, which takes a quarter of what the collisions take.
+/// else it is added up, one more pass over the particles.
 void BagGas::expect_thermal() {
     const auto now = static_cast<double>(particles_.size()), then = static_cast<double>(counted_);
     if (std::abs(now - then) > MOST_CHANGE * then)

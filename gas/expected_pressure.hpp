@@ -15,7 +15,7 @@ namespace corpuscle::gas {
 ///     p_n = (W R)_n / (W |A|)_n,   R' = (j·A/|A| / span - R) / time
 ///
 /// j: impulse that has come to the node, A: its vector area. W: PASSES times the mean of a node and
-/// its neighbours, in effect over some 150 facets, so that a pressure as even as a gas makes it is
+/// its neighbours, in effect over some 130 facets, so that a pressure as even as a gas makes it is
 /// known far better than from a node's own hits.
 class ExpectedPressure {
 public:

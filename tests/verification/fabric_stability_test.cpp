@@ -11,7 +11,7 @@ using namespace corpuscle::fabric::test;
 
 namespace {
 
-constexpr int MESHES = 200;  // of 12 to 24 elements; 1000 of them take two minutes
+constexpr int MESHES = 200;  // of 12 to 24 elements
 constexpr int STEPS = 500;
 
 const std::vector<Curve> CURVES = {{1, {0, 0.02, 0.1, 0.3}, {0, 2e6, 20e6, 90e6}},

@@ -87,15 +87,15 @@ std::vector<int> brute_force_parts(const Scene& scene) {
     std::vector<int> part(n, -1);
     for (std::size_t i = 0, parts = 0; i < n; ++i) {
         if (part[i] >= 0) continue;
-        std::vector<std::size_t> todo = {i};
+        std::vector<std::size_t> open = {i};
         part[i] = static_cast<int>(parts);
-        while (!todo.empty()) {
-            const std::size_t k = todo.back();
-            todo.pop_back();
+        while (!open.empty()) {
+            const std::size_t k = open.back();
+            open.pop_back();
             for (std::size_t j = 0; j < n; ++j)
                 if (part[j] < 0 && brute_force_sees(scene, k, j)) {
                     part[j] = static_cast<int>(parts);
-                    todo.push_back(j);
+                    open.push_back(j);
                 }
         }
         ++parts;
