@@ -35,13 +35,14 @@ std::size_t occupied(const Lists& cells) {
 
 void BagGas::collide(double dt, const Points& x) {
     since_collision_ += dt;
-    if (uniform_ || particles_.size() == 0 || since_collision_ * speed_ < COLLISION_SHARE * cell_) return;
+    if (uniform_ || particles_.size() == 0 || since_collision_ * speed_ < COLLISION_SHARE * cell_)
+        return;
 
     find_groups(x);
     expect_thermal();
     const Heat wanted = thermal_ > 0.0 ? wanted_heat() : Heat{};
     const double factor = thermal_ > 0.0 ? 1.0 + wanted.all() / thermal_ : 1.0;
-    const CollisionReport report = 
+    const CollisionReport report =
         collider_.collide(collisions_, since_collision_, factor, particles_);
     if (thermal_ > 0.0) settle(wanted, report.thermal / thermal_);
     thermal_ = factor * report.thermal;
@@ -52,8 +53,8 @@ void BagGas::collide(double dt, const Points& x) {
     measure_speed();
 }
 
-/// Thermal energy before these collisions: that after the last ones, as long as few have entered or left;
-/// else it is added up, one more pass over the particles.
+/// Thermal energy before these collisions: that after the last ones, as long as few have entered or
+/// left; else it is added up, one more pass over the particles.
 void BagGas::expect_thermal() {
     const auto now = static_cast<double>(particles_.size()), then = static_cast<double>(counted_);
     if (std::abs(now - then) > MOST_CHANGE * then)
@@ -88,7 +89,7 @@ void BagGas::settle(const Heat& wanted, double ratio) {
     lost_energy_ += ratio * wanted.to_outflow;
 }
 
-/// What brings the initial air to the particles' mean temperature; the air loses it.             [J]
+/// What brings the initial air to the particles' mean temperature; the air loses it. [J]
 ///
 ///     E_air(T) + E_particles(T) = E_air + E_thermal
 ///
@@ -110,7 +111,7 @@ double BagGas::heat_from_air(double thermal) const {
 }
 
 /// Pays back what hits took from the particles and release has not given to the fabric (or the
-/// other way round), as fast as impulse is released.                                             [J]
+/// other way round), as fast as impulse is released. [J]
 double BagGas::heat_from_smoothing(double thermal) const {
     const double account = taken_ - given_;
     const double share = -std::expm1(-since_collision_ / store_.time());

@@ -28,8 +28,8 @@ constexpr double FLIGHT_SHARE = 0.5;
 /// cells.
 constexpr double FLIGHT_CELL = 1.5;
 
-/// Longest way in a step, along each axis, for which a particle asks one cell only, in ways of thermal
-/// speed. Longer: more candidates a cell.
+/// Longest way in a step, along each axis, for which a particle asks one cell only, in ways of
+/// thermal speed. Longer: more candidates a cell.
 constexpr double REACH = 2.0;
 
 constexpr std::size_t MOST_CELLS = 2'000'000;
@@ -102,8 +102,7 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
         throw InputError(name_of(card) +
                          ": the bag encloses no volume at the start, expected some: "
                          "particles have no place to enter");
-    if (card.air && !card.air->is_particles)
-        air_.emplace(*card.air, card.gas_constant, volume_);
+    if (card.air && !card.air->is_particles) air_.emplace(*card.air, card.gas_constant, volume_);
     if (inflators_.resident() > 0) fill_with_air(x, seed);
     if (enclosure_.turned() > 0)
         warnings_.push_back(
@@ -130,10 +129,10 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
 /// Initial air as particles. The fabric feels it from the start.
 void BagGas::fill_with_air(const Points& x, std::uint64_t seed) {
     const std::size_t row = inflators_.inflows();
-    add_resident_air({inflators_.resident(), static_cast<std::int32_t>(row),
-                      static_cast<std::int32_t>(inflators_.particles()), mass_[row],
-                      card_.air->temperature},
-                     inflators_.species()[row], enclosure_, x, seed, name_of(card_), particles_);
+    add_resident_air(
+        {inflators_.resident(), static_cast<std::int32_t>(row),
+         static_cast<std::int32_t>(inflators_.particles()), mass_[row], card_.air->temperature},
+        inflators_.species()[row], enclosure_, x, seed, name_of(card_), particles_);
     if (const std::size_t asked = card_.air->particles; asked > 0 && asked != inflators_.resident())
         warnings_.push_back(fmt::format(
             "{}: all particles stand for as many moles, so that initial air is {} of NP + NPAIR = "
@@ -274,10 +273,10 @@ void BagGas::book_lost(double t) {
             0.5 * mass_[particles_.species[i]] * particles_.v[i].squaredNorm() + particles_.e[i];
         gone_.push_back(i);
         if (losses_.size() == MOST_LOSSES) continue;
-        losses_.push_back(fmt::format(
-            "{}: particle {} was lost at time {:g} near ({:g}, {:g}, {:g}), "
-            "caught between closing facets",
-            name_of(card_), particles_.id[i], t, lost.at[0], lost.at[1], lost.at[2]));
+        losses_.push_back(
+            fmt::format("{}: particle {} was lost at time {:g} near ({:g}, {:g}, {:g}), "
+                        "caught between closing facets",
+                        name_of(card_), particles_.id[i], t, lost.at[0], lost.at[1], lost.at[2]));
     }
     lost_ += flight_.lost.size();
 }

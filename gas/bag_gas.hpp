@@ -66,9 +66,7 @@ public:
     }
 
     /// Does contact close holes of this bag?
-    [[nodiscard]] bool asks_for_contact() const {
-        return card_.block.any() && !openings_.empty();
-    }
+    [[nodiscard]] bool asks_for_contact() const { return card_.block.any() && !openings_.empty(); }
     /// Nodes that touch something now, N: takes effect in the next flight.
     void set_touching(std::span<const std::uint8_t> nodes) { openings_.block(nodes); }
 
@@ -116,7 +114,9 @@ public:
     [[nodiscard]] std::span<const double> particle_mass() const { return mass_; }
     [[nodiscard]] double moles_each() const { return inflators_.moles_each(); }  ///< [mol]
     /// Of air that is no particles (IAIR 1, -1).                                           [Pa]
-    [[nodiscard]] double initial_air_pressure() const { return air_ ? air_->pressure(volume_) : 0.0; }
+    [[nodiscard]] double initial_air_pressure() const {
+        return air_ ? air_->pressure(volume_) : 0.0;
+    }
     [[nodiscard]] std::size_t lost() const { return lost_; }
     /// Who was lost, when and where: the first few.
     [[nodiscard]] const std::vector<std::string>& losses() const { return losses_; }
@@ -189,11 +189,11 @@ private:
     std::vector<std::size_t> gone_;  ///< rows that left in this step
     Openings openings_;
     HeatLoss heat_loss_;
-    Inside inside_;                 ///< at collision step looked_at_
+    Inside inside_;  ///< at collision step looked_at_
     std::uint64_t looked_at_ = 0;
-    double owed_to_outflow_ = 0.0;  ///< by the gas inside: enthalpy and heat         [J]
-    Points area_;                   ///< N × 3, node areas at t                      [m^2]
-    double volume_ = 0.0;           ///< at t                                        [m^3]
+    double owed_to_outflow_ = 0.0;           ///< by the gas inside: enthalpy and heat         [J]
+    Points area_;                            ///< N × 3, node areas at t                      [m^2]
+    double volume_ = 0.0;                    ///< at t                                        [m^3]
     double cell_ = 0.0, wanted_cell_ = 0.0;  ///< edge of the cells of collisions    [m]
     double speed_ = 0.0;            ///< thermal, sqrt(R T / M) of the gas as a whole  [m/s]
     double since_collision_ = 0.0;  ///< [s]
@@ -203,7 +203,7 @@ private:
     std::size_t unrelaxed_ = 0;     ///< groups whose energy belonged to no temperature
 
     std::optional<ControlVolume> uniform_;  ///< after TSW; the initial air is its last species
-    double time_ = 0.0;           ///< to which gas has come in                              [s]
+    double time_ = 0.0;  ///< to which gas has come in                              [s]
 
     std::vector<double> part_impulse_, triangle_impulse_;  ///< since the last look   [N s]
     double part_air_ = 0.0, triangle_air_ = 0.0;           ///< integral of air pressure [Pa s]

@@ -18,8 +18,8 @@ bool BagGas::switches(double t) const {
 }
 
 /// Mass, energy and so temperature stay as they are; motion becomes heat.
-/// Uniform pressure takes the place of that which hits made one expect; what they have brought beyond it
-/// is still released.
+/// Uniform pressure takes the place of that which hits made one expect; what they have brought
+/// beyond it is still released.
 void BagGas::become_uniform(const Points& x) {
     std::vector<Species> kinds = inflators_.species();
     if (air_) kinds.push_back(air_->species());

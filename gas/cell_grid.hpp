@@ -23,9 +23,10 @@ struct Lists {
     }
 };
 
-/// Puts particles in the order of their grid cells: neighbours in space become neighbours in memory. A
-/// stable counting sort, so the order is that of cells, then of former rows, on any number of threads.
-/// Memory: 4 bytes a particle and a second set of particles, 4 bytes a cell and thread.
+/// Puts particles in the order of their grid cells: neighbours in space become neighbours in
+/// memory. A stable counting sort, so the order is that of cells, then of former rows, on any
+/// number of threads. Memory: 4 bytes a particle and a second set of particles, 4 bytes a cell and
+/// thread.
 class CellSort {
 public:
     void sort(const Grid& grid, Particles& particles);
@@ -41,7 +42,7 @@ private:
     std::vector<Index> cell_;  ///< of each particle, before
     std::vector<Index> fill_;  ///< slices × cells: first count, then next place
     std::vector<Index> start_;
-    std::vector<Index> row_;   ///< 0, 1, 2, ...
+    std::vector<Index> row_;  ///< 0, 1, 2, ...
     Particles sorted_;
 };
 

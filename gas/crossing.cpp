@@ -22,8 +22,8 @@ std::array<int, 3> ascending(const Triangle& nodes) {
 /// The six corners of the swept triangle as the particle sees them: 0-2 at t, 3-5 at t + dt.
 using Corners = std::array<Vec3, 6>;
 
-/// Are all corners on one side of the plane through the origin that is parallel to the triangle at t, and
-/// farther from it than rounding can be wrong? Cost: one cross product, four dot products.
+/// Are all corners on one side of the plane through the origin that is parallel to the triangle at
+/// t, and farther from it than rounding can be wrong? Cost: one cross product, four dot products.
 bool all_on_one_side(const Corners& r) {
     constexpr double ROUNDING = 1e-13;  // of the products below, generously
     const Vec3 normal = (r[1] - r[0]).cross(r[2] - r[0]);

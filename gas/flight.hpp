@@ -31,7 +31,7 @@ struct Lost {
 struct FlightResult {
     std::vector<std::vector<Hit>> hits;  ///< a list a chunk, to be read in order
     std::vector<Lost> lost;
-    FacetBounds bounds;  ///< of this flight; kept for its memory
+    FacetBounds bounds;                          ///< of this flight; kept for its memory
     std::vector<std::vector<Arrival>> arrivals;  ///< at gates, a list a chunk, to be read in order
     std::vector<std::vector<std::size_t>> caught;  ///< that had to fly again, a list a chunk
 };
@@ -46,8 +46,9 @@ struct FlightResult {
 /// A particle that bounces a thousand times in a step is caught between facets, and flies the step
 /// again in smaller and smaller parts. `born[i]`: for the last born.size()
 /// particles, the share of the step at which they start. `mass[s]`: of a particle of species s.
-/// `friction`: what rough fabric takes from the velocity along it turns into the particle's internal
-/// energy. `gates`: where particles may pass; what has left stays in `gas` where it was, to be removed.
+/// `friction`: what rough fabric takes from the velocity along it turns into the particle's
+/// internal energy. `gates`: where particles may pass; what has left stays in `gas` where it was,
+/// to be removed.
 void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec3> x_1, double dt,
          std::span<const double> mass, std::span<const double> born, Particles& gas,
          FlightResult& result, const Gates* gates = nullptr, const WallFriction& friction = {});

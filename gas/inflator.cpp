@@ -169,8 +169,7 @@ void Inflators::share_particles(std::size_t particles, Faults& faults) {
         faults.push_back("NP = 0 particles, expected > 0");
         return;
     }
-    moles_each_ = std::accumulate(moles.begin(), moles.end(), 0.0) /
-                  static_cast<double>(particles);
+    moles_each_ = std::accumulate(moles.begin(), moles.end(), 0.0) / static_cast<double>(particles);
 
     std::vector<double> remainder(moles.size());
     std::vector<std::size_t> count(moles.size());

@@ -51,8 +51,8 @@ public:
     /// Lets `mass` go, each mole with u + heat · R T; returns the energy that goes with it.   [J]
     double release(double mass, double heat) {
         const double out = mass / species_.molar_mass();
-        const double energy = out * (energy_ / moles_ + heat * species_.gas_constant() *
-                                                            temperature_);
+        const double energy =
+            out * (energy_ / moles_ + heat * species_.gas_constant() * temperature_);
         moles_ -= out;
         add(-energy);
         return energy;

@@ -23,8 +23,7 @@ inline double orifice_flow(double p, double p_out, double T, double gamma, doubl
     const double choked = std::pow(2.0 / (gamma + 1.0), gamma / (gamma - 1.0));
     const double Q = std::max(p_out / p, choked);
     const double fall = 1.0 - std::pow(Q, (gamma - 1.0) / gamma);
-    return p * std::pow(Q, 1.0 / gamma) *
-           std::sqrt(2.0 * gamma / (gamma - 1.0) * fall / (R * T));
+    return p * std::pow(Q, 1.0 / gamma) * std::sqrt(2.0 * gamma / (gamma - 1.0) * fall / (R * T));
 }
 
 /// Speed at which a gas at rest effuses: a quarter of the mean speed, sqrt(R T / (2 pi M)); times

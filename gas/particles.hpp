@@ -15,11 +15,11 @@ namespace corpuscle::gas {
 /// Every particle stands for the same number of moles `moles_each` of its species, so its mass is
 /// moles_each · M: only then do collisions between species end in equipartition.
 struct Particles {
-    std::vector<Vec3> x;                  ///< position                                    [m]
-    std::vector<Vec3> v;                  ///< velocity                                    [m/s]
-    std::vector<double> e;                ///< internal (spin + vibration) energy          [J]
-    std::vector<std::int32_t> species;    ///< row among the bag's species
-    std::vector<std::int32_t> id;         ///< born 0, 1, 2, ...; never reused
+    std::vector<Vec3> x;                ///< position                                    [m]
+    std::vector<Vec3> v;                ///< velocity                                    [m/s]
+    std::vector<double> e;              ///< internal (spin + vibration) energy          [J]
+    std::vector<std::int32_t> species;  ///< row among the bag's species
+    std::vector<std::int32_t> id;       ///< born 0, 1, 2, ...; never reused
 
     [[nodiscard]] std::size_t size() const { return x.size(); }
 

@@ -37,8 +37,7 @@ Dialect dialect(Parameters& parameters, Faults& faults) {
 /// COLLISION, by -D or by *PARAMETER (type C): the collision model of all bags.
 std::optional<gas::CollisionModel> collision(Parameters& parameters, Faults& faults) {
     std::optional<std::string> name = parameters.take_override("COLLISION");
-    if (const Parameter* p = parameters.find("COLLISION", 0); !name && p != nullptr)
-        name = p->text;
+    if (const Parameter* p = parameters.find("COLLISION", 0); !name && p != nullptr) name = p->text;
     if (!name) return {};
     const auto model = gas::collision_model(trim(*name));
     if (!model)
@@ -60,8 +59,9 @@ double mean_free_path(const std::optional<gas::CollisionModel>& model, Parameter
     if (!(path > 0.0))
         faults.fault(Place{0, 1}, "MEAN_FREE_PATH, expected a length > 0");
     else if (!model || !gas::has_mean_free_path(*model))
-        faults.fault(Place{0, 1}, "MEAN_FREE_PATH is set, expected COLLISION = ntc or spheres, the "
-                                  "models that have one");
+        faults.fault(Place{0, 1},
+                     "MEAN_FREE_PATH is set, expected COLLISION = ntc or spheres, the "
+                     "models that have one");
     return path;
 }
 

@@ -32,13 +32,13 @@ Sample blank(const RecordLayout& layout) {
 }
 
 [[maybe_unused]] bool has_sizes_of(const RecordLayout& layout, const Sample& s) {
-    bool same =
-        s.airbags.size() == layout.airbags.size() && s.parts.size() == layout.parts.size() &&
-        s.rigid_bodies.size() == layout.rigid_bodies.size() &&
-        s.wall_force.size() == layout.walls.size() && s.contacts.size() == layout.contacts.size() &&
-        s.sensors.size() == layout.sensors &&
-        s.node_coordinates.size() == layout.history_nodes.size() &&
-        s.node_velocity.size() == layout.history_nodes.size();
+    bool same = s.airbags.size() == layout.airbags.size() &&
+                s.parts.size() == layout.parts.size() &&
+                s.rigid_bodies.size() == layout.rigid_bodies.size() &&
+                s.wall_force.size() == layout.walls.size() &&
+                s.contacts.size() == layout.contacts.size() && s.sensors.size() == layout.sensors &&
+                s.node_coordinates.size() == layout.history_nodes.size() &&
+                s.node_velocity.size() == layout.history_nodes.size();
     for (std::size_t i = 0; same && i < s.airbags.size(); ++i)
         same = s.airbags[i].species.size() == layout.airbags[i].species.size() &&
                s.airbags[i].parts.size() == layout.airbags[i].parts.size();

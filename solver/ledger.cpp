@@ -5,7 +5,7 @@
 namespace corpuscle {
 
 EnergyBooks Ledger::balance(const EnergyBooks& instant) const {
-    const auto mean = [&](double Moved::* entry) {
+    const auto mean = [&](double Moved::*entry) {
         return (1.0 - weight) * before.*entry + weight * after.*entry;
     };
     EnergyBooks books = instant;

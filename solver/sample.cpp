@@ -25,8 +25,7 @@ AirbagSample row_of(const gas::GasState& state, const gas::PartState& parts) {
     for (const auto& share : state.species)
         row.species.push_back({share.mass, share.temperature, share.energy});
     for (std::size_t p = 0; p < parts.pressure.size(); ++p)
-        row.parts.push_back({parts.pressure[p], parts.area[p], parts.mass_out[p],
-                             parts.heat[p]});
+        row.parts.push_back({parts.pressure[p], parts.area[p], parts.mass_out[p], parts.heat[p]});
     return row;
 }
 
@@ -141,7 +140,8 @@ Frame Simulation::frame() {
     state.time = clock_.t;
     state.coordinates = nodes_.x;
     state.velocity.resize(nodes_.size());
-    for (std::size_t n = 0; n < nodes_.size(); ++n) state.velocity[n] = velocity(static_cast<Index>(n));
+    for (std::size_t n = 0; n < nodes_.size(); ++n)
+        state.velocity[n] = velocity(static_cast<Index>(n));
     const std::size_t shells = model_.shells.size();
     state.shell_active.assign(shells, 1);
     state.shell_stress.assign(shells, {0.0F, 0.0F, 0.0F});

@@ -62,9 +62,7 @@ public:
     [[nodiscard]] const Model& model() const { return model_; }
     [[nodiscard]] const fabric::Nodes& nodes() const { return nodes_; }
     [[nodiscard]] const std::vector<gas::BagGas>& bags() const { return bags_; }
-    [[nodiscard]] const std::vector<gas::UniformBag>& uniform_bags() const {
-        return uniform_bags_;
-    }
+    [[nodiscard]] const std::vector<gas::UniformBag>& uniform_bags() const { return uniform_bags_; }
     [[nodiscard]] const std::vector<contact::SelfContact>& contacts() const { return contacts_; }
     [[nodiscard]] const Timings& timings() const { return timings_; }
     [[nodiscard]] std::size_t active_shells() const { return active_shells_; }
@@ -113,8 +111,8 @@ private:
     Constraints supports_;
     Loads loads_;
 
-    Points v_before_;  ///< v(t - dt/2)                                [m/s]
-    Points v_mid_;     ///< mean of v before and after the kick        [m/s]
+    Points v_before_;                     ///< v(t - dt/2)                                [m/s]
+    Points v_mid_;                        ///< mean of v before and after the kick        [m/s]
     std::vector<std::uint8_t> touching_;  ///< N: nodes in contact, if a bag asks for it
     ForceShare load_force_, damping_force_, contact_force_;
     Ledger ledger_;

@@ -36,9 +36,10 @@ void print_scene(const Simulation& simulation) {
             fmt::print("    {:.1f} % of the gas enters before the end time\n", 100.0 * share);
     }
     for (const gas::UniformBag& bag : simulation.uniform_bags())
-        fmt::print("  airbag {} ({}): {} facets close {:.6g} of volume, uniform pressure from {:g}\n",
-                   bag.card().id, bag.card().keyword, bag.walls().closing,
-                   bag.enclosure().volume(model.x), bag.gas().pressure());
+        fmt::print(
+            "  airbag {} ({}): {} facets close {:.6g} of volume, uniform pressure from {:g}\n",
+            bag.card().id, bag.card().keyword, bag.walls().closing, bag.enclosure().volume(model.x),
+            bag.gas().pressure());
 }
 
 void print_needs(const Simulation& simulation) {

@@ -44,7 +44,8 @@ int run(int argc, char** argv) {
     CLI::App* run = app.add_subcommand("run", "run a deck; results go to DECK.out/results.h5");
     add_deck_options(*run, to_run.deck);
     run->add_option("-o,--output", to_run.folder, "folder for the results; default: DECK.out");
-    run->add_flag("--restart", to_run.restart, "go on from the last checkpoint (not there yet: refused)");
+    run->add_flag("--restart", to_run.restart,
+                  "go on from the last checkpoint (not there yet: refused)");
     run->add_flag("-q,--quiet", to_run.quiet, "no progress, no summary");
 
     tools::DeckArguments to_check;

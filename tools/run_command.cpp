@@ -118,7 +118,8 @@ Model load(const DeckArguments& arguments) {
 
 int run(const RunArguments& arguments) {
     if (arguments.restart)
-        throw SystemError("--restart: runs write no checkpoints yet; start the run anew without it");
+        throw SystemError(
+            "--restart: runs write no checkpoints yet; start the run anew without it");
     Simulation simulation(load(arguments.deck), arguments.deck.seed);
     const Model& model = simulation.model();
     if (!arguments.quiet)

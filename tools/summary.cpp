@@ -33,8 +33,7 @@ void print_bag(const gas::BagGas& bag, const Points& x) {
     if (!bag.openings().empty())
         fmt::print("    out through vents {:.6g}, through fabric {:.6g}, {} particles\n",
                    gas.mass_out_vent, gas.mass_out_fabric, bag.openings().particles_out());
-    for (const std::string& shortage : bag.openings().shortages())
-        fmt::print("    {}\n", shortage);
+    for (const std::string& shortage : bag.openings().shortages()) fmt::print("    {}\n", shortage);
     fmt::print("    lost particles: {}\n", bag.lost());
     for (const std::string& loss : bag.losses()) fmt::print("      {}\n", loss);
 }
@@ -50,11 +49,13 @@ void print_bag(const gas::UniformBag& bag) {
 
 void print_contact(int id, const contact::SelfContact& contact) {
     const contact::SelfContactCounts& counts = contact.counts();
-    fmt::print("\n  contact {}: {} list builds, {} candidates, {} near and {} touching at the end\n", id,
-               counts.builds, counts.candidates, counts.near, counts.touching);
-    fmt::print("    {} pairs began nearer than the contact thickness, {} pairs of facets cross since the "
-               "start, least gap {:.3g} of its rest value\n",
-               counts.close_starts, contact.crossing().size(), counts.least_gap);
+    fmt::print(
+        "\n  contact {}: {} list builds, {} candidates, {} near and {} touching at the end\n", id,
+        counts.builds, counts.candidates, counts.near, counts.touching);
+    fmt::print(
+        "    {} pairs began nearer than the contact thickness, {} pairs of facets cross since the "
+        "start, least gap {:.3g} of its rest value\n",
+        counts.close_starts, contact.crossing().size(), counts.least_gap);
 }
 
 void print_ledger(const EnergyBooks& e, double worst) {

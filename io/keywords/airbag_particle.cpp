@@ -28,8 +28,7 @@ public:
     Reading(Cards& cards, Draft& draft) : cards_(cards), draft_(draft) {}
 
     gas::BagCard read() {
-        bag_.id =
-            static_cast<int>(draft_.model.bags.size() + draft_.model.uniform_bags.size()) + 1;
+        bag_.id = static_cast<int>(draft_.model.bags.size() + draft_.model.uniform_bags.size()) + 1;
         if (cards_.has("MPP")) cards_.next("SX SY SZ").harmless("SX SY SZ");
         if (cards_.has("ID") || cards_.has("TITLE")) name();
         if (cards_.has("TIME")) cards_.next("BIRTH DEATH");

@@ -14,8 +14,7 @@
 namespace corpuscle::io::keywords {
 
 /// A value, or below 0 the id of a curve (mat_fabric.cpp).
-void value_or_curve(Card& c, const char* name, const Registry& curves, double& value,
-                    Index& curve);
+void value_or_curve(Card& c, const char* name, const Registry& curves, double& value, Index& curve);
 
 /// What a keyword refers to is read before it, wherever it stands in the deck.
 enum class Phase { GROUND, MATERIAL, PART, SHELL, SET, SUM_OF_SETS, SCENE };

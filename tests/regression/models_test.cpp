@@ -45,7 +45,8 @@ TEST_CASE("two_inflators gives what it gave", "[regression]") {
 }
 
 TEST_CASE("write the baselines anew", "[.rebaseline]") {
-    for (const std::string model : {"helium_air", "fast_piston", "driver_bag_flat", "two_inflators"}) {
+    for (const std::string model :
+         {"helium_air", "fast_piston", "driver_bag_flat", "two_inflators"}) {
         Baseline baseline = Baseline::read(baseline_of(model));
         const ModelRun run(model, baseline.options);
         REQUIRE(run.status() == 0);

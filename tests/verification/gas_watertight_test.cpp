@@ -20,8 +20,8 @@ namespace {
 
 constexpr double RADIUS = 0.2, STEP = 2e-5, SPEED = 500.0;
 
-/// A ball of 8 192 facets with twelve pleats that open and close, and nodes that jitter. Each ray from
-/// the centre meets it once, so the facets never cross each other.
+/// A ball of 8 192 facets with twelve pleats that open and close, and nodes that jitter. Each ray
+/// from the centre meets it once, so the facets never cross each other.
 class PleatedBall {
 public:
     PleatedBall() {

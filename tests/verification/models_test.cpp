@@ -133,7 +133,8 @@ double distance_to_maxwell(const std::vector<double>& speed, double T, double mo
 TEST_CASE("gas of two inflators keeps to its room, then mixes through the valve", "[models]") {
     const ModelRun run("two_inflators", "-j 1");
     REQUIRE(run.status() == 0);
-    const std::string gas_1 = "/history/airbag/1/species/1/", gas_2 = "/history/airbag/1/species/2/";
+    const std::string gas_1 = "/history/airbag/1/species/1/",
+                      gas_2 = "/history/airbag/1/species/2/";
     const auto time = run.history("/history/time");
     for (const std::string& gas : {gas_1, gas_2}) {
         const auto energy = run.history(gas + "energy");

@@ -38,8 +38,8 @@ Particles fill(const Enclosure& enclosure, const Points& x, double reach, std::s
     return gas;
 }
 
-FacetLists lists_for(const shapes::Shape& shape, const Points& x_0, const Points& x_1,
-                     double edge, double reach = 0.0) {
+FacetLists lists_for(const shapes::Shape& shape, const Points& x_0, const Points& x_1, double edge,
+                     double reach = 0.0) {
     FacetLists lists(shape.triangles, shape.x);
     lists.build(Grid::over(Vec3::Constant(-0.3), Vec3::Constant(0.3), edge, 1000000), x_0, x_1, 0.0,
                 reach);
@@ -169,8 +169,8 @@ TEST_CASE("cells of any size find the same hits, on any number of threads", "[ga
         parallel::set_threads(threads);
         Particles gas = start;
         FlightResult flight;
-        fly(lists_for(shape, shape.x, x_1, edge, reach), shape.x, x_1, 1e-4, std::vector<double>{1.0}, {},
-            gas, flight);
+        fly(lists_for(shape, shape.x, x_1, edge, reach), shape.x, x_1, 1e-4,
+            std::vector<double>{1.0}, {}, gas, flight);
         return gas;
     };
     const Particles one = flown(0.02, 0.0, 1);

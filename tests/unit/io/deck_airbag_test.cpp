@@ -227,7 +227,8 @@ TEST_CASE("AIRBAG_PARTICLE_MOLEFRACTION: gases share the mass flow by moles", "[
     bag.gas = "21,7,0.028,28.0\n22,7,0.004,20.79";
     const std::string total = "*DEFINE_CURVE\n20\n0,2\n0.5,4\n0.5,1\n1,0\n";
     const auto deck = [&](const char* nitrogen, const char* helium) {
-        return total + "*DEFINE_CURVE\n21\n" + nitrogen + "*DEFINE_CURVE\n22\n" + helium + bag.deck();
+        return total + "*DEFINE_CURVE\n21\n" + nitrogen + "*DEFINE_CURVE\n22\n" + helium +
+               bag.deck();
     };
     const Model model = folder.read(deck("0,0.2\n0.4,0.8\n1,0.8\n", "0,0.8\n0.4,0.2\n1,0.2\n"));
     const gas::BagCard& card = model.bags.at(0);
@@ -269,14 +270,15 @@ TEST_CASE("the collision model is chosen by -D or by *PARAMETER", "[io]") {
 TEST_CASE("a mean free path is for collision models that have one", "[io]") {
     const DeckFolder folder;
     const std::string deck = Bag{}.deck();
-    const auto bag = folder.read(deck, {{{"COLLISION", "ntc"}, {"MEAN_FREE_PATH", "5e-3"}}}).bags.at(0);
+    const auto bag =
+        folder.read(deck, {{{"COLLISION", "ntc"}, {"MEAN_FREE_PATH", "5e-3"}}}).bags.at(0);
     CHECK(bag.collision == gas::CollisionModel::NTC);
     CHECK(bag.mean_free_path == 5e-3);
     CHECK(std::isnan(folder.read(deck, {{{"COLLISION", "spheres"}}}).bags.at(0).mean_free_path));
-    CHECK(contains(folder.faults(deck, {{{"MEAN_FREE_PATH", "5e-3"}}}).at(0), "expected COLLISION"));
-    CHECK(contains(
-        folder.faults(deck, {{{"COLLISION", "ntc"}, {"MEAN_FREE_PATH", "0"}}}).at(0),
-        "expected a length > 0"));
+    CHECK(
+        contains(folder.faults(deck, {{{"MEAN_FREE_PATH", "5e-3"}}}).at(0), "expected COLLISION"));
+    CHECK(contains(folder.faults(deck, {{{"COLLISION", "ntc"}, {"MEAN_FREE_PATH", "0"}}}).at(0),
+                   "expected a length > 0"));
 }
 
 TEST_CASE("AIRBAG_PARTICLE: inner parts do not close the bag", "[io]") {
