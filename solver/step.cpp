@@ -32,8 +32,8 @@ StepReport Simulation::step(const Observer& observe) {
     // 3. x(t) -> x(t + dt)
     drift(dt);                                                                  lap("motion");
 
-    find_touching();
     // 4. Gas, t -> t + dt, against the fabric that moves from x to x_1
+    find_touching();
     for (gas::BagGas& bag : bags_) {
         if (bag.switches(t)) bag.become_uniform(nodes_.x);
         bag.prepare(dt, nodes_.x, nodes_.x_1);                                  lap("facet lists");
