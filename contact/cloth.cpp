@@ -11,7 +11,7 @@
 namespace corpuscle::contact {
 namespace {
 
-std::vector<double> contact_thickness(const SelfContactSetup& setup) {
+std::vector<double> contact_thickness(const ContactSetup& setup) {
     std::vector<double> thickness = setup.thickness;
     if (setup.thickness_curve != nullptr) {
         const auto& y = setup.thickness_curve->y;
@@ -26,7 +26,7 @@ std::vector<double> contact_thickness(const SelfContactSetup& setup) {
     return thickness;
 }
 
-std::vector<double> inverse_masses(const SelfContactSetup& setup) {
+std::vector<double> inverse_masses(const ContactSetup& setup) {
     std::vector<double> inverse(setup.node_mass.size(), 0.0);
     for (const Triangle& t : setup.triangles)
         for (const Index node : t) {
@@ -115,7 +115,7 @@ void list_patch_nodes(Cloth& cloth) {
 
 }  // namespace
 
-Cloth::Cloth(const SelfContactSetup& setup)
+Cloth::Cloth(const ContactSetup& setup)
     : triangles(setup.triangles),
       thickness(contact_thickness(setup)),
       inverse_mass(inverse_masses(setup)),

@@ -16,8 +16,8 @@
 namespace corpuscle::contact {
 
 /// What self-contact is built from. Spans need to live during construction only.
-struct SelfContactSetup {
-    SelfContactCard card;
+struct ContactSetup {
+    ContactCard card;
     std::vector<Triangle> triangles;
     std::vector<double> thickness;           ///< of the section, per triangle                [m]
     std::span<const double> node_mass;       ///< N                                           [kg]
@@ -49,7 +49,7 @@ struct Cloth {
     std::vector<Index> near_node;  ///< nodes beside node i on the cloth, ascending
     std::vector<Index> near_start;
 
-    explicit Cloth(const SelfContactSetup& setup);
+    explicit Cloth(const ContactSetup& setup);
 
     [[nodiscard]] std::span<const Index> nodes_of_patch(std::size_t p) const {
         return std::span(patch_node)

@@ -18,7 +18,7 @@ constexpr double HALF = 0.5;      ///< of the remaining gap that one step may us
 
 }  // namespace
 
-Impulses::Impulses(const Cloth& cloth, const SelfContactCard& card) : cloth_(cloth), card_(card) {}
+Impulses::Impulses(const Cloth& cloth, const ContactCard& card) : cloth_(cloth), card_(card) {}
 
 void Impulses::apply(double span, double dt, ContactList& contacts, Candidates& pairs, Points& v) {
     pool_ += pairs.take_parted_accounts();

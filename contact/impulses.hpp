@@ -34,7 +34,7 @@ struct ImpulseBooks {
 ///    its rest value.
 class Impulses {
 public:
-    Impulses(const Cloth& cloth, const SelfContactCard& card);
+    Impulses(const Cloth& cloth, const ContactCard& card);
 
     /// @param span  time for which the last kick's forces acted                               [s]
     /// @param dt    the step ahead                                                            [s]
@@ -58,7 +58,7 @@ private:
     double push(double impulse, const Vec3& direction, const Contact& contact, Points& v);
 
     const Cloth& cloth_;
-    const SelfContactCard card_;
+    const ContactCard card_;
     ImpulseBooks books_;
     double pool_ = 0.0;  ///< what pairs that have parted took, less what they gave back         [J]
 };

@@ -38,7 +38,7 @@ void Simulation::book_forces(double span) {
         moved.damping += fabric.damping_energy(v_before_, nodes_.v, span);
 
     double friction = 0.0;
-    for (const contact::SelfContact& contact : contacts_) friction += contact.friction_energy();
+    for (const contact::SurfaceContact& contact : contacts_) friction += contact.friction_energy();
     for (const contact::PlanarWall& wall : walls_) friction += wall.friction_energy();
     moved.contact += -contact_force_.work(v_mid_, span) - (friction - moved.friction);
     moved.friction = friction;
@@ -83,7 +83,7 @@ void Simulation::find_touching() {
     const auto asks = [](const gas::BagGas& bag) { return bag.asks_for_contact(); };
     if (std::none_of(bags_.begin(), bags_.end(), asks)) return;
     touching_.assign(nodes_.size(), 0);
-    for (const contact::SelfContact& contact : contacts_) contact.mark_touching(touching_);
+    for (const contact::SurfaceContact& contact : contacts_) contact.mark_touching(touching_);
     for (const contact::PlanarWall& wall : walls_)
         for (const Index node : wall.touching()) touching_[node] = 1;
     for (gas::BagGas& bag : bags_)

@@ -105,7 +105,7 @@ struct Model {
     Index mass_damping_curve = -1;  ///< *DAMPING_GLOBAL LCID                          [1/s]
     std::vector<gas::BagCard> bags;
     std::vector<gas::UniformBagCard> uniform_bags;  ///< that never hold particles
-    std::vector<contact::SelfContactCard> contacts;
+    std::vector<contact::ContactCard> contacts;
     std::vector<contact::PlanarWallCard> walls;
 
     std::vector<gas::SensorCard> sensors;  ///< *DATABASE_CPM_SENSOR, one a segment

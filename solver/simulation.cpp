@@ -217,7 +217,7 @@ void Simulation::build_bags(std::uint64_t seed) {
 
 void Simulation::build_contacts() {
     const std::vector<std::uint8_t> held = held_nodes();
-    for (const contact::SelfContactCard& card : model_.contacts) {
+    for (const contact::ContactCard& card : model_.contacts) {
         SceneTriangles facets = triangles_of(model_, marked(card.parts, model_.parts.size()));
         std::vector<double> thickness;
         for (const Index shell : facets.shell)
@@ -225,7 +225,7 @@ void Simulation::build_contacts() {
         Points reference = model_.x;
         for (std::size_t s = 0; s < reference_.size(); ++s)
             for (int c = 0; c < 4; ++c) reference[model_.shells[s].nodes[c]] = reference_[s][c];
-        contacts_.emplace_back(contact::SelfContactSetup{
+        contacts_.emplace_back(contact::ContactSetup{
             card, std::move(facets.triangles), std::move(thickness), nodes_.mass, reference,
             model_.x, card.thickness_curve >= 0 ? &model_.curves[card.thickness_curve] : nullptr,
             held});

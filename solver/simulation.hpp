@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "contact/planar_wall.hpp"
-#include "contact/self_contact.hpp"
+#include "contact/surface_contact.hpp"
 #include "fabric/membranes.hpp"
 #include "fabric/nodes.hpp"
 #include "gas/bag_gas.hpp"
@@ -63,7 +63,7 @@ public:
     [[nodiscard]] const fabric::Nodes& nodes() const { return nodes_; }
     [[nodiscard]] const std::vector<gas::BagGas>& bags() const { return bags_; }
     [[nodiscard]] const std::vector<gas::UniformBag>& uniform_bags() const { return uniform_bags_; }
-    [[nodiscard]] const std::vector<contact::SelfContact>& contacts() const { return contacts_; }
+    [[nodiscard]] const std::vector<contact::SurfaceContact>& contacts() const { return contacts_; }
     [[nodiscard]] const Timings& timings() const { return timings_; }
     [[nodiscard]] std::size_t active_shells() const { return active_shells_; }
     [[nodiscard]] double added_mass() const { return added_mass_; }
@@ -105,7 +105,7 @@ private:
     std::vector<fabric::Membranes> fabric_;       ///< one, or none
     std::vector<gas::BagGas> bags_;
     std::vector<gas::UniformBag> uniform_bags_;
-    std::vector<contact::SelfContact> contacts_;
+    std::vector<contact::SurfaceContact> contacts_;
     std::vector<contact::PlanarWall> walls_;
     std::vector<RigidBody> bodies_;
     Constraints supports_;

@@ -26,20 +26,27 @@ StepReport Simulation::step(const Observer& observe) {
     // 2. v(t - dt/2) -> v(t + dt/2); between the two, at t, the books balance
     kick(dt, span);
     book_forces(span);
-    stop_at_obstacles(dt);                                                      lap("motion");
-    observe(*this);                                                             lap("output");
+    stop_at_obstacles(dt);
+    lap("motion");
+    observe(*this);
+    lap("output");
 
     // 3. x(t) -> x(t + dt)
-    drift(dt);                                                                  lap("motion");
+    drift(dt);
+    lap("motion");
 
     // 4. Gas, t -> t + dt, against the fabric that moves from x to x_1
     find_touching();
     for (gas::BagGas& bag : bags_) {
         if (bag.switches(t)) bag.become_uniform(nodes_.x);
-        bag.prepare(dt, nodes_.x, nodes_.x_1);                                  lap("facet lists");
-        bag.collide(dt, nodes_.x);                                              lap("collisions");
-        bag.inject(t, dt, nodes_.x, nodes_.x_1);                                lap("inflators");
-        bag.fly(t, dt, nodes_.x, nodes_.x_1);                                   lap("flight");
+        bag.prepare(dt, nodes_.x, nodes_.x_1);
+        lap("facet lists");
+        bag.collide(dt, nodes_.x);
+        lap("collisions");
+        bag.inject(t, dt, nodes_.x, nodes_.x_1);
+        lap("inflators");
+        bag.fly(t, dt, nodes_.x, nodes_.x_1);
+        lap("flight");
     }
     for (gas::UniformBag& bag : uniform_bags_) bag.flow(t, dt);
 
@@ -55,22 +62,28 @@ StepReport Simulation::step(const Observer& observe) {
 void Simulation::find_forces(double dt, double span, Stopwatch& lap) {
     std::fill(nodes_.f.begin(), nodes_.f.end(), Vec3::Zero());
     for (fabric::Membranes& fabric : fabric_) {
-        const Index broken = fabric.add_force(nodes_.x, nodes_.v, nodes_.f);    lap("membranes");
+        const Index broken = fabric.add_force(nodes_.x, nodes_.v, nodes_.f);
+        lap("membranes");
         if (broken >= 0) stop_for(broken);
     }
     for (gas::BagGas& bag : bags_) {
-        bag.add_load(nodes_.x, span, nodes_.f);                                 lap("gas load");
+        bag.add_load(nodes_.x, span, nodes_.f);
+        lap("gas load");
     }
     for (gas::UniformBag& bag : uniform_bags_) {
-        bag.add_load(clock_.t, nodes_.x, nodes_.f);                             lap("gas load");
+        bag.add_load(clock_.t, nodes_.x, nodes_.f);
+        lap("gas load");
     }
     std::fill(contact_force_.f.begin(), contact_force_.f.end(), Vec3::Zero());
-    for (contact::SelfContact& contact : contacts_) {
-        contact.find(nodes_.x, nodes_.v, clock_.t, dt);                         lap("contact search");
-        contact.add_force(nodes_.x, nodes_.v, dt, contact_force_.f);            lap("contact force");
+    for (contact::SurfaceContact& contact : contacts_) {
+        contact.find(nodes_.x, nodes_.v, clock_.t, dt);
+        lap("contact search");
+        contact.add_force(nodes_.x, nodes_.v, dt, contact_force_.f);
+        lap("contact force");
     }
     loads_.find_force(clock_.t, nodes_.x, nodes_.mass, load_force_.f);
-    add_mass_damping();                                                         lap("loads");
+    add_mass_damping();
+    lap("loads");
 }
 
 /// f = -d m v, *DAMPING_GLOBAL.
@@ -104,7 +117,7 @@ void Simulation::stop_at_obstacles(double dt) {
     const double kinetic = nodes_.kinetic_energy();
     for (contact::PlanarWall& wall : walls_)
         wall.hold(nodes_.x, nodes_.mass, clock_.t, dt, nodes_.v);
-    for (contact::SelfContact& contact : contacts_) {
+    for (contact::SurfaceContact& contact : contacts_) {
         const double by_held = contact.held_work();
         contact.filter(nodes_.x, dt, nodes_.v);
         ledger_.after.external += contact.held_work() - by_held;

@@ -47,8 +47,8 @@ void print_bag(const gas::UniformBag& bag) {
         gas.temperature(), bag.mass_in(), bag.mass_out(), gas.mass());
 }
 
-void print_contact(int id, const contact::SelfContact& contact) {
-    const contact::SelfContactCounts& counts = contact.counts();
+void print_contact(int id, const contact::SurfaceContact& contact) {
+    const contact::ContactCounts& counts = contact.counts();
     fmt::print(
         "\n  contact {}: {} list builds, {} candidates, {} near and {} touching at the end\n", id,
         counts.builds, counts.candidates, counts.near, counts.touching);

@@ -30,13 +30,13 @@ std::vector<Index> surface_parts(Card& c, const Draft& draft) {
     return all;
 }
 
-void surfaces(Cards& cards, const Draft& draft, contact::SelfContactCard& contact) {
+void surfaces(Cards& cards, const Draft& draft, contact::ContactCard& contact) {
     Card c = cards.next("SURFA SURFB SURFATYP SURFBTYP SABOXID SBBOXID SAPR SBPR");
     contact.parts = surface_parts(c, draft);
     c.harmless("SURFB SURFBTYP SAPR SBPR");  // a single surface; forces are always written
 }
 
-void friction(Cards& cards, contact::SelfContactCard& contact) {
+void friction(Cards& cards, contact::ContactCard& contact) {
     Card c = cards.next("FS FD DC VC VDC PENCHK BT DT=1e20");
     contact.friction_static = c.real("FS", NON_NEGATIVE);
     contact.friction_dynamic = c.real("FD", NON_NEGATIVE);
@@ -47,7 +47,7 @@ void friction(Cards& cards, contact::SelfContactCard& contact) {
     c.harmless("PENCHK");
 }
 
-void thickness(Cards& cards, contact::SelfContactCard& contact) {
+void thickness(Cards& cards, contact::ContactCard& contact) {
     Card c = cards.next("SFSA=1 SFSB=1 SAST SBST SFSAT=1 SFSBT=1 FSF=1 VSF=1");
     const double t = c.real("SAST", NON_NEGATIVE);
     if (t > 0.0) contact.thickness = t;
@@ -56,7 +56,7 @@ void thickness(Cards& cards, contact::SelfContactCard& contact) {
 }
 
 /// Cards A to G, each needed by those behind it.
-void options(Cards& cards, const Draft& draft, contact::SelfContactCard& contact) {
+void options(Cards& cards, const Draft& draft, contact::ContactCard& contact) {
     if (!cards.more()) return;
     {
         Card c = cards.next("SOFT SOFSCL=0.1 LCIDAB MAXPAR=1.025 SBOPT=2 DEPTH=2 BSORT FRCFRQ=1");
@@ -77,7 +77,7 @@ void options(Cards& cards, const Draft& draft, contact::SelfContactCard& contact
 }  // namespace
 
 void contact_single_surface(Cards& cards, Draft& draft) {
-    contact::SelfContactCard contact;
+    contact::ContactCard contact;
     contact.id = static_cast<int>(draft.model.contacts.size()) + 1;
     if (cards.has("ID") || cards.has("TITLE")) {
         Card c = cards.next("CID TITLE:70");
@@ -92,7 +92,7 @@ void contact_single_surface(Cards& cards, Draft& draft) {
     friction(cards, contact);
     thickness(cards, contact);
     options(cards, draft, contact);
-    for (const contact::SelfContactCard& other : draft.model.contacts)
+    for (const contact::ContactCard& other : draft.model.contacts)
         if (other.id == contact.id)
             cards.fault(fmt::format("has id {}, as another contact has", contact.id));
     draft.model.contacts.push_back(std::move(contact));

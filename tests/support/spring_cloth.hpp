@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/self_contact.hpp"
+#include "contact/surface_contact.hpp"
 #include "tests/support/cloth.hpp"
 
 namespace corpuscle::support {
@@ -51,8 +51,8 @@ public:
         for (std::size_t i = 0; i < row.size(); ++i) most = std::max(most, row[i] / mass[i]);
         return 0.9 * 2.0 / std::sqrt(most);
     }
-    [[nodiscard]] contact::SelfContactSetup setup(const contact::SelfContactCard& card,
-                                                  const Points& reference_x) const {
+    [[nodiscard]] contact::ContactSetup setup(const contact::ContactCard& card,
+                                              const Points& reference_x) const {
         return {card,    triangles,   std::vector<double>(triangles.size(), THICKNESS),
                 mass,    reference_x, x,
                 nullptr, held};
@@ -123,8 +123,8 @@ struct ClothRun {
 
 /// n steps of dt and a last half kick, so that velocities live at the same time as positions at
 /// both ends. `load` adds forces to f at t, `watch` sees every state before it moves on.
-inline ClothRun run_cloth(SpringCloth& cloth, contact::SelfContact& contact, double dt, int steps,
-                          const std::function<void(double, SpringCloth&)>& load,
+inline ClothRun run_cloth(SpringCloth& cloth, contact::SurfaceContact& contact, double dt,
+                          int steps, const std::function<void(double, SpringCloth&)>& load,
                           const std::function<void(int)>& watch) {
     ClothRun run;
     Points pushed(cloth.x.size()), loads(cloth.x.size()), before;

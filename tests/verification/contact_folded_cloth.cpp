@@ -40,11 +40,11 @@ using Load = std::function<void(double, SpringCloth&)>;
 /// Runs with steps of `step_factor` times the stable one. Requires that nothing crosses in every
 /// fifth state, and that momentum and energy are kept: what contact has taken and what it says that
 /// it has are the same.
-void fly(SpringCloth& cloth, const SelfContactCard& card, double time, double step_factor = 1.0,
+void fly(SpringCloth& cloth, const ContactCard& card, double time, double step_factor = 1.0,
          const Load& load = {}) {
     parallel::set_threads(
         1);  // scenes so small, in steps so short, only make threads wait for each other
-    SelfContact contact(cloth.setup(card, cloth.x));
+    SurfaceContact contact(cloth.setup(card, cloth.x));
     const Patches patches = make_patches(cloth.x, cloth.triangles);
     const double dt = step_factor * cloth.stable_step();
     const Vec3 momentum = cloth.momentum();
@@ -75,7 +75,7 @@ void fly(SpringCloth& cloth, const SelfContactCard& card, double time, double st
 
 TEST_CASE("two sheets that meet at 50 and 100 m/s never cross", "[contact]") {
     const double speed = GENERATE(50.0, 100.0);
-    SelfContactCard card;
+    ContactCard card;
     card.damping = GENERATE(20.0, 0.0);
     SpringCloth cloth(stack(24, 2, 5e-3));
     for (std::size_t i = 0; i < cloth.x.size(); ++i)
@@ -87,7 +87,7 @@ TEST_CASE("a stack of six sheets that is struck never crosses", "[contact]") {
     const double speed = GENERATE(50.0, 100.0);
     SpringCloth cloth(stack(20, 6, 1.5e-3));
     for (std::size_t i = 0; i < cloth.x.size() / 6; ++i) cloth.v[i].z() = speed;
-    SelfContactCard card;
+    ContactCard card;
     card.friction_static = card.friction_dynamic = 0.2;
     fly(cloth, card, 0.8e-3);
 }
@@ -141,9 +141,9 @@ TEST_CASE("contact gives the same bits on one and two threads", "[contact]") {
         parallel::set_threads(threads);
         SpringCloth cloth(stack(20, 4, 1e-3));
         for (std::size_t i = 0; i < cloth.x.size() / 4; ++i) cloth.v[i] = Vec3(5.0, 2.0, 60.0);
-        SelfContactCard card;
+        ContactCard card;
         card.friction_static = card.friction_dynamic = 0.2;
-        SelfContact contact(cloth.setup(card, cloth.x));
+        SurfaceContact contact(cloth.setup(card, cloth.x));
         support::run_cloth(cloth, contact, cloth.stable_step(), 60, {}, [](int) {});
         return cloth;
     };

@@ -39,9 +39,9 @@ TEST_CASE("frictionless bouncing without damping never gains energy", "[contact]
     const double step_factor = GENERATE(1.0, 0.3);
     for (std::size_t i = 2 * PLATE; i < cloth.x.size(); ++i)
         cloth.v[i] = Vec3(0.1, 0.05, 1.0) * speed;
-    SelfContactCard card;
+    ContactCard card;
     card.damping = 0.0;
-    SelfContact contact(cloth.setup(card, cloth.x));
+    SurfaceContact contact(cloth.setup(card, cloth.x));
     const double start = cloth.kinetic_energy();
     double most = 0.0, last = 1.0;
     int bounces = 0;
@@ -61,9 +61,9 @@ TEST_CASE("a sheet on a slope sticks below the friction angle and slides as it s
     constexpr double MU = 0.3, GRAVITY = 2000.0;
     const double slope = GENERATE(0.2, 0.28, 0.4, 0.6);  // tangent of its angle
     SpringCloth cloth = sheet_on_slope();
-    SelfContactCard card;
+    ContactCard card;
     card.friction_static = card.friction_dynamic = MU;
-    SelfContact contact(cloth.setup(card, cloth.x));
+    SurfaceContact contact(cloth.setup(card, cloth.x));
     const double dt = cloth.stable_step();
     const int steps = 900;
     const Vec3 gravity = GRAVITY * Vec3(slope, 0.0, -1.0);

@@ -64,7 +64,7 @@ TEST_CASE("whatever is near is due, and whatever may meet is known, as in a list
         return x;
     };
     support::SpringCloth cloth(sheet);
-    SelfContactCard card;
+    ContactCard card;
     card.thickness = 1e-3;
     const Cloth fixed(cloth.setup(card, flat));
     constexpr double REACH = 1.5;

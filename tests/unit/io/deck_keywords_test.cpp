@@ -266,7 +266,7 @@ TEST_CASE("contact: one method, and a word on what does not count", "[io]") {
                                "0.3,0.2,1.5,0,20.0,0,0.1,0.9\n0,0,0.5\n2,0.1,7\n0\n1\n"
                                "*CONTACT_AUTOMATIC_SINGLE_SURFACE_MPP\n\n0\n\n\n"));
     REQUIRE(model.contacts.size() == 2);
-    const contact::SelfContactCard& first = model.contacts[0];
+    const contact::ContactCard& first = model.contacts[0];
     CHECK(first.id == 3);
     CHECK(first.title == "fabric on fabric");
     CHECK(first.parts == std::vector<Index>{1});

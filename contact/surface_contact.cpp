@@ -1,6 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "contact/self_contact.hpp"
+#include "contact/surface_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +27,8 @@ constexpr double APPROACH = 3.0;
 
 }  // namespace
 
-struct SelfContact::State {
-    SelfContactCard card;
+struct SurfaceContact::State {
+    ContactCard card;
     std::optional<Curve> thickness_curve;
     Cloth cloth;
     Candidates pairs;
@@ -36,13 +36,13 @@ struct SelfContact::State {
     Impulses impulses;
     CrossingGuard guard;
     ContactList contacts;
-    SelfContactCounts counts;
+    ContactCounts counts;
     Vec3 force = Vec3::Zero();
     double t = 0.0, dt_last = 0.0, span = 0.0;  ///< [s]
     double growth_time = NaN;  ///< of gaps that start below the contact thickness  [s]
     bool is_started = false, is_on = false;
 
-    explicit State(const SelfContactSetup& setup)
+    explicit State(const ContactSetup& setup)
         : card(setup.card),
           thickness_curve(setup.thickness_curve ? std::optional(*setup.thickness_curve)
                                                 : std::nullopt),
@@ -59,12 +59,13 @@ struct SelfContact::State {
     [[nodiscard]] Vec3 force_on_free_nodes() const;
 };
 
-SelfContact::SelfContact(const SelfContactSetup& setup) : state_(std::make_unique<State>(setup)) {}
-SelfContact::~SelfContact() = default;
-SelfContact::SelfContact(SelfContact&&) noexcept = default;
-SelfContact& SelfContact::operator=(SelfContact&&) noexcept = default;
+SurfaceContact::SurfaceContact(const ContactSetup& setup)
+    : state_(std::make_unique<State>(setup)) {}
+SurfaceContact::~SurfaceContact() = default;
+SurfaceContact::SurfaceContact(SurfaceContact&&) noexcept = default;
+SurfaceContact& SurfaceContact::operator=(SurfaceContact&&) noexcept = default;
 
-void SelfContact::find(const Points& x, const Points& v, double t, double dt) {
+void SurfaceContact::find(const Points& x, const Points& v, double t, double dt) {
     State& s = *state_;
     s.contacts.clear(0);
     s.t = t;
@@ -83,7 +84,7 @@ void SelfContact::find(const Points& x, const Points& v, double t, double dt) {
     s.count();
 }
 
-void SelfContact::State::look_at_pairs(const Points& x, const Points& v) {
+void SurfaceContact::State::look_at_pairs(const Points& x, const Points& v) {
     const double most = thickness_curve ? (*thickness_curve)(t) : INF;
     contacts.clear(pairs.size());
     const auto look = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
@@ -105,7 +106,7 @@ void SelfContact::State::look_at_pairs(const Points& x, const Points& v) {
 }
 
 /// A pair that began nearer than its thickness starts with the gap that it had.
-void SelfContact::State::set_rest_gap(double thickness, Contact& contact) {
+void SurfaceContact::State::set_rest_gap(double thickness, Contact& contact) {
     contact.rest = thickness;
     PairMemory* const memory = pairs.memory(contact.pair);
     if (memory == nullptr || memory->short_by == 0.0) return;
@@ -120,7 +121,7 @@ void SelfContact::State::set_rest_gap(double thickness, Contact& contact) {
     }
 }
 
-void SelfContact::State::count() {
+void SurfaceContact::State::count() {
     counts.builds = pairs.builds();
     counts.candidates = pairs.size();
     counts.near = counts.touching = 0;
@@ -134,7 +135,7 @@ void SelfContact::State::count() {
     });
 }
 
-void SelfContact::add_force(const Points& /*x*/, const Points& /*v*/, double dt, Points& f) {
+void SurfaceContact::add_force(const Points& /*x*/, const Points& /*v*/, double dt, Points& f) {
     State& s = *state_;
     s.repulsion.find(std::max(dt, s.dt_last), s.contacts);
     s.let_debtors_part();
@@ -143,7 +144,7 @@ void SelfContact::add_force(const Points& /*x*/, const Points& /*v*/, double dt,
     s.dt_last = dt;
 }
 
-void SelfContact::filter(const Points& x, double dt, Points& v) {
+void SurfaceContact::filter(const Points& x, double dt, Points& v) {
     State& s = *state_;
     if (!s.is_on) return;
     s.impulses.apply(s.span, dt, s.contacts, s.pairs, v);
@@ -152,7 +153,7 @@ void SelfContact::filter(const Points& x, double dt, Points& v) {
 }
 
 /// A pair that has given more energy than it took, and is parting, does not push on.
-void SelfContact::State::let_debtors_part() {
+void SurfaceContact::State::let_debtors_part() {
     contacts.for_each([&](Contact& c) {
         const PairMemory* const memory = pairs.memory(c.pair);
         if (memory != nullptr && memory->account < 0.0 && c.rate_before > 0.0)
@@ -161,7 +162,7 @@ void SelfContact::State::let_debtors_part() {
 }
 
 /// Normal impulses alone; friction on held nodes is not in it.
-Vec3 SelfContact::State::force_on_free_nodes() const {
+Vec3 SurfaceContact::State::force_on_free_nodes() const {
     Vec3 sum = Vec3::Zero();
     contacts.for_each([&](const Contact& c) {
         for (int i = 0; i < 4; ++i)
@@ -170,7 +171,7 @@ Vec3 SelfContact::State::force_on_free_nodes() const {
     return span > 0.0 ? Vec3(sum / span) : sum;
 }
 
-double SelfContact::stable_step(const Points& v) const {
+double SurfaceContact::stable_step(const Points& v) const {
     double least = INF;
     state_->contacts.for_each([&](const Contact& c) {
         const double approach = -c.rate(v);
@@ -179,32 +180,32 @@ double SelfContact::stable_step(const Points& v) const {
     return least;
 }
 
-const std::vector<std::pair<Index, Index>>& SelfContact::crossing() const {
+const std::vector<std::pair<Index, Index>>& SurfaceContact::crossing() const {
     return state_->pairs.crossing();
 }
-double SelfContact::stored_energy() const {
+double SurfaceContact::stored_energy() const {
     return contact::stored_energy(state_->contacts);
 }
-double SelfContact::friction_energy() const {
+double SurfaceContact::friction_energy() const {
     return state_->impulses.books().friction;
 }
-double SelfContact::damping_energy() const {
+double SurfaceContact::damping_energy() const {
     return state_->impulses.books().normal;
 }
-double SelfContact::held_work() const {
+double SurfaceContact::held_work() const {
     return state_->impulses.books().held_work;
 }
-const Vec3& SelfContact::force() const {
+const Vec3& SurfaceContact::force() const {
     return state_->force;
 }
-void SelfContact::mark_touching(std::span<std::uint8_t> nodes) const {
+void SurfaceContact::mark_touching(std::span<std::uint8_t> nodes) const {
     state_->contacts.for_each([&](const Contact& c) {
         if (c.gap >= c.rest) return;
         for (int i = 0; i < 4; ++i)
             if (std::abs(c.weight[i]) > 0.5) nodes[c.node[i]] = 1;
     });
 }
-const SelfContactCounts& SelfContact::counts() const {
+const ContactCounts& SurfaceContact::counts() const {
     return state_->counts;
 }
 

@@ -13,7 +13,7 @@
 namespace corpuscle::contact {
 
 /// What contact has found and done.
-struct SelfContactCounts {
+struct ContactCounts {
     std::size_t builds = 0;        ///< of the pair lists, so far
     std::size_t candidates = 0;    ///< pairs in the lists now
     std::size_t near = 0;          ///< pairs within reach in this step
@@ -33,13 +33,13 @@ struct SelfContactCounts {
 ///
 ///     contact.find(x, v, t, dt);  contact.add_force(x, v, dt, f);  kick;  contact.filter(x, dt,
 ///     v);  drift;
-class SelfContact {
+class SurfaceContact {
 public:
     /// @throws InputError for a contact thickness that is not positive or a free node without mass
-    explicit SelfContact(const SelfContactSetup& setup);
-    ~SelfContact();
-    SelfContact(SelfContact&&) noexcept;
-    SelfContact& operator=(SelfContact&&) noexcept;
+    explicit SurfaceContact(const ContactSetup& setup);
+    ~SurfaceContact();
+    SurfaceContact(SurfaceContact&&) noexcept;
+    SurfaceContact& operator=(SurfaceContact&&) noexcept;
 
     /// Finds what is near at x, v being half a step old.
     /// @param dt  the step ahead                                                               [s]
@@ -68,7 +68,7 @@ public:
     /// Resultant of repulsion and impulses on the free nodes in the last step: what held nodes
     /// gave.  [N]
     [[nodiscard]] const Vec3& force() const;
-    [[nodiscard]] const SelfContactCounts& counts() const;
+    [[nodiscard]] const ContactCounts& counts() const;
     /// Sets a 1 for every node that carries more than half of its side of a contact that pushes.
     void mark_touching(std::span<std::uint8_t> nodes) const;  // N
 

@@ -31,7 +31,7 @@ double lowest_above(const SpringCloth& cloth) {
 
 TEST_CASE("repulsion pushes apart and adds up to nothing, in force and in moment", "[contact]") {
     SpringCloth cloth(pair_of_sheets(0.4 * H));
-    SelfContact contact(cloth.setup({}, cloth.x));
+    SurfaceContact contact(cloth.setup({}, cloth.x));
     Points f(cloth.x.size(), Vec3::Zero());
     contact.find(cloth.x, cloth.v, 0.0, 1e-6);
     contact.add_force(cloth.x, cloth.v, 1e-6, f);
@@ -58,9 +58,9 @@ TEST_CASE("repulsion pushes apart and adds up to nothing, in force and in moment
 TEST_CASE("contact stiffness keeps within its share of the stable step", "[contact]") {
     // released from rest below the contact thickness, in an undamped cloth, nothing explodes
     SpringCloth cloth(pair_of_sheets(1.2 * H));
-    SelfContactCard card;
+    ContactCard card;
     card.damping = 0.0;
-    SelfContact contact(cloth.setup(card, cloth.x));
+    SurfaceContact contact(cloth.setup(card, cloth.x));
     const double speed = 2.0;
     for (std::size_t i = 36; i < cloth.x.size(); ++i) cloth.v[i].z() = -speed;
     const double start = cloth.kinetic_energy();
@@ -74,9 +74,9 @@ TEST_CASE("contact stiffness keeps within its share of the stable step", "[conta
 TEST_CASE("sheets that start too close part gently", "[contact]") {
     const double damping = GENERATE(0.0, 20.0);
     SpringCloth cloth(pair_of_sheets(0.3 * H));
-    SelfContactCard card;
+    ContactCard card;
     card.damping = damping;
-    SelfContact contact(cloth.setup(card, cloth.x));
+    SurfaceContact contact(cloth.setup(card, cloth.x));
     const double dt = 1e-6;
     double fastest = 0.0;
     support::run_cloth(cloth, contact, dt, 500, {}, [&](int) {
@@ -92,7 +92,7 @@ TEST_CASE("triangles that cross at the start are named, and nothing is thrown", 
     support::Sheet both = pair_of_sheets(1e-3);
     both.x.back().z() = -1e-3;  // one corner is through
     SpringCloth cloth(both);
-    SelfContact contact(cloth.setup({}, cloth.x));
+    SurfaceContact contact(cloth.setup({}, cloth.x));
     const Patches patches = make_patches(cloth.x, cloth.triangles);
     const double dt = 1e-6;
     contact.find(cloth.x, cloth.v, 0.0, dt);
@@ -108,9 +108,9 @@ TEST_CASE("triangles that cross at the start are named, and nothing is thrown", 
 
 TEST_CASE("neighbours on the cloth do not push each other, however thick it is", "[contact]") {
     SpringCloth cloth(support::square_sheet(8, 0.04));  // edges of 5 mm
-    SelfContactCard card;
+    ContactCard card;
     card.thickness = 4e-3;
-    SelfContact contact(cloth.setup(card, cloth.x));
+    SurfaceContact contact(cloth.setup(card, cloth.x));
     Points f(cloth.x.size(), Vec3::Zero());
     contact.find(cloth.x, cloth.v, 0.0, 1e-6);
     contact.add_force(cloth.x, cloth.v, 1e-6, f);
@@ -120,10 +120,10 @@ TEST_CASE("neighbours on the cloth do not push each other, however thick it is",
 
 TEST_CASE("there is no contact before its birth and after its death", "[contact]") {
     SpringCloth cloth(pair_of_sheets(0.5 * H));
-    SelfContactCard card;
+    ContactCard card;
     card.birth = 1.0;
     card.death = 2.0;
-    SelfContact contact(cloth.setup(card, cloth.x));
+    SurfaceContact contact(cloth.setup(card, cloth.x));
     Points moved = cloth.x;
     for (std::size_t i = 36; i < moved.size(); ++i) moved[i].z() -= 0.1 * H;
     const auto touching = [&](const Points& x, double t) {
@@ -144,7 +144,7 @@ TEST_CASE("held cloth is not moved, and the work it does is booked", "[contact]"
         cloth.held[i] = 1;
         cloth.v[i] = Vec3(0, 0, 20.0);  // a piston under the small sheet
     }
-    SelfContact contact(cloth.setup({}, cloth.x));
+    SurfaceContact contact(cloth.setup({}, cloth.x));
     double held_kinetic = 0.0;
     for (std::size_t i = 0; i < 36; ++i)
         held_kinetic += 0.5 * cloth.mass[i] * cloth.v[i].squaredNorm();
@@ -163,26 +163,26 @@ TEST_CASE("held cloth is not moved, and the work it does is booked", "[contact]"
 
 TEST_CASE("a contact thickness of zero and a free node without mass are refused", "[contact]") {
     SpringCloth cloth(pair_of_sheets(H));
-    SelfContactCard card;
+    ContactCard card;
     card.id = 7;
     SECTION("thickness") {
         card.thickness = 0.0;
-        CHECK_THROWS_AS(SelfContact(cloth.setup(card, cloth.x)), InputError);
+        CHECK_THROWS_AS(SurfaceContact(cloth.setup(card, cloth.x)), InputError);
     }
     SECTION("mass") {
         cloth.mass[3] = 0.0;
-        CHECK_THROWS_WITH(SelfContact(cloth.setup(card, cloth.x)), Catch::Contains("contact 7"));
+        CHECK_THROWS_WITH(SurfaceContact(cloth.setup(card, cloth.x)), Catch::Contains("contact 7"));
         cloth.held[3] = 1;
-        CHECK_NOTHROW(SelfContact(cloth.setup(card, cloth.x)));
+        CHECK_NOTHROW(SurfaceContact(cloth.setup(card, cloth.x)));
     }
 }
 
 TEST_CASE("the contact thickness follows its curve", "[contact]") {
     SpringCloth cloth(pair_of_sheets(2.0 * H));
     const Curve curve{1, {0.0, 1.0}, {H, 4.0 * H}};
-    SelfContactSetup setup = cloth.setup({}, cloth.x);
+    ContactSetup setup = cloth.setup({}, cloth.x);
     setup.thickness_curve = &curve;
-    SelfContact contact(setup);
+    SurfaceContact contact(setup);
     const auto touching = [&](double t) {
         contact.find(cloth.x, cloth.v, t, 1e-6);
         return contact.counts().touching;
