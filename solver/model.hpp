@@ -57,6 +57,20 @@ struct RigidVelocity {  ///< initial velocity of a rigid part
     Vec3 spin = Vec3::Zero();      ///< angular velocity               [rad/s]
 };
 
+/// *PART_INERTIA, or the solids of a rigid part: its mass, whatever its shells would weigh.
+struct RigidInertia {
+    Index part = -1;
+    double mass = NaN;            ///< [kg]
+    Vec3 centre = Vec3::Zero();   ///< of mass, at the start                     [m]
+    Mat3 inertia = Mat3::Zero();  ///< about the centre, global axes             [kg m^2]
+};
+
+/// *CONSTRAINED_EXTRA_NODES: a node that rides on a rigid part without being one of its shells'.
+struct RigidExtraNode {
+    Index part = -1;  ///< row of a *MAT_RIGID part
+    Index node = -1;  ///< row
+};
+
 /// *LOAD_BODY_X/Y/Z: acceleration of the frame; bodies feel its opposite.
 struct BodyLoad {
     int axis = 0;      ///< 0 x, 1 y, 2 z
@@ -96,7 +110,9 @@ struct Model {
     // What acts on it
     std::vector<Curve> curves;
     Points velocity;  ///< initial node velocities, N × 3                [m/s]
-    std::vector<RigidVelocity> rigid_velocity;
+    std::vector<RigidVelocity> rigid_velocity;  ///< the last one of a part counts
+    std::vector<RigidInertia> rigid_inertia;    ///< at most one a part
+    std::vector<RigidExtraNode> rigid_extra_nodes;
     std::vector<Support> supports;
     std::vector<PrescribedMotion> motions;
     std::vector<BodyLoad> body_loads;
