@@ -27,13 +27,45 @@ bool has_node(const Triangle& t, Index node) {
 
 }  // namespace
 
-void Candidates::start(const Points& x, const Points& v, double t, double dt) {
+void Candidates::start(const Points& x, const Points& v, double t, double dt,
+                       std::span<const std::uint8_t> is_on) {
     motion_.start(x, t);
+    was_on_.assign(is_on.size(), 0);
+    admit(x, v, t, dt, is_on);
+}
+
+void Candidates::admit(const Points& x, const Points& v, double t, double dt,
+                       std::span<const std::uint8_t> is_on) {
     motion_.foresee(x, v, dt);
-    crossing_ = crossings(cloth_.triangles, cloth_.patches, x);
-    bar_crossing_pairs(x);
+    bar_all_crossing(x);
     build(x, v, t, dt);
-    for (std::size_t i = 0; i < list_.size(); ++i) give_gentle_gap(i, t);
+    meet_gently(t, is_on);
+}
+
+/// Crossing triangles are nobody's contact, whichever card finds them first.
+void Candidates::bar_all_crossing(const Points& x) {
+    crossing_ = crossings(cloth_.triangles, cloth_.patches, x);
+    std::erase_if(crossing_, [&](const auto& pair) {
+        const Index a = cloth_.part[pair.first], b = cloth_.part[pair.second];
+        const Index body = cloth_.body[cloth_.triangles[pair.first][0]];
+        if (body >= 0 && body == cloth_.body[cloth_.triangles[pair.second][0]]) return true;
+        return cloth_.rules.nodes_against(a, b) == Rules::NONE &&
+               cloth_.rules.nodes_against(b, a) == Rules::NONE;
+    });
+    bar_crossing_pairs(x);
+}
+
+/// Pairs of the cards that have just become valid start with the gap that they have.
+void Candidates::meet_gently(double t, std::span<const std::uint8_t> is_on) {
+    for (std::size_t i = 0; i < list_.size(); ++i) {
+        const auto card = static_cast<std::size_t>(list_[i].card);
+        if (was_on_[card] || !is_on[card] || !give_gentle_gap(i, t)) continue;
+        close_starts_.push_back(std::minmax(list_[i].first, list_[i].second));
+    }
+    std::sort(close_starts_.begin(), close_starts_.end());
+    close_starts_.erase(std::unique(close_starts_.begin(), close_starts_.end()),
+                        close_starts_.end());
+    was_on_.assign(is_on.begin(), is_on.end());
 }
 
 void Candidates::build(const Points& x, const Points& v, double t, double dt) {
@@ -62,8 +94,8 @@ void Candidates::build(const Points& x, const Points& v, double t, double dt) {
 /// Boxes of what nodes and triangles may reach; two of them overlap where a gap may come within
 /// reach.
 void Candidates::set_boxes(const Points& x) {
-    const double margin = 0.5 * reach_ * cloth_.greatest_thickness + budget_;
     parallel::for_each(x.size(), [&](std::size_t n) {
+        const double margin = 0.5 * reach_ * cloth_.node_thickness[n] + budget_;
         const Vec3 sweep = life_ * motion_.velocity(static_cast<Index>(n));
         node_box_[n] = {x[n] + sweep.cwiseMin(0.0), x[n] + sweep.cwiseMax(0.0)};
         node_box_[n].inflate(margin);
@@ -97,29 +129,34 @@ void Candidates::list_pairs(const Points& x) {
     }
 }
 
-/// Nodes of a against b, of b against a, edges of a against edges of b, as far as they own them.
+/// Nodes of a against b, of b against a, edges of a against edges of b, as far as they own them and
+/// a card has them touch.
 void Candidates::list_pairs_of(Index a, Index b, const Points& x, Chunk& out) const {
     const Triangle& ta = cloth_.triangles[a];
     const Triangle& tb = cloth_.triangles[b];
-    const Index p = cloth_.patch_of[a], q = cloth_.patch_of[b];
-    const double h = 0.5 * (cloth_.thickness[a] + cloth_.thickness[b]);
-    const auto node_against = [&](Index node, Index t) {
+    const Rules& rules = cloth_.rules;
+    const Index part_a = cloth_.part[a], part_b = cloth_.part[b];
+    const int a_on_b = rules.nodes_against(part_a, part_b),
+              b_on_a = rules.nodes_against(part_b, part_a),
+              edges = rules.edges_against(part_a, part_b);
+    const auto node_against = [&](int card, Index from, Index node, Index t) {
         const Triangle& n = cloth_.triangles[t];
         if (has_node(n, node) || !node_box_[node].overlaps(triangle_box_[t])) return;
-        consider({{node, n[0], n[1], n[2]}, false}, h, key_of(false, node, t), p, q, x, out);
+        consider({{node, n[0], n[1], n[2]}, false}, card, key_of(false, node, t),
+                 {from, t, x, out});
     };
     for (int k = 0; k < 3; ++k) {
-        if (cloth_.owns_node(a, k)) node_against(ta[k], b);
-        if (cloth_.owns_node(b, k)) node_against(tb[k], a);
-        if (!cloth_.owns_edge(a, k)) continue;
+        if (a_on_b != Rules::NONE && cloth_.owns_node(a, k)) node_against(a_on_b, a, ta[k], b);
+        if (b_on_a != Rules::NONE && cloth_.owns_node(b, k)) node_against(b_on_a, b, tb[k], a);
+        if (edges == Rules::NONE || !cloth_.owns_edge(a, k)) continue;
         const Index i = ta[k], j = ta[(k + 1) % 3];
         const Box edge = edge_box(i, j);
         for (int m = 0; m < 3; ++m) {
             const Index r = tb[m], s = tb[(m + 1) % 3];
             if (!cloth_.owns_edge(b, m) || i == r || i == s || j == r || j == s) continue;
             if (!edge.overlaps(edge_box(r, s))) continue;
-            consider({{i, j, r, s}, true}, h, key_of(true, cloth_.edge[a][k], cloth_.edge[b][m]), p,
-                     q, x, out);
+            consider({{i, j, r, s}, true}, edges,
+                     key_of(true, cloth_.edge[a][k], cloth_.edge[b][m]), {a, b, x, out});
         }
     }
 }
@@ -144,16 +181,21 @@ double Candidates::approach_speed(const Pair& pair) const {
 }
 
 /// Keeps a pair that may come within reach while the lists live.
-void Candidates::consider(const Pair& pair, double thickness, std::uint64_t key, Index p, Index q,
-                          const Points& x, Chunk& out) const {
-    const double gap = nearest(pair, x).apart.norm();
+void Candidates::consider(const Pair& pair, int card, std::uint64_t key,
+                          const Meeting& where) const {
+    const double thickness = cloth_.gap(card, where.a, where.b);
+    const double gap = nearest(pair, where.x).apart.norm();
     const double certain = reach_ * thickness + 2.0 * budget_;
     if (gap > certain && gap > certain + life_ * approach_speed(pair)) return;
     if (cloth_.is_held(pair) || std::binary_search(barred_.begin(), barred_.end(), key)) return;
     // only what is near has anything to remember
     const Index memory = gap <= reach_ * thickness ? memory_row(key) : -1;
-    out.list.push_back({pair, memory, thickness, key, false});
-    out.watch.push_back({gap + motion_.way(p) + motion_.way(q), p, q});
+    const Index p = cloth_.patch_of[where.a], q = cloth_.patch_of[where.b];
+    const int side = cloth_.rules.side_of(card, cloth_.part[where.a], cloth_.part[where.b]);
+    where.out.list.push_back({pair, memory, thickness, key, where.a, where.b,
+                              static_cast<std::int16_t>(card), static_cast<std::int16_t>(side),
+                              false});
+    where.out.watch.push_back({gap + motion_.way(p) + motion_.way(q), p, q});
 }
 
 /// Bars the pairs of all triangles that crossed at the start and still do.
@@ -208,12 +250,13 @@ void Candidates::give_gentle_gaps(const std::vector<std::uint64_t>& keys, double
     }
 }
 
-void Candidates::give_gentle_gap(std::size_t i, double t) {
+bool Candidates::give_gentle_gap(std::size_t i, double t) {
     const double short_by = thickness(i) - least_distance(i);
-    if (short_by <= 0.0) return;
+    if (short_by <= 0.0) return false;
     PairMemory& memory = make_memory(i);
     memory.short_by = short_by;
     memory.born = t;
+    return true;
 }
 
 }  // namespace corpuscle::contact

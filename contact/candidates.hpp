@@ -38,7 +38,13 @@ public:
     /// Lists all pairs at x, at the beginning; those nearer than their contact thickness are
     /// remembered with the gap that they have. Pairs of triangles that cross are left out, see
     /// crossing().
-    void start(const Points& x, const Points& v, double t, double dt);
+    /// @param is_on  by card
+    void start(const Points& x, const Points& v, double t, double dt,
+               std::span<const std::uint8_t> is_on);
+
+    /// Does the same for cards that have become valid since: those that were keep what they know.
+    void admit(const Points& x, const Points& v, double t, double dt,
+               std::span<const std::uint8_t> is_on);
 
     /// Follows the cloth to x.
     void follow(const Points& x, double t) { motion_.follow(x, t); }
@@ -49,6 +55,12 @@ public:
 
     [[nodiscard]] std::size_t size() const { return list_.size(); }
     [[nodiscard]] const Pair& operator[](std::size_t i) const { return list_[i].pair; }
+
+    /// Row of the card by which pair i touches.
+    [[nodiscard]] int card(std::size_t i) const { return list_[i].card; }
+
+    /// 1: the first of pair i is on its card's SURFA, -1: the second is; 0: a single surface.
+    [[nodiscard]] int side(std::size_t i) const { return list_[i].side; }
 
     /// Gap below which pair i pushes, at most.                                                 [m]
     [[nodiscard]] double thickness(std::size_t i);
@@ -78,6 +90,11 @@ public:
     /// Triangles that crossed at the start and still do, rows i < j, sorted. Their pairs do not
     /// push.
     [[nodiscard]] const std::vector<std::pair<Index, Index>>& crossing() const { return crossing_; }
+    /// Pairs of triangles that had pairs nearer than their contact thickness when these became
+    /// valid, rows i < j, sorted.
+    [[nodiscard]] const std::vector<std::pair<Index, Index>>& close_starts() const {
+        return close_starts_;
+    }
     [[nodiscard]] std::size_t builds() const { return builds_; }
 
 private:
@@ -86,6 +103,8 @@ private:
         Index memory;      ///< row in memories_, or -1
         double thickness;  ///< [m]
         std::uint64_t key;
+        Index first, second;  ///< triangles that it was met in
+        std::int16_t card, side;
         bool is_settled;  ///< thickness allows for neighbours on the cloth
     };
     struct Watch {
@@ -108,16 +127,22 @@ private:
     void list_pairs(const Points& x);
     [[nodiscard]] Box edge_box(Index a, Index b) const;
     void list_pairs_of(Index a, Index b, const Points& x, Chunk& out) const;
-    void consider(const Pair& pair, double thickness, std::uint64_t key, Index p, Index q,
-                  const Points& x, Chunk& out) const;
+    struct Meeting {  ///< of two triangles
+        Index a, b;   ///< rows; the pair's first is of a
+        const Points& x;
+        Chunk& out;
+    };
+    void consider(const Pair& pair, int card, std::uint64_t key, const Meeting& where) const;
     [[nodiscard]] double approach_speed(const Pair& pair) const;
     [[nodiscard]] double neighbours_thickness(const Pair& pair) const;
+    void bar_all_crossing(const Points& x);
     void bar_crossing_pairs(const Points& x);
     void sort_memories();
     void forget_parted_pairs();
     [[nodiscard]] Index memory_row(std::uint64_t key) const;
     void give_gentle_gaps(const std::vector<std::uint64_t>& keys, double t);
-    void give_gentle_gap(std::size_t i, double t);
+    bool give_gentle_gap(std::size_t i, double t);
+    void meet_gently(double t, std::span<const std::uint8_t> is_on);
 
     const Cloth& cloth_;
     double reach_;
@@ -132,7 +157,8 @@ private:
     std::vector<Chunk> chunks_;
     std::vector<PairMemory> memories_;
     double parted_accounts_ = 0.0;  ///< [J]
-    std::vector<std::pair<Index, Index>> crossing_;
+    std::vector<std::pair<Index, Index>> crossing_, close_starts_;
+    std::vector<std::uint8_t> was_on_;   ///< by card: its pairs have met
     std::vector<std::uint64_t> barred_;  ///< pairs of crossing triangles, ascending
     std::size_t builds_ = 0;
 };

@@ -11,33 +11,65 @@
 namespace corpuscle::contact {
 namespace {
 
-std::vector<double> contact_thickness(const ContactSetup& setup) {
-    std::vector<double> thickness = setup.thickness;
-    if (setup.thickness_curve != nullptr) {
-        const auto& y = setup.thickness_curve->y;
-        thickness.assign(setup.triangles.size(), *std::max_element(y.begin(), y.end()));
-    } else if (setup.card.thickness == setup.card.thickness) {
-        thickness.assign(setup.triangles.size(), setup.card.thickness);
-    }
-    for (const double t : thickness)
-        if (!(t > 0.0))
-            throw InputError(fmt::format("contact {}: contact thickness = {}, expected > 0 [m]",
-                                         setup.card.id, t));
+/// By card and triangle. A skin (of solids: no thickness of its own) takes a small part of the mean
+/// edge where the card gives none, so that there is a gap to keep.
+std::vector<std::vector<double>> contact_thickness(const ContactSetup& setup, const Rules& rules,
+                                                   double mean_edge) {
+    constexpr double OF_A_SKIN = 1e-2;  ///< of the mean edge
+    std::vector<std::vector<double>> thickness(rules.cards().size());
+    for (std::size_t c = 0; c < thickness.size(); ++c)
+        for (std::size_t t = 0; t < setup.triangles.size(); ++t) {
+            const double own =
+                setup.thickness[t] > 0.0 ? setup.thickness[t] : OF_A_SKIN * mean_edge;
+            const double h = rules.thickness(static_cast<int>(c), setup.part[t], own);
+            if (!(h > 0.0))
+                throw InputError(fmt::format("contact {}: contact thickness = {}, expected > 0 [m]",
+                                             setup.cards[c].id, h));
+            thickness[c].push_back(h);
+        }
     return thickness;
 }
 
-std::vector<double> inverse_masses(const ContactSetup& setup) {
+std::vector<Index> bodies_of(const ContactSetup& setup) {
+    if (setup.body.empty()) return std::vector<Index>(setup.node_mass.size(), -1);
+    return {setup.body.begin(), setup.body.end()};
+}
+
+std::vector<double> inverse_masses(const ContactSetup& setup, const std::vector<Index>& body) {
     std::vector<double> inverse(setup.node_mass.size(), 0.0);
     for (const Triangle& t : setup.triangles)
         for (const Index node : t) {
-            if (setup.held[node]) continue;
+            if (setup.held[node] || body[node] >= 0) continue;
             if (!(setup.node_mass[node] > 0.0))
                 throw InputError(fmt::format(
                     "contact {}: a free node at ({:.6g}, {:.6g}, {:.6g}) has no mass",
-                    setup.card.id, setup.x0[node].x(), setup.x0[node].y(), setup.x0[node].z()));
+                    setup.cards[0].id, setup.x0[node].x(), setup.x0[node].y(), setup.x0[node].z()));
             inverse[node] = 1.0 / setup.node_mass[node];
         }
     return inverse;
+}
+
+/// Mean length of the edges, each seen from its triangles. [m]
+double mean_edge_of(const ContactSetup& setup) {
+    double sum = 0.0;
+    for (const Triangle& t : setup.triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+            sum += (setup.reference_x[t[k]] - setup.reference_x[t[(k + 1) % 3]]).norm();
+    return sum / static_cast<double>(std::max<std::size_t>(1, 3 * setup.triangles.size()));
+}
+
+void list_body_nodes(Cloth& cloth) {
+    Index bodies = 0;
+    for (const Index b : cloth.body) bodies = std::max(bodies, b + 1);
+    cloth.body_start.assign(static_cast<std::size_t>(bodies) + 1, 0);
+    for (const Index b : cloth.body)
+        if (b >= 0) ++cloth.body_start[b + 1];
+    for (Index b = 0; b < bodies; ++b) cloth.body_start[b + 1] += cloth.body_start[b];
+    cloth.body_node.resize(static_cast<std::size_t>(cloth.body_start.back()));
+    std::vector<Index> next(cloth.body_start.begin(), cloth.body_start.end() - 1);
+    for (std::size_t n = 0; n < cloth.body.size(); ++n)
+        if (const Index b = cloth.body[n]; b >= 0)
+            cloth.body_node[next[b]++] = static_cast<Index>(n);
 }
 
 /// Fills `owned` and `edge`: the first triangle that has a node or edge owns it.
@@ -116,20 +148,38 @@ void list_patch_nodes(Cloth& cloth) {
 }  // namespace
 
 Cloth::Cloth(const ContactSetup& setup)
-    : triangles(setup.triangles),
-      thickness(contact_thickness(setup)),
-      inverse_mass(inverse_masses(setup)),
+    : rules(setup.cards, setup.curves, setup.parts),
+      triangles(setup.triangles),
+      part(setup.part),
+      mean_edge(mean_edge_of(setup)),
+      body(bodies_of(setup)),
       reference_x(setup.reference_x.begin(), setup.reference_x.end()),
       x0(setup.x0.begin(), setup.x0.end()),
       patches(make_patches(setup.reference_x, triangles)) {
-    for (const double t : thickness) greatest_thickness = std::max(greatest_thickness, t);
-    for (const Triangle& t : triangles)
-        for (std::size_t k = 0; k < 3; ++k)
-            mean_edge += (reference_x[t[k]] - reference_x[t[(k + 1) % 3]]).norm();
-    mean_edge /= static_cast<double>(std::max<std::size_t>(1, 3 * triangles.size()));
+    thickness = contact_thickness(setup, rules, mean_edge);
+    inverse_mass = inverse_masses(setup, body);
+    node_thickness.assign(inverse_mass.size(), 0.0);
+    for (std::size_t c = 0; c < thickness.size(); ++c)
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            if (!rules.concerns(static_cast<int>(c), part[t])) continue;
+            greatest_thickness = std::max(greatest_thickness, thickness[c][t]);
+            for (const Index n : triangles[t])
+                node_thickness[n] = std::max(node_thickness[n], thickness[c][t]);
+        }
     find_owners(*this);
     find_near_nodes(2.0 * greatest_thickness, *this);
     list_patch_nodes(*this);
+    list_body_nodes(*this);
+}
+
+bool Cloth::is_held(const Pair& pair) const {
+    Index body_of_all = body[pair.node[0]];
+    for (const Index node : pair.node) {
+        if (inverse_mass[node] > 0.0) return false;
+        if (body[node] != body_of_all)
+            return false;  // a body against another, or against held nodes
+    }
+    return true;
 }
 
 bool Cloth::are_beside(Index node, Index other) const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -10,30 +11,37 @@
 #include "contact/cards.hpp"
 #include "contact/distance.hpp"
 #include "contact/patches.hpp"
-#include "solver/base/curve.hpp"
+#include "contact/rules.hpp"
 #include "solver/base/surface.hpp"
 
 namespace corpuscle::contact {
 
-/// What self-contact is built from. Spans need to live during construction only.
+/// What contact is built from. Spans need to live during construction only.
 struct ContactSetup {
-    ContactCard card;
+    std::vector<ContactCard> cards;
     std::vector<Triangle> triangles;
-    std::vector<double> thickness;           ///< of the section, per triangle                [m]
-    std::span<const double> node_mass;       ///< N                                           [kg]
-    std::span<const Vec3> reference_x;       ///< stress-free node positions, N × 3           [m]
-    std::span<const Vec3> x0;                ///< node positions at the start, N × 3          [m]
-    const Curve* thickness_curve = nullptr;  ///< of card.thickness_curve, or none
-    std::span<const std::uint8_t> held;      ///< N: 1 = moves as prescribed, whatever hits it
+    std::vector<Index> part;        ///< row of each triangle's part
+    std::vector<double> thickness;  ///< of the section, per triangle; 0: a skin              [m]
+    std::size_t parts = 1;          ///< in the scene
+    std::span<const double> node_mass;   ///< N; of rigid bodies' nodes: any               [kg]
+    std::span<const Vec3> reference_x;   ///< stress-free node positions, N × 3            [m]
+    std::span<const Vec3> x0;            ///< node positions at the start, N × 3           [m]
+    std::span<const Curve> curves;       ///< of the scene
+    std::span<const std::uint8_t> held;  ///< N: 1 = moves as prescribed, whatever hits it
+    std::span<const Index> body = {};  ///< N: number of the rigid body it is of, or -1; empty: none
 };
 
-/// What contact knows of the fabric and what never changes.
+/// What contact knows of the fabric and of rigid bodies' surfaces, and what never changes.
 struct Cloth {
+    Rules rules;
     std::vector<Triangle> triangles;
-    std::vector<double> thickness;    ///< contact thickness by triangle                [m]
-    double greatest_thickness = 0.0;  ///< [m]
+    std::vector<Index> part;                     ///< by triangle: row of its part
+    std::vector<std::vector<double>> thickness;  ///< contact thickness by card and triangle   [m]
+    std::vector<double> node_thickness;          ///< by node: the greatest of its triangles   [m]
+    double greatest_thickness = 0.0;             ///< [m]
     double mean_edge = 0.0;  ///< mean length of the edges, each seen from its triangles  [m]
-    std::vector<double> inverse_mass;  ///< by node row; 0: held                         [1/kg]
+    std::vector<double> inverse_mass;  ///< by node row; 0: held, or of a rigid body     [1/kg]
+    std::vector<Index> body;           ///< by node row: number of its rigid body, or -1
     Points reference_x, x0;            ///< by node row, N × 3                           [m]
 
     /// Each node and each edge belongs to just one of the triangles that have it, so that a pair of
@@ -45,6 +53,9 @@ struct Cloth {
     std::vector<Index> patch_of;    ///< by triangle
     std::vector<Index> patch_node;  ///< nodes of patch p: patch_node[patch_node_start[p]] ...
     std::vector<Index> patch_node_start;
+
+    std::vector<Index> body_node;   ///< nodes of body b: body_node[body_start[b]] ...
+    std::vector<Index> body_start;  ///< of numbers 0 ... greatest, and the end
 
     std::vector<Index> near_node;  ///< nodes beside node i on the cloth, ascending
     std::vector<Index> near_start;
@@ -59,11 +70,19 @@ struct Cloth {
     [[nodiscard]] bool owns_edge(Index triangle, int k) const {
         return owned[triangle] >> (3 + k) & 1;
     }
-    /// Whether nothing can move the pair.
-    [[nodiscard]] bool is_held(const Pair& pair) const {
-        double mobility = 0.0;
-        for (const Index node : pair.node) mobility += inverse_mass[node];
-        return mobility == 0.0;
+    /// Whether nothing can move the pair's nodes against each other.
+    [[nodiscard]] bool is_held(const Pair& pair) const;
+    [[nodiscard]] std::span<const Index> nodes_of_body(std::size_t b) const {
+        return std::span(body_node).subspan(body_start[b], body_start[b + 1] - body_start[b]);
+    }
+    [[nodiscard]] bool has_body(const Pair& pair) const {
+        return body_start.size() > 1 && std::any_of(pair.node.begin(), pair.node.end(),
+                                                    [&](Index n) { return body[n] >= 0; });
+    }
+    /// Contact thickness between two triangles by a card.                                  [m]
+    [[nodiscard]] double gap(int card, Index a, Index b) const {
+        const auto& of = thickness[static_cast<std::size_t>(card)];
+        return 0.5 * (of[a] + of[b]);
     }
     [[nodiscard]] bool are_beside(Index node, Index other) const;
 };

@@ -6,20 +6,24 @@
 
 namespace corpuscle::contact {
 
-/// Two places of the cloth that are near each other: gap = |sum of weight x|, rate = normal · sum
-/// of weight v. The weights add up to zero, so forces along them keep momentum.
+/// Two places of the cloth, or of rigid bodies, that are near each other: gap = |sum of weight x|,
+/// rate = normal · sum of weight v. The weights add up to zero, so forces along them keep momentum.
 struct Contact {
     std::array<Index, 4> node;
     std::array<double, 4> weight;
-    Vec3 normal;               ///< from the second place to the first
-    double gap;                ///< [m]
-    double mass;               ///< 1 / sum of weight² / m                                     [kg]
-    double rest = 0.0;         ///< gap below which it pushes                                  [m]
+    Vec3 normal;           ///< from the second place to the first
+    double gap;            ///< [m]
+    double mass;           ///< 1 / (what an impulse of one makes of the rate)             [kg]
+    bool on_body = false;  ///< on a rigid body, where `mass` holds for the normal only
+    int card = 0;          ///< row of the card by which they touch
+    int side = 0;       ///< 1: the first place is on SURFA, -1: the second is; 0: a single surface
+    double rest = 0.0;  ///< gap below which it pushes                                  [m]
     double rest_rate = 0.0;    ///< growth of `rest`                                           [m/s]
     double stiffness = 0.0;    ///< [N/m]
     double force = 0.0;        ///< repulsion, >= 0                                            [N]
     double impulse = 0.0;      ///< of the repulsion and of what follows it, normal            [N s]
-    double rate_before = 0.0;  ///< before the kick                                            [m/s]
+    Vec3 rubbed = Vec3::Zero();  ///< by friction, on the first place                          [N s]
+    double rate_before = 0.0;    ///< before the kick                                          [m/s]
     std::size_t pair = 0;      ///< candidate row
 
     [[nodiscard]] Vec3 relative(const Points& v) const {
@@ -29,7 +33,8 @@ struct Contact {
     [[nodiscard]] double rate(const Points& v) const { return normal.dot(relative(v)); }
 };
 
-/// Contact between the nearest places of a pair that do not quite touch.
+/// Contact between the nearest places of a pair that do not quite touch, its mass that of free
+/// nodes alone.
 /// @param inverse_mass  by node row; 0: held [1/kg]
 [[nodiscard]] inline Contact contact_at(const Pair& pair, const Nearest& nearest, double gap,
                                         const std::vector<double>& inverse_mass) {

@@ -16,9 +16,9 @@ constexpr int ROUNDS = 8;            ///< of impulses before clumps are made
 constexpr int LOOKS = 4;             ///< at new dangers, before they are met with clumps at once
 constexpr double KEPT = 0.5;  ///< part of the way to the impact that a stopped pair may still go
 
-Corners moves(const Pair& pair, double dt, const Points& v) {
-    Corners move = corners(pair, v);
-    for (Vec3& m : move) m *= dt;
+Corners moves(const Pair& pair, double dt, const Movement& motion) {
+    Corners move;
+    for (int k = 0; k < 4; ++k) move[k] = dt * motion.velocity(pair.node[k]);
     return move;
 }
 
@@ -30,30 +30,34 @@ CrossingGuard::CrossingGuard(const Cloth& cloth)
     std::iota(parent_.begin(), parent_.end(), 0);
 }
 
-void CrossingGuard::stop(const Points& x, double t, double dt, Candidates& pairs,
-                         Impulses& impulses, Points& v) {
+void CrossingGuard::stop(double t, double dt, Candidates& pairs, Impulses& impulses,
+                         Movement& motion) {
     // Impulses change velocities, and so what may meet: look again until nothing new has to be
     // stopped.
     for (int look = 0;; ++look) {
-        pairs.foresee(x, v, t, dt);
-        list_dangers(pairs);
-        if (!stop_dangers(look < LOOKS ? ROUNDS : 0, x, dt, pairs, impulses, v)) break;
+        motion.settle();
+        pairs.foresee(motion.x(), motion.v(), t, dt);
+        list_dangers(t, pairs);
+        if (!stop_dangers(look < LOOKS ? ROUNDS : 0, dt, pairs, impulses, motion)) break;
     }
-    for (const Index node : joined_) parent_[node] = node;
+    for (const Index node : joined_) {
+        parent_[node] = node;
+        parent_[speaker(node)] = speaker(node);
+    }
     joined_.clear();
 }
 
 /// Stops the listed pairs, by impulses for so many rounds, then by clumps.
 /// @returns whether there was anything to stop
-bool CrossingGuard::stop_dangers(int rounds, const Points& x, double dt, Candidates& pairs,
-                                 Impulses& impulses, Points& v) {
+bool CrossingGuard::stop_dangers(int rounds, double dt, Candidates& pairs, Impulses& impulses,
+                                 Movement& motion) {
     checked_ = 0;
     int n = 0;
-    for (; find_impacts(x, dt, pairs, v); ++n) {
+    for (; find_impacts(dt, pairs, motion); ++n) {
         checked_ = ++round_;
         if (n < rounds && joined_.empty()) {
-            stop_impacts(x, dt, pairs, impulses, v);
-        } else if (!make_clumps(pairs, impulses, v)) {
+            stop_impacts(dt, pairs, impulses, motion);
+        } else if (!make_clumps(pairs, impulses, motion)) {
             for (const auto& some : found_) unstopped_ += some.size();
             return false;
         }
@@ -61,7 +65,7 @@ bool CrossingGuard::stop_dangers(int rounds, const Points& x, double dt, Candida
     return n > 0;
 }
 
-void CrossingGuard::list_dangers(const Candidates& pairs) {
+void CrossingGuard::list_dangers(double t, const Candidates& pairs) {
     const std::size_t chunks = parallel::chunk_count(pairs.size(), CHUNK);
     near_.resize(std::max(near_.size(), chunks));
     found_.resize(near_.size());
@@ -69,7 +73,7 @@ void CrossingGuard::list_dangers(const Candidates& pairs) {
     for (auto& found : found_) found.clear();
     const auto search = [&](std::size_t begin, std::size_t end, std::size_t c) {
         for (std::size_t i = begin; i < end; ++i)
-            if (pairs.may_meet(i)) near_[c].push_back(i);
+            if (pairs.may_meet(i) && cloth_.rules.is_on(pairs.card(i), t)) near_[c].push_back(i);
     };
     parallel::for_chunks(pairs.size(), search, CHUNK);
 }
@@ -77,17 +81,17 @@ void CrossingGuard::list_dangers(const Candidates& pairs) {
 /// Finds impacts among the pairs that may meet, after the first round only where a velocity has
 /// changed since.
 /// @returns whether there are any
-bool CrossingGuard::find_impacts(const Points& x, double dt, const Candidates& pairs,
-                                 const Points& v) {
+bool CrossingGuard::find_impacts(double dt, const Candidates& pairs, const Movement& motion) {
     const auto search = [&](std::size_t begin, std::size_t, std::size_t) {
         found_[begin].clear();
         for (const std::size_t i : near_[begin]) {
             const Pair& pair = pairs[i];
-            if (checked_ > 0 && std::none_of(pair.node.begin(), pair.node.end(),
-                                             [&](Index n) { return changed_[n] == checked_; }))
+            if (checked_ > 0 && std::none_of(pair.node.begin(), pair.node.end(), [&](Index n) {
+                    return changed_[speaker(n)] == checked_;
+                }))
                 continue;
-            const double time = time_of_impact(pair, corners(pair, x), moves(pair, dt, v),
-                                               cloth_.greatest_thickness);
+            const double time = time_of_impact(pair, corners(pair, motion.x()),
+                                               moves(pair, dt, motion), cloth_.greatest_thickness);
             if (time != NO_IMPACT) found_[begin].push_back({i, time});
         }
     };
@@ -97,37 +101,40 @@ bool CrossingGuard::find_impacts(const Points& x, double dt, const Candidates& p
 }
 
 /// Stops each pair as it is at its time of impact.
-void CrossingGuard::stop_impacts(const Points& x, double dt, const Candidates& pairs,
-                                 Impulses& impulses, Points& v) {
+void CrossingGuard::stop_impacts(double dt, const Candidates& pairs, Impulses& impulses,
+                                 Movement& motion) {
     for (const auto& some : found_)
         for (const auto& [i, time] : some) {
             const Pair& pair = pairs[i];
             for (const Index node : pair.node) mark(node);
-            Corners there = corners(pair, x);
-            const Corners move = moves(pair, dt, v);
+            Corners there = corners(pair, motion.x());
+            const Corners move = moves(pair, dt, motion);
             for (int k = 0; k < 4; ++k) there[k] += time * move[k];
             const Nearest places = nearest(pair, there);
             const double gap = places.apart.norm();
             if (gap == 0.0) continue;  // an earlier impulse has changed its course: next round
-            Contact contact = contact_at(pair, places, gap, cloth_.inverse_mass);
-            const double rate = contact.rate(v);
+            Contact contact = contact_at(cloth_, motion.bodies(), motion.x(), pair, places, gap);
+            contact.card = pairs.card(i);
+            contact.side = pairs.side(i);
+            const double rate = motion.rate(contact);
             if (rate >= 0.0 || contact.mass == INF) continue;
-            impulses.raise_rate(KEPT * time * rate, contact, v);
+            impulses.raise_rate(KEPT * time * rate, contact, motion);
             ++impacts_;
         }
 }
 
 /// Joins the nodes of all pairs that collide, with clumps that they belong to already.
 /// @returns whether anything was joined that was not before
-bool CrossingGuard::make_clumps(const Candidates& pairs, Impulses& impulses, Points& v) {
+bool CrossingGuard::make_clumps(const Candidates& pairs, Impulses& impulses, Movement& motion) {
     bool is_new = false;
     for (const auto& some : found_)
         for (const auto& impact : some)
             for (const Index node : pairs[impact.pair].node) {
                 joined_.push_back(node);
+                join(root(node), root(speaker(node)));
                 const Index a = root(node), b = root(pairs[impact.pair].node[0]);
                 is_new |= a != b;
-                parent_[std::max(a, b)] = std::min(a, b);
+                join(a, b);
             }
     std::sort(joined_.begin(), joined_.end());
     joined_.erase(std::unique(joined_.begin(), joined_.end()), joined_.end());
@@ -135,7 +142,7 @@ bool CrossingGuard::make_clumps(const Candidates& pairs, Impulses& impulses, Poi
                      [&](Index a, Index b) { return root(a) < root(b); });
     for (std::size_t i = 0, j = 0; i < joined_.size(); i = j) {
         while (j < joined_.size() && root(joined_[j]) == root(joined_[i])) mark(joined_[j++]);
-        impulses.clump(std::span(joined_).subspan(i, j - i), mass_, v);
+        impulses.clump(std::span(joined_).subspan(i, j - i), mass_, motion);
         ++clumps_;
     }
     return is_new;

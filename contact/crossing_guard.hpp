@@ -20,9 +20,8 @@ class CrossingGuard {
 public:
     explicit CrossingGuard(const Cloth& cloth);
 
-    /// Changes v so that the step is safe.
-    void stop(const Points& x, double t, double dt, Candidates& pairs, Impulses& impulses,
-              Points& v);
+    /// Changes velocities so that the step is safe. Pairs whose card is off at t are left alone.
+    void stop(double t, double dt, Candidates& pairs, Impulses& impulses, Movement& motion);
 
     [[nodiscard]] std::size_t impacts() const { return impacts_; }  ///< stopped by impulses so far
     [[nodiscard]] std::size_t clumps() const { return clumps_; }    ///< made so far
@@ -37,15 +36,20 @@ private:
         double time;       ///< part of the step
     };
 
-    bool stop_dangers(int rounds, const Points& x, double dt, Candidates& pairs, Impulses& impulses,
-                      Points& v);
-    void list_dangers(const Candidates& pairs);
-    bool find_impacts(const Points& x, double dt, const Candidates& pairs, const Points& v);
-    void stop_impacts(const Points& x, double dt, const Candidates& pairs, Impulses& impulses,
-                      Points& v);
-    bool make_clumps(const Candidates& pairs, Impulses& impulses, Points& v);
+    bool stop_dangers(int rounds, double dt, Candidates& pairs, Impulses& impulses,
+                      Movement& motion);
+    void list_dangers(double t, const Candidates& pairs);
+    bool find_impacts(double dt, const Candidates& pairs, const Movement& motion);
+    void stop_impacts(double dt, const Candidates& pairs, Impulses& impulses, Movement& motion);
+    bool make_clumps(const Candidates& pairs, Impulses& impulses, Movement& motion);
     Index root(Index node);
-    void mark(Index node) { changed_[node] = round_; }
+    void join(Index a, Index b) { parent_[std::max(a, b)] = std::min(a, b); }
+    /// A body's nodes change together: its first one speaks for all.
+    [[nodiscard]] Index speaker(Index node) const {
+        const Index body = cloth_.body[node];
+        return body < 0 ? node : cloth_.nodes_of_body(body).front();
+    }
+    void mark(Index node) { changed_[speaker(node)] = round_; }
 
     const Cloth& cloth_;
     std::vector<double> mass_;  ///< by node row; of free nodes                    [kg]

@@ -18,46 +18,54 @@ constexpr double HALF = 0.5;      ///< of the remaining gap that one step may us
 
 }  // namespace
 
-Impulses::Impulses(const Cloth& cloth, const ContactCard& card) : cloth_(cloth), card_(card) {}
+Impulses::Impulses(const Cloth& cloth) : cloth_(cloth), books_(cloth.rules.cards().size()) {}
 
-void Impulses::apply(double span, double dt, ContactList& contacts, Candidates& pairs, Points& v) {
+void Impulses::apply(double span, double dt, ContactList& contacts, Candidates& pairs,
+                     Movement& motion) {
+    for (ImpulseBooks& book : books_) book.given.setZero();
     pool_ += pairs.take_parted_accounts();
     contacts.for_each([&](Contact& c) {
         c.impulse = span * c.force;
-        if (c.force > 0.0)
+        if (c.force > 0.0) {
+            note_given(c, c.impulse * c.normal);
             pairs.make_memory(c.pair).account +=
-                c.impulse * (c.rest_rate - 0.5 * (c.rate_before + c.rate(v)));
-        else if (PairMemory* const parted = pairs.memory(c.pair);
-                 parted != nullptr && c.gap >= c.rest)
+                c.impulse * (c.rest_rate - 0.5 * (c.rate_before + motion.rate(c)));
+        } else if (PairMemory* const parted = pairs.memory(c.pair);
+                   parted != nullptr && c.gap >= c.rest) {
             pool_ += std::exchange(parted->account, 0.0);
+        }
     });
     contacts.for_each([&](Contact& c) {
-        if (c.force > 0.0) settle(span, c, pairs.make_memory(c.pair).account, v);
+        if (c.force > 0.0) settle(span, c, pairs.make_memory(c.pair).account, motion);
     });
+    for (int sweep = 0; sweep < SWEEPS; ++sweep)
+        contacts.for_each([&](Contact& c) {
+            if (c.on_body && c.force > 0.0) rub(c, motion);
+        });
     bool is_stopped = true;
     for (int sweep = 0; sweep < SWEEPS && is_stopped; ++sweep) {
         is_stopped = false;
-        contacts.for_each([&](Contact& c) { is_stopped |= limit_approach(dt, c, v); });
+        contacts.for_each([&](Contact& c) { is_stopped |= limit_approach(dt, c, motion); });
     }
 }
 
 /// Repayment, damping and friction of a contact that pushes.
-void Impulses::settle(double span, Contact& c, double& account, Points& v) {
-    const double rate = c.rate(v);
+void Impulses::settle(double span, Contact& c, double& account, Movement& motion) {
+    const double rate = motion.rate(c);
     const double repay = repay_debt(rate, c, account);
     const double repaid = -repay * (rate + 0.5 * repay / c.mass);
     // c dt / m of a dashpot c = 2 zeta k / omega, with the omega dt that the stiffness was found
     // for
-    const double zeta = 0.01 * card_.damping;
+    const double zeta = 0.01 * card(c).damping;
     const double strength =
         2.0 * zeta * c.stiffness * span * span / (std::sqrt(STIFFNESS) * c.mass);
     const double damp = -c.mass * (rate + repay / c.mass) * strength / (1.0 + strength);
     const double impulse = std::max(repay + damp, -c.impulse);  // contacts do not pull
     c.impulse += impulse;
-    const double taken = push(impulse, c.normal, c, v);
+    const double taken = push(impulse, c.normal, c.mass, c, motion);
     account += taken - repaid;
-    books_.normal += taken;
-    rub(c.impulse, c, v);
+    books_[c.card].normal += taken;
+    rub(c, motion);
 }
 
 /// Impulse, <= 0, that takes back from a parting pair what repulsion has given beyond what it took,
@@ -83,69 +91,104 @@ double Impulses::repay_debt(double rate, const Contact& c, double& account) {
     return impulse;
 }
 
-bool Impulses::limit_approach(double dt, Contact& c, Points& v) {
+bool Impulses::limit_approach(double dt, Contact& c, Movement& motion) {
     const double spare = c.gap - QUARTER * c.rest;
     const double limit = spare > 0.0 ? -HALF * spare / dt : 0.0;
-    if (c.rate(v) >= limit || c.mass == INF) return false;
-    raise_rate(limit, c, v);
+    if (motion.rate(c) >= limit || c.mass == INF) return false;
+    raise_rate(limit, c, motion);
     return true;
 }
 
-void Impulses::raise_rate(double rate, Contact& c, Points& v) {
-    const double impulse = c.mass * (rate - c.rate(v));
+void Impulses::raise_rate(double rate, Contact& c, Movement& motion) {
+    const double impulse = c.mass * (rate - motion.rate(c));
     c.impulse += impulse;
-    books_.normal += push(impulse, c.normal, c, v);
-    rub(impulse, c, v);
+    books_[c.card].normal += push(impulse, c.normal, c.mass, c, motion);
+    rub(c, motion);
 }
 
-void Impulses::clump(std::span<const Index> nodes, std::span<const double> mass, Points& v) {
+void Impulses::clump(std::span<const Index> nodes, std::span<const double> mass, Movement& motion) {
+    const auto on_body =
+        std::find_if(nodes.begin(), nodes.end(), [&](Index n) { return cloth_.body[n] >= 0; });
+    if (on_body != nodes.end()) return clump_round(cloth_.body[*on_body], nodes, motion);
     Vec3 momentum = Vec3::Zero(), held_velocity = Vec3::Zero();
     double total = 0.0, kinetic = 0.0;
     int held = 0;
     for (const Index n : nodes) {
+        const Vec3 v = motion.velocity(n);
         if (cloth_.inverse_mass[n] == 0.0) {
-            held_velocity += v[n];
+            held_velocity += v;
             ++held;
             continue;
         }
-        momentum += mass[n] * v[n];
-        kinetic += 0.5 * mass[n] * v[n].squaredNorm();
+        momentum += mass[n] * v;
+        kinetic += 0.5 * mass[n] * v.squaredNorm();
         total += mass[n];
     }
     const Vec3 common = held > 0 ? Vec3(held_velocity / held) : Vec3(momentum / total);
     for (const Index n : nodes)
-        if (cloth_.inverse_mass[n] > 0.0) v[n] = common;
+        if (cloth_.inverse_mass[n] > 0.0) motion.set(n, common);
     const double work = held > 0 ? (total * common - momentum).dot(common) : 0.0;
-    books_.held_work += work;
-    books_.normal += kinetic + work - 0.5 * total * common.squaredNorm();
+    books_[0].held_work += work;
+    books_[0].normal += kinetic + work - 0.5 * total * common.squaredNorm();
 }
 
-void Impulses::rub(double normal_impulse, const Contact& c, Points& v) {
-    const double most = std::max(card_.friction_static, card_.friction_dynamic);
+/// Joins nodes to a rigid body one after the other [Gauss-Seidel]: they are light beside it, so a
+/// few sweeps leave next to nothing between them.
+void Impulses::clump_round(Index body, std::span<const Index> nodes, Movement& motion) {
+    for (int sweep = 0; sweep < SWEEPS; ++sweep)
+        for (const Index n : nodes) {
+            const auto [taken, work] = motion.join(n, body);
+            books_[0].normal += taken;
+            books_[0].held_work += work;
+        }
+}
+
+/// Brings the friction of a contact to what stops its sliding, as far as its normal impulse allows:
+///     |sum of friction impulses| <= mu · sum of normal impulses
+void Impulses::rub(Contact& c, Movement& motion) {
+    const ContactCard& by = card(c);
+    const double most = std::max(by.friction_static, by.friction_dynamic);
     if (most == 0.0 || c.mass == INF) return;
-    const Vec3 relative = c.relative(v);
+    const Vec3 relative = motion.relative(c);
     const Vec3 sliding = relative - c.normal.dot(relative) * c.normal;
     const double speed = sliding.norm();
     if (speed == 0.0) return;
-    const double mu = card_.friction_dynamic + (card_.friction_static - card_.friction_dynamic) *
-                                                   std::exp(-card_.friction_decay * speed);
-    const double impulse = std::min(mu * normal_impulse, c.mass * speed);
-    books_.friction += push(-impulse, sliding / speed, c, v);
+    const double mass = motion.mass(c, sliding / speed);
+    if (mass == INF) return;
+    const double mu = by.friction_dynamic + (by.friction_static - by.friction_dynamic) *
+                                                std::exp(-by.friction_decay * speed);
+    Vec3 wanted = c.rubbed - mass * sliding;
+    const double strength = wanted.norm(), limit = std::max(0.0, mu * c.impulse);
+    if (strength > limit) wanted *= limit / strength;
+    const Vec3 change = wanted - c.rubbed;
+    const double size = change.norm();
+    if (size == 0.0) return;
+    const Vec3 along = change / size;
+    books_[c.card].friction += push(size, along, motion.mass(c, along), c, motion);
+    c.rubbed = wanted;
 }
 
 /// Gives an impulse along a unit direction to the contact's two places.
+/// @param mass  of the contact along that direction                                       [kg]
 /// @returns energy taken: -J (rate before + rate after) / 2                                    [J]
-double Impulses::push(double impulse, const Vec3& direction, const Contact& c, Points& v) {
-    const double rate = direction.dot(c.relative(v));
-    for (int i = 0; i < 4; ++i) {
-        const double inverse = cloth_.inverse_mass[c.node[i]];
-        const Vec3 share = impulse * c.weight[i] * direction;
-        if (inverse == 0.0)
-            books_.held_work -= share.dot(v[c.node[i]]);
-        else
-            v[c.node[i]] += inverse * share;
+double Impulses::push(double impulse, const Vec3& direction, double mass, const Contact& c,
+                      Movement& motion) {
+    const double rate = direction.dot(motion.relative(c));
+    const Vec3 whole = impulse * direction;
+    for (int i = 0; i < 4; ++i)
+        if (c.weight[i] != 0.0)
+            books_[c.card].held_work += motion.push(c.node[i], c.weight[i] * whole);
+    note_given(c, whole);
+    return -impulse * (rate + 0.5 * impulse / mass);
+}
+
+void Impulses::note_given(const Contact& c, const Vec3& impulse) {
+    if (c.side != 0) {
+        books_[c.card].given += c.side * impulse;
+        return;
     }
-    return -impulse * (rate + 0.5 * impulse / c.mass);
+    for (int i = 0; i < 4; ++i)
+        if (cloth_.inverse_mass[c.node[i]] > 0.0) books_[c.card].given += c.weight[i] * impulse;
 }
 
 }  // namespace corpuscle::contact

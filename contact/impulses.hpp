@@ -5,16 +5,18 @@
 #include <span>
 
 #include "contact/candidates.hpp"
-#include "contact/cards.hpp"
 #include "contact/contact_list.hpp"
+#include "contact/movers.hpp"
 
 namespace corpuscle::contact {
 
-/// Energy that impulses have taken from the motion, since the start.
+/// Energy that the impulses of one card have taken from the motion since the start.
 struct ImpulseBooks {
     double friction = 0.0;   ///< rubbed away                                                  [J]
     double normal = 0.0;     ///< damped, stopped short of crossing                            [J]
-    double held_work = 0.0;  ///< given by held nodes, which impulses do not move              [J]
+    double held_work = 0.0;  ///< given by what is held, which impulses do not move            [J]
+    Vec3 given = Vec3::Zero();  ///< in the last step, repulsion too: to SURFA, or of a single
+                                ///< surface to the free nodes [N s]
 };
 
 /// All of contact that loses energy: impulses on the velocities between the kick and the drift.
@@ -28,38 +30,44 @@ struct ImpulseBooks {
 ///    damping have taken; what it has given beyond that (a contact that begins or ends within a
 ///    step does, or one that stiffens) is taken back while it parts.
 /// 2. Friction, Coulomb with FS, FD, DC: full stop of sliding if mu times the normal impulse allows
-/// it.
+///    it. A rigid body that rests on many places is looked at again and again, until it sticks.
 /// 3. Limit of approach: in the step ahead no gap may shrink by more than half of what it has above
 /// a quarter of
 ///    its rest value.
 class Impulses {
 public:
-    Impulses(const Cloth& cloth, const ContactCard& card);
+    explicit Impulses(const Cloth& cloth);
 
     /// @param span  time for which the last kick's forces acted                               [s]
     /// @param dt    the step ahead                                                            [s]
-    void apply(double span, double dt, ContactList& contacts, Candidates& pairs, Points& v);
+    void apply(double span, double dt, ContactList& contacts, Candidates& pairs, Movement& motion);
 
     /// Changes a contact's rate, and rubs.
     /// @param rate  wanted, not below the present one                                         [m/s]
-    void raise_rate(double rate, Contact& contact, Points& v);
+    void raise_rate(double rate, Contact& contact, Movement& motion);
 
     /// Gives nodes one velocity, that of their momentum, or the held ones' if there are any: a
-    /// rigid clump.
-    void clump(std::span<const Index> nodes, std::span<const double> mass, Points& v);
+    /// rigid clump. Nodes that touch a rigid body move with it.
+    void clump(std::span<const Index> nodes, std::span<const double> mass, Movement& motion);
 
-    [[nodiscard]] const ImpulseBooks& books() const { return books_; }
+    /// By card.
+    [[nodiscard]] const std::vector<ImpulseBooks>& books() const { return books_; }
 
 private:
-    void settle(double span, Contact& contact, double& account, Points& v);
+    void settle(double span, Contact& contact, double& account, Movement& motion);
     double repay_debt(double rate, const Contact& contact, double& account);
-    bool limit_approach(double dt, Contact& contact, Points& v);
-    void rub(double normal_impulse, const Contact& contact, Points& v);
-    double push(double impulse, const Vec3& direction, const Contact& contact, Points& v);
+    bool limit_approach(double dt, Contact& contact, Movement& motion);
+    void rub(Contact& contact, Movement& motion);
+    double push(double impulse, const Vec3& direction, double mass, const Contact& contact,
+                Movement& motion);
+    void note_given(const Contact& contact, const Vec3& impulse);
+    void clump_round(Index body, std::span<const Index> nodes, Movement& motion);
+    [[nodiscard]] const ContactCard& card(const Contact& c) const {
+        return cloth_.rules.card(c.card);
+    }
 
     const Cloth& cloth_;
-    const ContactCard card_;
-    ImpulseBooks books_;
+    std::vector<ImpulseBooks> books_;
     double pool_ = 0.0;  ///< what pairs that have parted took, less what they gave back         [J]
 };
 

@@ -4,6 +4,7 @@
 
 #include "contact/cloth.hpp"
 #include "contact/contact_list.hpp"
+#include "contact/movers.hpp"
 
 namespace corpuscle::contact {
 
@@ -18,23 +19,29 @@ inline constexpr double STIFFNESS = 0.5;
 ///     N = sum of 2 |weight| over the contacts that push the node
 ///
 /// The row sums of M⁻¹K are then at most STIFFNESS / dt² [Gershgorin 1931], however many contacts
-/// share a node.
+/// share a node. A rigid body counts as one node, with the mass that it has at the contact and N
+/// twice the number of its contacts.
 class Repulsion {
 public:
     explicit Repulsion(const Cloth& cloth);
 
     /// Sets stiffness and force of all contacts.
-    void find(double dt, ContactList& contacts);
+    void find(double dt, const Points& x, std::span<const RigidMover> bodies,
+              ContactList& contacts);
 
     /// Adds the forces to f; their sum is zero.
     void add(const ContactList& contacts, Points& f) const;
 
 private:
+    void count_sharers(const ContactList& contacts);
+    [[nodiscard]] double softest_node(const Contact& contact) const;
+
     const Cloth& cloth_;
-    std::vector<double> shared_by_;  ///< N of each node row
+    std::vector<double> shared_by_;       ///< N of each node row
+    std::vector<double> body_shared_by_;  ///< N of each rigid body
 };
 
-/// Sum of k (rest - gap)² / 2.                                                                  [J]
-[[nodiscard]] double stored_energy(const ContactList& contacts);
+/// Sum of k (rest - gap)² / 2, of one card's contacts.                                          [J]
+[[nodiscard]] double stored_energy(const ContactList& contacts, int card);
 
 }  // namespace corpuscle::contact

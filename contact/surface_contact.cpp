@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "contact/crossing_guard.hpp"
 #include "contact/impulses.hpp"
@@ -28,8 +27,6 @@ constexpr double APPROACH = 3.0;
 }  // namespace
 
 struct SurfaceContact::State {
-    ContactCard card;
-    std::optional<Curve> thickness_curve;
     Cloth cloth;
     Candidates pairs;
     Repulsion repulsion;
@@ -37,26 +34,29 @@ struct SurfaceContact::State {
     CrossingGuard guard;
     ContactList contacts;
     ContactCounts counts;
-    Vec3 force = Vec3::Zero();
+    std::vector<double> most;         ///< contact thickness now, by card                  [m]
+    std::vector<std::uint8_t> is_on;  ///< by card
     double t = 0.0, dt_last = 0.0, span = 0.0;  ///< [s]
     double growth_time = NaN;  ///< of gaps that start below the contact thickness  [s]
-    bool is_started = false, is_on = false;
+    bool is_started = false;
 
     explicit State(const ContactSetup& setup)
-        : card(setup.card),
-          thickness_curve(setup.thickness_curve ? std::optional(*setup.thickness_curve)
-                                                : std::nullopt),
-          cloth(setup),
+        : cloth(setup),
           pairs(cloth, REACH),
           repulsion(cloth),
-          impulses(cloth, setup.card),
-          guard(cloth) {}
+          impulses(cloth),
+          guard(cloth),
+          most(setup.cards.size()),
+          is_on(setup.cards.size(), 0) {}
 
-    void look_at_pairs(const Points& x, const Points& v);
+    bool look_at_cards(double now);
+    void look_at_pairs(const Points& x, const Points& v, std::span<const RigidMover> bodies);
     void set_rest_gap(double thickness, Contact& contact);
     void let_debtors_part();
     void count();
-    [[nodiscard]] Vec3 force_on_free_nodes() const;
+    [[nodiscard]] bool any_on() const {
+        return std::any_of(is_on.begin(), is_on.end(), [](std::uint8_t on) { return on != 0; });
+    }
 };
 
 SurfaceContact::SurfaceContact(const ContactSetup& setup)
@@ -65,39 +65,57 @@ SurfaceContact::~SurfaceContact() = default;
 SurfaceContact::SurfaceContact(SurfaceContact&&) noexcept = default;
 SurfaceContact& SurfaceContact::operator=(SurfaceContact&&) noexcept = default;
 
-void SurfaceContact::find(const Points& x, const Points& v, double t, double dt) {
+/// Which cards hold now, and how thick. Returns whether one has begun to.
+bool SurfaceContact::State::look_at_cards(double now) {
+    t = now;
+    bool is_born = false;
+    for (std::size_t c = 0; c < is_on.size(); ++c) {
+        const int card = static_cast<int>(c);
+        const bool was_on = is_on[c];
+        is_on[c] = !cloth.triangles.empty() && cloth.rules.is_on(card, t);
+        is_born |= is_on[c] && !was_on;
+        most[c] = is_on[c] ? cloth.rules.most(card, t) : 0.0;
+    }
+    return is_born;
+}
+
+void SurfaceContact::find(const Points& x, const Points& v, double t, double dt,
+                          std::span<const RigidMover> bodies) {
     State& s = *state_;
     s.contacts.clear(0);
-    s.t = t;
-    s.is_on = !s.cloth.triangles.empty() && t >= s.card.birth && t <= s.card.death;
-    if (!s.is_on) return;
-    if (s.is_started) {
-        s.pairs.follow(x, t);
-    } else {
-        s.pairs.start(x, v, t, dt);
-        for (std::size_t i = 0; i < s.pairs.size(); ++i)
-            s.counts.close_starts += s.pairs.memory(i) != nullptr;
+    const bool is_born = s.look_at_cards(t);
+    if (!s.any_on()) return;
+    if (!s.is_started) {
         s.growth_time = GROWTH_STEPS * dt;
         s.is_started = true;
+        s.pairs.start(x, v, t, dt, s.is_on);
+    } else {
+        s.pairs.follow(x, t);
+        if (is_born) s.pairs.admit(x, v, t, dt, s.is_on);
     }
-    s.look_at_pairs(x, v);
+    s.counts.close_starts = s.pairs.close_starts().size();
+    s.look_at_pairs(x, v, bodies);
     s.count();
 }
 
-void SurfaceContact::State::look_at_pairs(const Points& x, const Points& v) {
-    const double most = thickness_curve ? (*thickness_curve)(t) : INF;
+void SurfaceContact::State::look_at_pairs(const Points& x, const Points& v,
+                                          std::span<const RigidMover> bodies) {
     contacts.clear(pairs.size());
     const auto look = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
         for (std::size_t i = begin; i < end; ++i) {
             if (!pairs.is_due(i)) continue;
+            const int card = pairs.card(i);
+            if (!is_on[card]) continue;
             const Nearest places = nearest(pairs[i], x);
             const double gap = places.apart.norm();
             pairs.tell_distance(i, gap);
-            const double thickness = std::min(pairs.thickness(i), most);
+            const double thickness = std::min(pairs.thickness(i), most[card]);
             if (!places.is_inside || gap >= REACH * thickness || gap == 0.0) continue;
             Contact& contact = contacts.chunk(chunk).emplace_back(
-                contact_at(pairs[i], places, gap, cloth.inverse_mass));
+                contact_at(cloth, bodies, x, pairs[i], places, gap));
             contact.pair = i;
+            contact.card = card;
+            contact.side = pairs.side(i);
             contact.rate_before = contact.rate(v);
             set_rest_gap(thickness, contact);
         }
@@ -135,21 +153,23 @@ void SurfaceContact::State::count() {
     });
 }
 
-void SurfaceContact::add_force(const Points& /*x*/, const Points& /*v*/, double dt, Points& f) {
+void SurfaceContact::add_force(const Points& x, const Points& /*v*/, double dt, Points& f,
+                               std::span<const RigidMover> bodies) {
     State& s = *state_;
-    s.repulsion.find(std::max(dt, s.dt_last), s.contacts);
+    s.repulsion.find(std::max(dt, s.dt_last), x, bodies, s.contacts);
     s.let_debtors_part();
     s.repulsion.add(s.contacts, f);
     s.span = 0.5 * (s.dt_last + dt);
     s.dt_last = dt;
 }
 
-void SurfaceContact::filter(const Points& x, double dt, Points& v) {
+void SurfaceContact::filter(const Points& x, double dt, Points& v, std::span<RigidMover> bodies) {
     State& s = *state_;
-    if (!s.is_on) return;
-    s.impulses.apply(s.span, dt, s.contacts, s.pairs, v);
-    s.guard.stop(x, s.t, dt, s.pairs, s.impulses, v);
-    s.force = s.force_on_free_nodes();
+    if (!s.any_on()) return;
+    Movement motion(s.cloth, x, v, bodies);
+    s.impulses.apply(s.span, dt, s.contacts, s.pairs, motion);
+    s.guard.stop(s.t, dt, s.pairs, s.impulses, motion);
+    motion.settle();
 }
 
 /// A pair that has given more energy than it took, and is parting, does not push on.
@@ -161,16 +181,6 @@ void SurfaceContact::State::let_debtors_part() {
     });
 }
 
-/// Normal impulses alone; friction on held nodes is not in it.
-Vec3 SurfaceContact::State::force_on_free_nodes() const {
-    Vec3 sum = Vec3::Zero();
-    contacts.for_each([&](const Contact& c) {
-        for (int i = 0; i < 4; ++i)
-            if (cloth.inverse_mass[c.node[i]] > 0.0) sum += c.impulse * c.weight[i] * c.normal;
-    });
-    return span > 0.0 ? Vec3(sum / span) : sum;
-}
-
 double SurfaceContact::stable_step(const Points& v) const {
     double least = INF;
     state_->contacts.for_each([&](const Contact& c) {
@@ -180,23 +190,52 @@ double SurfaceContact::stable_step(const Points& v) const {
     return least;
 }
 
+int SurfaceContact::limiting_card(const Points& v) const {
+    double least = INF;
+    int card = -1;
+    state_->contacts.for_each([&](const Contact& c) {
+        const double approach = -c.rate(v);
+        if (approach <= 0.0 || APPROACH * c.rest / approach >= least) return;
+        least = APPROACH * c.rest / approach;
+        card = c.card;
+    });
+    return card;
+}
+
 const std::vector<std::pair<Index, Index>>& SurfaceContact::crossing() const {
     return state_->pairs.crossing();
 }
+const std::vector<std::pair<Index, Index>>& SurfaceContact::close_starts() const {
+    return state_->pairs.close_starts();
+}
 double SurfaceContact::stored_energy() const {
-    return contact::stored_energy(state_->contacts);
+    double energy = 0.0;
+    for (std::size_t c = 0; c < state_->is_on.size(); ++c)
+        energy += contact::stored_energy(state_->contacts, static_cast<int>(c));
+    return energy;
 }
 double SurfaceContact::friction_energy() const {
-    return state_->impulses.books().friction;
+    double energy = 0.0;
+    for (const ImpulseBooks& book : state_->impulses.books()) energy += book.friction;
+    return energy;
 }
 double SurfaceContact::damping_energy() const {
-    return state_->impulses.books().normal;
+    double energy = 0.0;
+    for (const ImpulseBooks& book : state_->impulses.books()) energy += book.normal;
+    return energy;
 }
 double SurfaceContact::held_work() const {
-    return state_->impulses.books().held_work;
+    double work = 0.0;
+    for (const ImpulseBooks& book : state_->impulses.books()) work += book.held_work;
+    return work;
 }
-const Vec3& SurfaceContact::force() const {
-    return state_->force;
+Vec3 SurfaceContact::force(int card) const {
+    const Vec3& given = state_->impulses.books()[static_cast<std::size_t>(card)].given;
+    return state_->span > 0.0 ? Vec3(given / state_->span) : given;
+}
+double SurfaceContact::energy_of(int card) const {
+    const ImpulseBooks& book = state_->impulses.books()[static_cast<std::size_t>(card)];
+    return contact::stored_energy(state_->contacts, card) + book.friction + book.normal;
 }
 void SurfaceContact::mark_touching(std::span<std::uint8_t> nodes) const {
     state_->contacts.for_each([&](const Contact& c) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "contact/cloth.hpp"
+#include "contact/movers.hpp"
 
 namespace corpuscle::contact {
 
@@ -25,11 +26,13 @@ struct ContactCounts {
     std::size_t unstopped = 0;     ///< pairs that held nodes drove through each other, so far
 };
 
-/// Fabric that touches itself: nodes against triangles and edges against edges, both sides.
+/// Surfaces that touch: fabric itself and other fabric, and rigid bodies. Nodes against triangles
+/// and edges against edges, both sides, for all cards at once, so that none undoes what another has
+/// seen to.
 ///
 /// A step calls find() and add_force() at t, then filter() between the kick and the drift.
 /// Repulsion is elastic and conserves; all that loses energy is done by the filter's impulses,
-/// exact in momentum. Before the card's birth and after its death nothing is found.
+/// exact in momentum. Before a card's birth and after its death nothing is found by it.
 ///
 ///     contact.find(x, v, t, dt);  contact.add_force(x, v, dt, f);  kick;  contact.filter(x, dt,
 ///     v);  drift;
@@ -42,32 +45,43 @@ public:
     SurfaceContact& operator=(SurfaceContact&&) noexcept;
 
     /// Finds what is near at x, v being half a step old.
-    /// @param dt  the step ahead                                                               [s]
-    void find(const Points& x, const Points& v, double t, double dt);
+    /// @param dt      the step ahead                                                         [s]
+    /// @param bodies  at t, by the numbers that the set-up has for their nodes
+    void find(const Points& x, const Points& v, double t, double dt,
+              std::span<const RigidMover> bodies = {});
 
     /// Adds repulsion to f. It is taken to act for half the last step and half this one.
-    void add_force(const Points& x, const Points& v, double dt, Points& f);
+    void add_force(const Points& x, const Points& v, double dt, Points& f,
+                   std::span<const RigidMover> bodies = {});
 
-    /// Damping, friction, and the limit of approach for the step ahead; changes velocities only.
-    void filter(const Points& x, double dt, Points& v);
+    /// Damping, friction, and the limit of approach for the step ahead; changes velocities only,
+    /// and what the bodies have taken.
+    void filter(const Points& x, double dt, Points& v, std::span<RigidMover> bodies = {});
 
     /// Longest step for the speeds at which near places approach each other; INF when none do. [s]
     [[nodiscard]] double stable_step(const Points& v) const;
+    /// Row of the card by which those places touch; -1: none do.
+    [[nodiscard]] int limiting_card(const Points& v) const;
 
     /// Triangles that crossed at the start and still do, rows i < j; their pairs do not push.
     [[nodiscard]] const std::vector<std::pair<Index, Index>>& crossing() const;
+    /// Pairs of triangles that are nearer at the start than their contact thickness, rows.
+    [[nodiscard]] const std::vector<std::pair<Index, Index>>& close_starts() const;
 
-    [[nodiscard]] double stored_energy() const;  ///< in the repulsion now                       [J]
-    [[nodiscard]] double friction_energy() const;  ///< rubbed away so far [J]
-    [[nodiscard]] double damping_energy() const;   ///< damped or stopped by the filter so far [J]
-    [[nodiscard]] double energy() const {  ///< all three                                  [J]
+    [[nodiscard]] double stored_energy() const;    ///< in the repulsion now                     [J]
+    [[nodiscard]] double friction_energy() const;  ///< rubbed away so far                       [J]
+    [[nodiscard]] double damping_energy() const;  ///< damped or stopped by the filter so far    [J]
+    [[nodiscard]] double energy() const {         ///< all three                                 [J]
         return stored_energy() + friction_energy() + damping_energy();
     }
-    /// Work that held nodes have done through the filter's impulses so far. [J]
+    /// Work that what is held has done through the filter's impulses so far.                  [J]
     [[nodiscard]] double held_work() const;
-    /// Resultant of repulsion and impulses on the free nodes in the last step: what held nodes
-    /// gave.  [N]
-    [[nodiscard]] const Vec3& force() const;
+
+    /// By one card (row): in the last step to SURFA, or of a single surface to the free nodes,
+    /// which is what held nodes and bodies gave. [N]
+    [[nodiscard]] Vec3 force(int card = 0) const;
+    [[nodiscard]] double energy_of(int card) const;  ///< stored, rubbed, damped              [J]
+
     [[nodiscard]] const ContactCounts& counts() const;
     /// Sets a 1 for every node that carries more than half of its side of a contact that pushes.
     void mark_touching(std::span<std::uint8_t> nodes) const;  // N

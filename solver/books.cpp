@@ -11,6 +11,13 @@
 
 namespace corpuscle {
 
+/// Of nodes and rigid bodies, at the half step that velocities live at.                   [J]
+double Simulation::kinetic_energy() const {
+    double all = nodes_.kinetic_energy();
+    for (const RigidBody& body : bodies_) all += body.kinetic_energy();
+    return all;
+}
+
 double ForceShare::work(const Points& v_mid, double span) const {
     return span * parallel::sum(f.size(), 0.0, [&](std::size_t n) { return f[n].dot(v_mid[n]); });
 }
@@ -21,6 +28,8 @@ double ForceShare::work(const Points& v_mid, double span) const {
 void Simulation::book_forces(double span) {
     parallel::for_each(nodes_.size(),
                        [&](std::size_t n) { v_mid_[n] = 0.5 * (v_before_[n] + nodes_.v[n]); });
+    for (const RigidBody& body : bodies_)
+        for (const Index n : body.nodes()) v_mid_[n] = body.mid_velocity_at(nodes_.x[n]);
 
     const auto gain = [&](Index n) {
         return 0.5 * nodes_.mass[n] * (nodes_.v[n].squaredNorm() - v_before_[n].squaredNorm()) -
@@ -28,9 +37,10 @@ void Simulation::book_forces(double span) {
     };
     Moved& moved = ledger_.after;
     for (const Index n : supports_.nodes()) moved.external += gain(n);
-    for (const RigidBody& body : bodies_)
-        if (body.is_driven())
-            for (const Index n : body.nodes()) moved.external += gain(n);
+    for (const RigidBody& body : bodies_) {
+        moved.external += body.held_work() + body.field_work();
+        moved.damping += body.damped();
+    }
     moved.external += load_force_.work(v_mid_, span);
 
     moved.damping -= damping_force_.work(v_mid_, span);

@@ -15,7 +15,8 @@ struct Clock {
     /// The span that a force at t acts for: half the last step and half the next.
     [[nodiscard]] double kick_span(double dt) const { return 0.5 * (dt_last + dt); }
 
-    /// Weight of v(t + dt/2) in v(t), interpolated between the half steps; the start takes v(t - 0).
+    /// Weight of v(t + dt/2) in v(t), interpolated between the half steps; the start takes v(t -
+    /// 0).
     [[nodiscard]] double weight(double dt) const { return dt_last / (dt_last + dt); }
 
     void advance(double dt) {

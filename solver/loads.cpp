@@ -22,12 +22,18 @@ Loads::Loads(const Model& model) {
     }
 }
 
+Vec3 Loads::acceleration(double t) const {
+    Vec3 all = Vec3::Zero();
+    for (const Body& load : body_) all[load.axis] -= load.scale * load.curve(t);
+    return all;
+}
+
 void Loads::find_force(double t, const Points& x, const std::vector<double>& mass,
                        Points& f) const {
     std::fill(f.begin(), f.end(), Vec3::Zero());
-    for (const Body& load : body_) {
-        const double acceleration = load.scale * load.curve(t);
-        for (std::size_t n = 0; n < f.size(); ++n) f[n][load.axis] -= mass[n] * acceleration;
+    if (!body_.empty()) {
+        const Vec3 all = acceleration(t);
+        for (std::size_t n = 0; n < f.size(); ++n) f[n] += mass[n] * all;
     }
     for (const Pressure& load : pressure_) {
         if (t < load.arrival) continue;

@@ -16,6 +16,9 @@ public:
 
     [[nodiscard]] bool empty() const { return body_.empty() && pressure_.empty(); }
 
+    /// What the frame's acceleration gives to all matter at t: -a(t).                    [m/s^2]
+    [[nodiscard]] Vec3 acceleration(double t) const;
+
     /// f = loads at t.
     ///
     ///     body: -m a(t) (a frame that accelerates upward pulls bodies down)

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "solver/rigid_body.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -16,16 +18,32 @@ std::vector<Index> nodes_of_part(const Model& model, Index part) {
     std::vector<Index> nodes;
     for (const Shell& shell : model.shells)
         if (shell.part == part) nodes.insert(nodes.end(), shell.nodes.begin(), shell.nodes.end());
+    for (const RigidExtraNode& extra : model.rigid_extra_nodes)
+        if (extra.part == part) nodes.push_back(extra.node);
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     return nodes;
 }
 
-Eigen::Quaterniond turned(const Eigen::Quaterniond& from, const Vec3& spin, double dt) {
-    const double angle = spin.norm() * dt;
-    if (angle == 0.0) return from;
-    const Eigen::Quaterniond step(Eigen::AngleAxisd(angle, spin.normalized()));
-    return (step * from).normalized();
+/// b, less what it has along the axes.
+Vec3 without(const std::vector<Vec3>& axes, Vec3 b) {
+    for (const Vec3& axis : axes) b -= axis.dot(b) * axis;
+    return b;
+}
+
+/// Axes made orthonormal; those that add nothing are left out.
+void add_axis(std::vector<Vec3>& axes, const Vec3& axis) {
+    const Vec3 rest = without(axes, axis);
+    if (rest.norm() > 1e-9) axes.push_back(rest.normalized());
+}
+
+/// Up to three axes as columns.
+using Axes = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3>;
+
+Axes columns(const std::vector<Vec3>& axes) {
+    Axes out(3, static_cast<Eigen::Index>(axes.size()));
+    for (std::size_t k = 0; k < axes.size(); ++k) out.col(static_cast<Eigen::Index>(k)) = axes[k];
+    return out;
 }
 
 }  // namespace
@@ -36,27 +54,7 @@ RigidBody::RigidBody(const Model& model, Index part, const std::vector<double>& 
         std::get<fabric::RigidCard>(model.materials[model.parts[part].material].card);
     fixed_moves_ = card.fixed_moves;
     fixed_turns_ = card.fixed_turns;
-
-    centre_.setZero();
-    for (const Index n : nodes_) {
-        mass_ += node_mass[n];
-        centre_ += node_mass[n] * model.x[n];
-    }
-    if (!(mass_ > 0.0))
-        throw InputError(fmt::format("rigid part {} has no mass", model.parts[part].id));
-    centre_ /= mass_;
-    Mat3 inertia = Mat3::Zero();
-    for (const Index n : nodes_) {
-        const Vec3 r = model.x[n] - centre_;
-        inertia += node_mass[n] * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
-    }
-    const Eigen::SelfAdjointEigenSolver<Mat3> principal(inertia);
-    Mat3 axes = principal.eigenvectors();
-    if (axes.determinant() < 0.0) axes.col(2) = -axes.col(2);
-    turn_ = Eigen::Quaterniond(axes).normalized();
-    // A straight row of nodes has no moment about itself; then nothing can turn it, nor does it
-    // matter.
-    inertia_ = principal.eigenvalues().cwiseMax(1e-12 * principal.eigenvalues().maxCoeff());
+    find_inertia(model, node_mass);
     for (const Index n : nodes_) arm_.push_back(turn_.conjugate() * (model.x[n] - centre_));
     next_centre_ = centre_;
     next_turn_ = turn_;
@@ -70,67 +68,204 @@ RigidBody::RigidBody(const Model& model, Index part, const std::vector<double>& 
     for (const PrescribedMotion& motion : model.motions)
         if (motion.rigid_part == part) {
             const double start =
-                motion.rotation ? spin_of(turn_).dot(motion.axis) : velocity_.dot(motion.axis);
+                motion.rotation ? spin().dot(motion.axis) : velocity_.dot(motion.axis);
             motions_.push_back({motion.rotation, motion.axis,
                                 MotionCurve(motion, model.curves[motion.curve], start)});
         }
 }
 
-Vec3 RigidBody::spin_of(const Eigen::Quaterniond& turn) const {
-    const Vec3 local = turn.conjugate() * angular_momentum_;
+/// Mass, centre, principal moments and their axes.
+void RigidBody::find_inertia(const Model& model, const std::vector<double>& node_mass) {
+    const auto given = std::find_if(model.rigid_inertia.begin(), model.rigid_inertia.end(),
+                                    [&](const RigidInertia& r) { return r.part == part_; });
+    Mat3 inertia = Mat3::Zero();
+    centre_.setZero();
+    if (given != model.rigid_inertia.end()) {
+        mass_ = given->mass;
+        centre_ = given->centre;
+        inertia = given->inertia;
+    } else {
+        for (const Index n : nodes_) {
+            mass_ += node_mass[n];
+            centre_ += node_mass[n] * model.x[n];
+        }
+        centre_ /= mass_;
+        for (const Index n : nodes_) {
+            const Vec3 r = model.x[n] - centre_;
+            inertia += node_mass[n] * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
+        }
+    }
+    if (!(mass_ > 0.0))
+        throw InputError(fmt::format("rigid part {} has no mass", model.parts[part_].id));
+    const Eigen::SelfAdjointEigenSolver<Mat3> principal(inertia);
+    Mat3 axes = principal.eigenvectors();
+    if (axes.determinant() < 0.0) axes.col(2) = -axes.col(2);
+    turn_ = Eigen::Quaterniond(axes).normalized();
+    // A straight row of nodes has no moment about itself; then nothing can turn it, nor does it
+    // matter.
+    inertia_ = principal.eigenvalues().cwiseMax(1e-12 * principal.eigenvalues().maxCoeff());
+    if (!(inertia_.minCoeff() > 0.0))
+        throw InputError(
+            fmt::format("rigid part {} has no moment of inertia", model.parts[part_].id));
+}
+
+Vec3 RigidBody::spin_of(const Eigen::Quaterniond& turn, const Vec3& momentum) const {
+    const Vec3 local = turn.conjugate() * momentum;
     return turn * local.cwiseQuotient(inertia_);
 }
 
-void RigidBody::advance(double t, double dt, double span, fabric::Nodes& nodes) {
-    centre_ = next_centre_;
-    turn_ = next_turn_;
+void RigidBody::advance(double t, double dt, double span, const Field& field,
+                        fabric::Nodes& nodes) {
+    arrive();
     Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
     for (const Index n : nodes_) {
         force += nodes.f[n];
         torque += (nodes.x[n] - centre_).cross(nodes.f[n]);
     }
-    const Vec3 before = velocity_;
-    velocity_ += span / mass_ * force;
-    angular_momentum_ += span * torque;
+    const Vec3 weight = mass_ * field.acceleration;
+    const Vec3 drag = -field.damping * mass_ * velocity_,
+               turning_drag = -field.damping * angular_momentum_;
+    const Vec3 velocity = velocity_, spin_before = spin();
+    const double kinetic = kinetic_energy();
+    velocity_ += span / mass_ * (force + weight + drag);
+    angular_momentum_ += span * (torque + turning_drag);
     hold_translation(t, dt, span);
-    if (span > 0.0) acceleration_ = (velocity_ - before) / span;
+    hold_rotation(t, dt, span);
+    if (span > 0.0) acceleration_ = (velocity_ - velocity) / span;
+    impulse_force_.setZero();
 
-    Vec3 spin = spin_of(turn_);
-    for (int sweep = 0; sweep < 2; ++sweep) spin = spin_of(turned(turn_, spin, 0.5 * dt));
-    hold_rotation(t, dt, span, spin);
+    mid_velocity_ = 0.5 * (velocity + velocity_);
+    mid_spin_ = 0.5 * (spin_before + spin());
+    field_work_ = span * weight.dot(mid_velocity_);
+    damped_ = -span * (drag.dot(mid_velocity_) + turning_drag.dot(mid_spin_));
+    held_work_ = kinetic_energy() - kinetic - field_work_ + damped_ -
+                 span * (force.dot(mid_velocity_) + torque.dot(mid_spin_));
+    carry(dt, nodes);
+}
 
+void RigidBody::carry(double dt, fabric::Nodes& nodes) {
     next_centre_ = centre_ + dt * velocity_;
-    next_turn_ = turned(turn_, spin, dt);
+    next_turn_ = turned(dt);
     for (std::size_t i = 0; i < nodes_.size(); ++i)
         nodes.v[nodes_[i]] = (next_centre_ + next_turn_ * arm_[i] - nodes.x[nodes_[i]]) / dt;
 }
 
+/// R_1: W by fixed-point sweeps, which gain a factor of some dt |spin| each.
+Eigen::Quaterniond RigidBody::turned(double dt) const {
+    constexpr int MOST_SWEEPS = 50;
+    constexpr double CONVERGED = 1e-15;
+    if (angular_momentum_.isZero(0.0)) return turn_;
+    const Vec3 momentum = turn_.conjugate() * angular_momentum_;  // in the body's axes at t
+    Vec3 W = momentum.cwiseQuotient(inertia_);
+    Eigen::Quaterniond step;
+    for (int sweep = 0; sweep < MOST_SWEEPS; ++sweep) {
+        const Vec3 half = 0.5 * dt * W;
+        step = Eigen::Quaterniond(1.0, half[0], half[1], half[2]).normalized();
+        const Vec3 then = step.conjugate() * momentum;
+        const Vec3 better = (0.5 * (momentum + then)).cwiseQuotient(inertia_);
+        const double change = (better - W).norm();
+        W = better;
+        if (change <= CONVERGED * W.norm()) break;
+    }
+    return (turn_ * step).normalized();
+}
+
+/// About the centre, global axes. [1/(kg m^2)]
+Mat3 RigidBody::inverse_inertia() const {
+    const Mat3 R = turn_.toRotationMatrix();
+    return R * inertia_.cwiseInverse().asDiagonal() * R.transpose();
+}
+
+/// Spin by a moment, with what the holds along H answer: I⁻¹ - I⁻¹ H (Hᵀ I⁻¹ H)⁻¹ Hᵀ I⁻¹.
+Mat3 RigidBody::turning_mobility() const {
+    const Mat3 inverse = inverse_inertia();
+    if (held_turns_.empty()) return inverse;
+    if (held_turns_.size() == 3) return Mat3::Zero();
+    const Axes H = columns(held_turns_);
+    const Axes IH = inverse * H;
+    return inverse - IH * (H.transpose() * IH).inverse() * IH.transpose();
+}
+
+contact::RigidMover RigidBody::mover() const {
+    contact::RigidMover out;
+    out.centre = centre_;
+    Mat3 moves = Mat3::Identity();
+    for (const Vec3& axis : held_moves_) moves -= axis * axis.transpose();
+    out.inverse_mass = moves / mass_;
+    out.inverse_inertia = turning_mobility();
+    out.velocity = velocity_;
+    out.spin = spin();
+    out.held_velocity = velocity_ - moves * velocity_;
+    if (!held_turns_.empty()) {
+        // To a moment M the holds answer with -H (Hᵀ I⁻¹ H)⁻¹ Hᵀ I⁻¹ M, which works on the spin.
+        const Mat3 R = turn_.toRotationMatrix();
+        const Mat3 inertia = R * inertia_.asDiagonal() * R.transpose();
+        out.held_spin = out.spin - out.inverse_inertia * (inertia * out.spin);
+    }
+    return out;
+}
+
+void RigidBody::take(const contact::RigidMover& moved, double dt, double span,
+                     fabric::Nodes& nodes) {
+    if (moved.impulse.isZero(0.0) && moved.turning.isZero(0.0)) return;
+    const Vec3 change = moved.inverse_mass * moved.impulse;
+    velocity_ += change;
+    if (held_turns_.empty()) {
+        angular_momentum_ += moved.turning;
+    } else {
+        const Vec3 local = turn_.conjugate() * (spin() + moved.inverse_inertia * moved.turning);
+        angular_momentum_ = turn_ * inertia_.cwiseProduct(local);
+    }
+    if (span > 0.0) {
+        acceleration_ += change / span;
+        impulse_force_ = moved.impulse / span;
+    }
+    carry(dt, nodes);
+}
+
 void RigidBody::hold_translation(double t, double dt, double span) {
+    held_moves_.clear();
     for (int a = 0; a < 3; ++a)
-        if (fixed_moves_ & (1U << a)) velocity_[a] = 0.0;
+        if (fixed_moves_ & (1U << a)) {
+            velocity_[a] = 0.0;
+            add_axis(held_moves_, Vec3::Unit(a));
+        }
     for (Motion& motion : motions_) {
         if (motion.rotation || !motion.curve.is_active(t)) continue;
         const double target = motion.curve.velocity(t, dt, span);
         velocity_ += (target - velocity_.dot(motion.axis)) * motion.axis;
+        add_axis(held_moves_, motion.axis);
     }
 }
 
-void RigidBody::hold_rotation(double t, double dt, double span, Vec3& spin) {
-    bool held = false;
+/// L by the moments of the holds, along their axes H alone: Hᵀ I⁻¹ (L + H m) = what they hold.
+void RigidBody::hold_rotation(double t, double dt, double span) {
+    held_turns_.clear();
+    std::vector<double> target;
+    const auto hold = [&](const Vec3& axis, double rate) {
+        std::vector<Vec3> orthogonal;
+        for (const Vec3& h : held_turns_) add_axis(orthogonal, h);
+        const std::size_t before = orthogonal.size();
+        add_axis(orthogonal, axis);
+        if (orthogonal.size() == before) return;  // held already
+        held_turns_.push_back(axis);
+        target.push_back(rate);
+    };
+    for (Motion& motion : motions_)
+        if (motion.rotation && motion.curve.is_active(t))
+            hold(motion.axis, motion.curve.velocity(t, dt, span));
     for (int a = 0; a < 3; ++a)
-        if (fixed_turns_ & (1U << a)) {
-            spin[a] = 0.0;
-            held = true;
-        }
-    for (Motion& motion : motions_) {
-        if (!motion.rotation || !motion.curve.is_active(t)) continue;
-        const double target = motion.curve.velocity(t, dt, span);
-        spin += (target - spin.dot(motion.axis)) * motion.axis;
-        held = true;
-    }
-    if (!held) return;
-    const Vec3 local = turn_.conjugate() * spin;
-    angular_momentum_ = turn_ * inertia_.cwiseProduct(local);
+        if (fixed_turns_ & (1U << a)) hold(Vec3::Unit(a), 0.0);
+    if (held_turns_.empty()) return;
+    const Axes H = columns(held_turns_);
+    const Mat3 inverse = inverse_inertia();
+    const Eigen::VectorXd wanted =
+        Eigen::Map<const Eigen::VectorXd>(target.data(), static_cast<Eigen::Index>(target.size()));
+    const Eigen::VectorXd moment =
+        (H.transpose() * inverse * H)
+            .ldlt()
+            .solve(wanted - H.transpose() * (inverse * angular_momentum_));
+    angular_momentum_ += H * moment;
 }
 
 }  // namespace corpuscle

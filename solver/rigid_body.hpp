@@ -2,35 +2,75 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include <vector>
 
+#include "contact/movers.hpp"
 #include "fabric/nodes.hpp"
 #include "solver/constraints.hpp"
 #include "solver/model.hpp"
 
 namespace corpuscle {
 
-/// A *MAT_RIGID part: six degrees of freedom, mass and inertia from its nodes' lumped masses.
+/// A *MAT_RIGID part: six degrees of freedom. Mass and inertia are the deck's (RigidInertia), else
+/// those of its nodes' lumped masses.
 ///
-/// Leapfrog on the centre of mass and on the angular momentum L; the spin of a step comes from L
-/// and the orientation at mid-step, found by two fixed-point sweeps (free rotation keeps L
-/// exactly).
+/// Leapfrog on the centre of mass and on the angular momentum L about it. Orientation R follows by
+/// the implicit midpoint rule,
+///
+///     W = I⁻¹ (R_0ᵀ L + R_1ᵀ L) / 2,   R_1 = R_0 cay(dt W),
+///
+/// which keeps L and the energy L·W / 2 of free rotation to rounding [Simo & Wong 1991], at second
+/// order in the phase.
 class RigidBody {
 public:
+    /// @throws InputError for a body without mass
     RigidBody(const Model& model, Index part, const std::vector<double>& node_mass);
 
-    /// v, L at t - dt/2 -> t + dt/2 from the forces on its nodes; then sets its nodes' v so that a
-    /// drift over dt carries them to the body's place at t + dt.
-    void advance(double t, double dt, double span, fabric::Nodes& nodes);
+    /// What acts on all matter of a body alike.
+    struct Field {
+        Vec3 acceleration = Vec3::Zero();  ///< [m/s^2]
+        double damping = 0.0;              ///< by mass, *DAMPING_GLOBAL [1/s]
+    };
+    /// Is at t, where its nodes have been carried.
+    void arrive() {
+        centre_ = next_centre_;
+        turn_ = next_turn_;
+    }
+    /// V, L at t - dt/2 -> t + dt/2 from the forces on its nodes; then carries its nodes.
+    void advance(double t, double dt, double span, const Field& field, fabric::Nodes& nodes);
+
+    /// As contact sees it at t: with the velocity before advance() or after it.
+    [[nodiscard]] contact::RigidMover mover() const;
+    /// Takes what contact has given in the step from t to t + dt, and carries its nodes anew.
+    void take(const contact::RigidMover& moved, double dt, double span, fabric::Nodes& nodes);
 
     [[nodiscard]] Index part() const { return part_; }
     [[nodiscard]] const std::vector<Index>& nodes() const { return nodes_; }
-    [[nodiscard]] bool is_driven() const { return !motions_.empty(); }
     [[nodiscard]] const Vec3& position() const { return centre_; }    ///< of the mass centre, at t
     [[nodiscard]] const Vec3& velocity() const { return velocity_; }  ///< at t + dt/2
     [[nodiscard]] const Vec3& acceleration() const { return acceleration_; }
     [[nodiscard]] double mass() const { return mass_; }
     [[nodiscard]] const Vec3& angular_momentum() const { return angular_momentum_; }
+    [[nodiscard]] Vec3 spin() const { return spin_of(turn_, angular_momentum_); }  ///< [rad/s]
+    [[nodiscard]] const Eigen::Quaterniond& turn() const { return turn_; }
+
+    [[nodiscard]] double kinetic_energy() const {  ///< at t + dt/2                         [J]
+        return 0.5 * mass_ * velocity_.squaredNorm() + 0.5 * angular_momentum_.dot(spin());
+    }
+    /// Velocity of a place, mean of before and after the last kick: with it the work of forces on
+    /// the body is exactly what they change of its kinetic energy.
+    [[nodiscard]] Vec3 mid_velocity_at(const Vec3& x) const {
+        return mid_velocity_ + mid_spin_.cross(x - centre_);
+    }
+    /// In the last kick: by supports and prescribed motions, by the field's acceleration, and what
+    /// its damping took.                                                                   [J]
+    [[nodiscard]] double held_work() const { return held_work_; }
+    [[nodiscard]] double field_work() const { return field_work_; }
+    [[nodiscard]] double damped() const { return damped_; }
+    /// Mean of what contact's impulses gave in the last step.                              [N]
+    [[nodiscard]] const Vec3& impulse_force() const { return impulse_force_; }
 
 private:
     struct Motion {
@@ -38,9 +78,14 @@ private:
         Vec3 axis;
         MotionCurve curve;
     };
-    Vec3 spin_of(const Eigen::Quaterniond& turn) const;
+    void find_inertia(const Model& model, const std::vector<double>& node_mass);
+    void carry(double dt, fabric::Nodes& nodes);
+    [[nodiscard]] Vec3 spin_of(const Eigen::Quaterniond& turn, const Vec3& momentum) const;
+    [[nodiscard]] Eigen::Quaterniond turned(double dt) const;
     void hold_translation(double t, double dt, double span);
-    void hold_rotation(double t, double dt, double span, Vec3& spin);
+    void hold_rotation(double t, double dt, double span);
+    [[nodiscard]] Mat3 inverse_inertia() const;
+    [[nodiscard]] Mat3 turning_mobility() const;
 
     Index part_;
     std::vector<Index> nodes_;
@@ -49,6 +94,8 @@ private:
     Vec3 inertia_;           ///< principal moments                                  [kg m^2]
     unsigned fixed_moves_ = 0, fixed_turns_ = 0;
     std::vector<Motion> motions_;
+    std::vector<Vec3> held_moves_, held_turns_;  ///< axes along which it is held now, independent;
+                                                 ///< those of moves orthonormal
 
     Vec3 centre_;  ///< at t, moved to t + dt by the next advance
     Vec3 next_centre_;
@@ -56,6 +103,9 @@ private:
     Vec3 velocity_ = Vec3::Zero();
     Vec3 acceleration_ = Vec3::Zero();
     Vec3 angular_momentum_ = Vec3::Zero();
+    Vec3 mid_velocity_ = Vec3::Zero(), mid_spin_ = Vec3::Zero();
+    Vec3 impulse_force_ = Vec3::Zero();
+    double held_work_ = 0.0, field_work_ = 0.0, damped_ = 0.0;
 };
 
 }  // namespace corpuscle

@@ -112,13 +112,18 @@ Sample Simulation::sample() {
         for (std::size_t p = 0; p < strain.size(); ++p) row.parts[p].strain_energy += strain[p];
     }
     for (const RigidBody& body : bodies_) {
-        Sample::Rigid state{body.position(), body.velocity(), body.acceleration(), Vec3::Zero()};
+        Sample::Rigid state{body.position(), body.velocity(), body.acceleration(),
+                            body.impulse_force()};
         for (const Index n : body.nodes()) state.force += contact_and_gas_force(n);
         row.rigid_bodies.push_back(state);
+        row.parts[body.part()].kinetic_energy = body.kinetic_energy();
+        row.parts[body.part()].momentum = body.mass() * body.velocity();
     }
     for (const auto& wall : walls_) row.wall_force.push_back(wall.force());
-    for (const auto& contact : contacts_)
-        row.contacts.push_back({contact.force(), contact.energy()});
+    for (std::size_t c = 0; c < model_.contacts.size(); ++c) {
+        const int card = static_cast<int>(c);
+        row.contacts.push_back({contacts_[0].force(card), contacts_[0].energy_of(card)});
+    }
     row.sensors.resize(model_.sensors.size());
     parallel::for_each(
         row.sensors.size(),

@@ -151,12 +151,14 @@ Simulation::Simulation(Model model, std::uint64_t seed)
     v_before_ = v_mid_ = nodes_.v;
 
     build_fabric();
+    build_bodies();
     build_bags(seed);
     build_contacts();
+    build_walls();
     if (!loads_.empty()) load_force_.f.assign(count, Vec3::Zero());
     if (model_.mass_damping != 0.0 || model_.mass_damping_curve >= 0)
         damping_force_.f.assign(count, Vec3::Zero());
-    ledger_.before.kinetic = ledger_.after.kinetic = nodes_.kinetic_energy();
+    ledger_.before.kinetic = ledger_.after.kinetic = kinetic_energy();
 }
 
 void Simulation::build_fabric() {
@@ -177,14 +179,28 @@ void Simulation::build_fabric() {
         for (std::size_t n = 0; n < nodes_.size(); ++n) nodes_.mass[n] += added.node[n];
         added_mass_ = added.total;
     }
+}
 
-    for (std::size_t part = 0; part < model_.parts.size(); ++part) {
-        const bool used =
-            std::any_of(model_.shells.begin(), model_.shells.end(),
-                        [&](const Shell& s) { return s.part == static_cast<Index>(part); });
-        if (used && is_rigid(model_, static_cast<Index>(part)))
-            bodies_.emplace_back(model_, static_cast<Index>(part), nodes_.mass);
+void Simulation::build_bodies() {
+    std::vector<std::string> faults;
+    for (std::size_t p = 0; p < model_.parts.size(); ++p) {
+        const auto part = static_cast<Index>(p);
+        const bool used = std::any_of(model_.shells.begin(), model_.shells.end(),
+                                      [&](const Shell& s) { return s.part == part; });
+        if (used && is_rigid(model_, part)) bodies_.emplace_back(model_, part, nodes_.mass);
     }
+    std::vector<const RigidBody*> owner(nodes_.size(), nullptr);
+    for (const RigidBody& body : bodies_)
+        for (const Index n : body.nodes()) {
+            if (owner[n] != nullptr)
+                faults.push_back(fmt::format("node {} belongs to rigid parts {} and {}",
+                                             model_.node_id[n], model_.parts[owner[n]->part()].id,
+                                             model_.parts[body.part()].id));
+            owner[n] = &body;
+            nodes_.mass[n] = 0.0;  // the body has it
+        }
+    if (!faults.empty()) throw InputError(std::move(faults));
+    movers_.resize(bodies_.size());
 }
 
 /// 1 for nodes that supports, motions or rigid bodies carry in every direction.
@@ -215,25 +231,50 @@ void Simulation::build_bags(std::uint64_t seed) {
     if (!faults.empty()) throw InputError(std::move(faults));
 }
 
+/// One contact for all cards: what may touch by any of them.
 void Simulation::build_contacts() {
-    const std::vector<std::uint8_t> held = held_nodes();
-    for (const contact::ContactCard& card : model_.contacts) {
-        SceneTriangles facets = triangles_of(model_, marked(card.parts, model_.parts.size()));
-        std::vector<double> thickness;
-        for (const Index shell : facets.shell)
-            thickness.push_back(model_.parts[model_.shells[shell].part].thickness);
-        Points reference = model_.x;
-        for (std::size_t s = 0; s < reference_.size(); ++s)
-            for (int c = 0; c < 4; ++c) reference[model_.shells[s].nodes[c]] = reference_[s][c];
-        contacts_.emplace_back(contact::ContactSetup{
-            card, std::move(facets.triangles), std::move(thickness), nodes_.mass, reference,
-            model_.x, card.thickness_curve >= 0 ? &model_.curves[card.thickness_curve] : nullptr,
-            held});
+    if (model_.contacts.empty()) return;
+    std::vector<std::uint8_t> held = held_nodes();
+    std::vector<Index> body(model_.x.size(), -1);
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        for (const Index n : bodies_[b].nodes()) {
+            body[n] = static_cast<Index>(b);
+            held[n] = 0;
+        }
+    std::vector<bool> wanted(model_.parts.size(), false);
+    for (const contact::ContactCard& card : model_.contacts)
+        for (const auto* parts : {&card.parts, &card.other_parts})
+            for (const Index part : *parts) wanted[part] = true;
+    SceneTriangles facets = triangles_of(model_, wanted);
+    Points reference = model_.x;
+    for (std::size_t s = 0; s < reference_.size(); ++s)
+        for (int c = 0; c < 4; ++c) reference[model_.shells[s].nodes[c]] = reference_[s][c];
+
+    contact::ContactSetup setup;
+    setup.cards = model_.contacts;
+    setup.triangles = std::move(facets.triangles);
+    for (const Index shell : facets.shell) {
+        const Index part = model_.shells[shell].part;
+        setup.part.push_back(part);
+        setup.thickness.push_back(model_.parts[part].thickness);
     }
-    if (!contacts_.empty()) contact_force_.f.assign(model_.x.size(), Vec3::Zero());
+    setup.parts = model_.parts.size();
+    setup.node_mass = nodes_.mass;
+    setup.reference_x = reference;
+    setup.x0 = model_.x;
+    setup.curves = model_.curves;
+    setup.held = held;
+    setup.body = body;
+    contact_shell_ = std::move(facets.shell);
+    contacts_.emplace_back(setup);
+    contact_force_.f.assign(model_.x.size(), Vec3::Zero());
+}
+
+void Simulation::build_walls() {
+    const std::vector<std::uint8_t> held = held_nodes();
     for (contact::PlanarWallCard card : model_.walls) {
         const std::size_t listed = card.nodes.size();
-        std::erase_if(card.nodes, [&](Index n) { return nodes_.mass[n] > 0.0 && held[n]; });
+        std::erase_if(card.nodes, [&](Index n) { return held[n]; });
         if (card.nodes.size() < listed)
             model_.warnings.push_back(
                 fmt::format("*RIGIDWALL_PLANAR {}: {} of its nodes are held or belong to rigid "
@@ -242,6 +283,30 @@ void Simulation::build_contacts() {
         std::erase_if(card.nodes, [&](Index n) { return !(nodes_.mass[n] > 0.0); });
         walls_.emplace_back(card);
     }
+}
+
+void Simulation::look_at_contacts() {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) movers_[b] = bodies_[b].mover();
+    for (contact::SurfaceContact& contact : contacts_)
+        contact.find(nodes_.x, nodes_.v, clock_.t, stable_step().dt, movers_);
+}
+
+Simulation::BadStarts Simulation::bad_starts() const {
+    BadStarts out;
+    const auto ids = [&](const auto& pairs, auto& to) {
+        for (const auto& [a, b] : pairs) {
+            const int first = model_.shells[contact_shell_[a]].id,
+                      second = model_.shells[contact_shell_[b]].id;
+            if (first != second) to.emplace_back(std::minmax(first, second));
+        }
+        std::sort(to.begin(), to.end());
+        to.erase(std::unique(to.begin(), to.end()), to.end());
+    };
+    for (const contact::SurfaceContact& contact : contacts_) {
+        ids(contact.crossing(), out.crossing);
+        ids(contact.close_starts(), out.close);
+    }
+    return out;
 }
 
 std::size_t Simulation::particles() const {
@@ -261,10 +326,12 @@ StepLimit Simulation::stable_step() const {
         limit.tighten(bag.stable_step(), StepLimit::Who::GAS, bag.card().id);
     for (const gas::UniformBag& bag : uniform_bags_)
         limit.tighten(bag.stable_step(), StepLimit::Who::GAS, bag.card().id);
-    for (std::size_t c = 0; c < contacts_.size(); ++c)
-        limit.tighten(contacts_[c].stable_step(nodes_.v), StepLimit::Who::CONTACT,
-                      model_.contacts[c].id);
+    // Rigid bodies alone set no limit: a thousand steps are what a path wants to be seen.
     if (limit.who == StepLimit::Who::NOTHING) limit.dt = model_.end_time / 1000.0;
+    for (const contact::SurfaceContact& contact : contacts_)
+        if (const double dt = contact.stable_step(nodes_.v); dt < limit.dt)
+            limit.tighten(dt, StepLimit::Who::CONTACT,
+                          model_.contacts[contact.limiting_card(nodes_.v)].id);
     if (clock_.step == 0 && model_.step_start > 0.0)
         limit.tighten(model_.step_start, StepLimit::Who::START, 0);
     const double rest = model_.end_time - clock_.t;

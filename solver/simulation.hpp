@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/movers.hpp"
 #include "contact/planar_wall.hpp"
 #include "contact/surface_contact.hpp"
 #include "fabric/membranes.hpp"
@@ -64,7 +65,15 @@ public:
     [[nodiscard]] const std::vector<gas::BagGas>& bags() const { return bags_; }
     [[nodiscard]] const std::vector<gas::UniformBag>& uniform_bags() const { return uniform_bags_; }
     [[nodiscard]] const std::vector<contact::SurfaceContact>& contacts() const { return contacts_; }
+    [[nodiscard]] const std::vector<RigidBody>& bodies() const { return bodies_; }
     [[nodiscard]] const Timings& timings() const { return timings_; }
+    /// Pairs of shells that cross, or are nearer than contact lets them be, since contact began:
+    /// ids. Found in the first step, or by look_at_contacts().
+    struct BadStarts {
+        std::vector<std::pair<int, int>> crossing, close;
+    };
+    [[nodiscard]] BadStarts bad_starts() const;
+    void look_at_contacts();  ///< as the first step will, at the start
     [[nodiscard]] std::size_t active_shells() const { return active_shells_; }
     [[nodiscard]] double added_mass() const { return added_mass_; }
 
@@ -79,11 +88,16 @@ public:
 private:
     void build_fabric();
     void build_bags(std::uint64_t seed);
+    void build_bodies();
     void build_contacts();
+    void build_walls();
     [[nodiscard]] std::vector<std::uint8_t> held_nodes() const;
 
     void find_forces(double dt, double span, Stopwatch& lap);
+    [[nodiscard]] double mass_damping() const;
+    [[nodiscard]] double kinetic_energy() const;
     void add_mass_damping();
+    void move_bodies(double dt, double span);
     void kick(double dt, double span);
     void drift(double dt);
     void stop_at_obstacles(double dt);
@@ -105,9 +119,11 @@ private:
     std::vector<fabric::Membranes> fabric_;       ///< one, or none
     std::vector<gas::BagGas> bags_;
     std::vector<gas::UniformBag> uniform_bags_;
-    std::vector<contact::SurfaceContact> contacts_;
+    std::vector<contact::SurfaceContact> contacts_;  ///< one for all cards, or none
+    std::vector<Index> contact_shell_;               ///< of its triangles: rows of their shells
     std::vector<contact::PlanarWall> walls_;
     std::vector<RigidBody> bodies_;
+    std::vector<contact::RigidMover> movers_;  ///< the same as contact sees them
     Constraints supports_;
     Loads loads_;
 

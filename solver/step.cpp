@@ -26,27 +26,20 @@ StepReport Simulation::step(const Observer& observe) {
     // 2. v(t - dt/2) -> v(t + dt/2); between the two, at t, the books balance
     kick(dt, span);
     book_forces(span);
-    stop_at_obstacles(dt);
-    lap("motion");
-    observe(*this);
-    lap("output");
+    stop_at_obstacles(dt);                                                      lap("motion");
+    observe(*this);                                                             lap("output");
 
     // 3. x(t) -> x(t + dt)
-    drift(dt);
-    lap("motion");
+    drift(dt);                                                                  lap("motion");
 
     // 4. Gas, t -> t + dt, against the fabric that moves from x to x_1
     find_touching();
     for (gas::BagGas& bag : bags_) {
         if (bag.switches(t)) bag.become_uniform(nodes_.x);
-        bag.prepare(dt, nodes_.x, nodes_.x_1);
-        lap("facet lists");
-        bag.collide(dt, nodes_.x);
-        lap("collisions");
-        bag.inject(t, dt, nodes_.x, nodes_.x_1);
-        lap("inflators");
-        bag.fly(t, dt, nodes_.x, nodes_.x_1);
-        lap("flight");
+        bag.prepare(dt, nodes_.x, nodes_.x_1);                                  lap("facet lists");
+        bag.collide(dt, nodes_.x);                                              lap("collisions");
+        bag.inject(t, dt, nodes_.x, nodes_.x_1);                                lap("inflators");
+        bag.fly(t, dt, nodes_.x, nodes_.x_1);                                   lap("flight");
     }
     for (gas::UniformBag& bag : uniform_bags_) bag.flow(t, dt);
 
@@ -61,37 +54,39 @@ StepReport Simulation::step(const Observer& observe) {
 /// Forces of everything that acts on nodes at t.
 void Simulation::find_forces(double dt, double span, Stopwatch& lap) {
     std::fill(nodes_.f.begin(), nodes_.f.end(), Vec3::Zero());
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        bodies_[b].arrive();
+        movers_[b] = bodies_[b].mover();
+    }
     for (fabric::Membranes& fabric : fabric_) {
-        const Index broken = fabric.add_force(nodes_.x, nodes_.v, nodes_.f);
-        lap("membranes");
+        const Index broken = fabric.add_force(nodes_.x, nodes_.v, nodes_.f);    lap("membranes");
         if (broken >= 0) stop_for(broken);
     }
     for (gas::BagGas& bag : bags_) {
-        bag.add_load(nodes_.x, span, nodes_.f);
-        lap("gas load");
+        bag.add_load(nodes_.x, span, nodes_.f);                                 lap("gas load");
     }
     for (gas::UniformBag& bag : uniform_bags_) {
-        bag.add_load(clock_.t, nodes_.x, nodes_.f);
-        lap("gas load");
+        bag.add_load(clock_.t, nodes_.x, nodes_.f);                             lap("gas load");
     }
     std::fill(contact_force_.f.begin(), contact_force_.f.end(), Vec3::Zero());
     for (contact::SurfaceContact& contact : contacts_) {
-        contact.find(nodes_.x, nodes_.v, clock_.t, dt);
-        lap("contact search");
-        contact.add_force(nodes_.x, nodes_.v, dt, contact_force_.f);
-        lap("contact force");
+        contact.find(nodes_.x, nodes_.v, clock_.t, dt, movers_);                lap("contact search");
+        contact.add_force(nodes_.x, nodes_.v, dt, contact_force_.f, movers_);   lap("contact force");
     }
     loads_.find_force(clock_.t, nodes_.x, nodes_.mass, load_force_.f);
-    add_mass_damping();
-    lap("loads");
+    add_mass_damping();                                                         lap("loads");
 }
 
-/// f = -d m v, *DAMPING_GLOBAL.
+/// d of *DAMPING_GLOBAL at t.                                                            [1/s]
+double Simulation::mass_damping() const {
+    return model_.mass_damping_curve >= 0 ? model_.curves[model_.mass_damping_curve](clock_.t)
+                                          : model_.mass_damping;
+}
+
+/// f = -d m v.
 void Simulation::add_mass_damping() {
     if (damping_force_.f.empty()) return;
-    const double d = model_.mass_damping_curve >= 0
-                         ? model_.curves[model_.mass_damping_curve](clock_.t)
-                         : model_.mass_damping;
+    const double d = mass_damping();
     for (std::size_t n = 0; n < nodes_.size(); ++n)
         damping_force_.f[n] = -d * nodes_.mass[n] * nodes_.v[n];
 }
@@ -104,26 +99,37 @@ void Simulation::kick(double dt, double span) {
     nodes_.add(damping_force_.f);
     nodes_.add(contact_force_.f);
     nodes_.kick(span);
-    for (RigidBody& body : bodies_) body.advance(clock_.t, dt, span, nodes_);
+    move_bodies(dt, span);
     supports_.hold(clock_.t, dt, span, nodes_);
+}
+
+void Simulation::move_bodies(double dt, double span) {
+    if (bodies_.empty()) return;
+    const RigidBody::Field field{loads_.acceleration(clock_.t), mass_damping()};
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        bodies_[b].advance(clock_.t, dt, span, field, nodes_);
+        movers_[b] = bodies_[b].mover();
+    }
 }
 
 void Simulation::drift(double dt) {
     nodes_.drift(dt);
 }
 
-/// Walls and touching fabric take away the velocity that would carry a node through them.
+/// Walls and touching surfaces take away the velocity that would carry a place through them.
 void Simulation::stop_at_obstacles(double dt) {
-    const double kinetic = nodes_.kinetic_energy();
+    const double kinetic = kinetic_energy();
     for (contact::PlanarWall& wall : walls_)
         wall.hold(nodes_.x, nodes_.mass, clock_.t, dt, nodes_.v);
     for (contact::SurfaceContact& contact : contacts_) {
         const double by_held = contact.held_work();
-        contact.filter(nodes_.x, dt, nodes_.v);
+        contact.filter(nodes_.x, dt, nodes_.v, movers_);
         ledger_.after.external += contact.held_work() - by_held;
         ledger_.after.contact += contact.held_work() - by_held;
     }
-    ledger_.after.kinetic = nodes_.kinetic_energy();
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        bodies_[b].take(movers_[b], dt, clock_.kick_span(dt), nodes_);
+    ledger_.after.kinetic = kinetic_energy();
     ledger_.after.contact += kinetic - ledger_.after.kinetic;
     check_finite();
 }

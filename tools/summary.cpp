@@ -47,15 +47,32 @@ void print_bag(const gas::UniformBag& bag) {
         gas.temperature(), bag.mass_in(), bag.mass_out(), gas.mass());
 }
 
-void print_contact(int id, const contact::SurfaceContact& contact) {
+/// The first few pairs, by ids.
+std::string listed(const std::vector<std::pair<int, int>>& pairs) {
+    constexpr std::size_t FEW = 10;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(FEW, pairs.size()); ++i)
+        text += fmt::format("{}{}-{}", i == 0 ? " " : ", ", pairs[i].first, pairs[i].second);
+    return pairs.size() > FEW ? text + ", ..." : text;
+}
+
+void print_contact(const Simulation& simulation, const contact::SurfaceContact& contact) {
     const contact::ContactCounts& counts = contact.counts();
     fmt::print(
-        "\n  contact {}: {} list builds, {} candidates, {} near and {} touching at the end\n", id,
-        counts.builds, counts.candidates, counts.near, counts.touching);
-    fmt::print(
-        "    {} pairs began nearer than the contact thickness, {} pairs of facets cross since the "
-        "start, least gap {:.3g} of its rest value\n",
-        counts.close_starts, contact.crossing().size(), counts.least_gap);
+        "\n  contact: {} list builds, {} candidates, {} near and {} touching at the end; {} pairs "
+        "stopped at the last moment, least gap {:.3g} of its rest value\n",
+        counts.builds, counts.candidates, counts.near, counts.touching, counts.impacts,
+        counts.least_gap);
+    if (counts.unstopped > 0)
+        fmt::print("    {} times held surfaces drove others through each other\n",
+                   counts.unstopped);
+    const Simulation::BadStarts bad = simulation.bad_starts();
+    if (!bad.close.empty())
+        fmt::print("    {} pairs of shells began nearer than the contact thickness:{}\n",
+                   bad.close.size(), listed(bad.close));
+    if (!bad.crossing.empty())
+        fmt::print("    {} pairs of shells have crossed since the start:{}\n", bad.crossing.size(),
+                   listed(bad.crossing));
 }
 
 void print_ledger(const EnergyBooks& e, double worst) {
@@ -90,8 +107,8 @@ void Summary::print(Simulation& simulation, const std::string& folder,
         elements / wall);
     for (const gas::BagGas& bag : simulation.bags()) print_bag(bag, simulation.nodes().x);
     for (const gas::UniformBag& bag : simulation.uniform_bags()) print_bag(bag);
-    for (std::size_t c = 0; c < simulation.contacts().size(); ++c)
-        print_contact(simulation.model().contacts[c].id, simulation.contacts()[c]);
+    for (const contact::SurfaceContact& contact : simulation.contacts())
+        print_contact(simulation, contact);
     print_ledger(simulation.books(), worst_residual);
     fmt::print("\nresults: {0}/results.h5, {0}/results.xdmf (ParaView)\n", folder);
 }

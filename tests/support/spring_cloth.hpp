@@ -51,11 +51,20 @@ public:
         for (std::size_t i = 0; i < row.size(); ++i) most = std::max(most, row[i] / mass[i]);
         return 0.9 * 2.0 / std::sqrt(most);
     }
-    [[nodiscard]] contact::ContactSetup setup(const contact::ContactCard& card,
+    /// @param card  with all of the cloth as its part 0
+    [[nodiscard]] contact::ContactSetup setup(contact::ContactCard card,
                                               const Points& reference_x) const {
-        return {card,    triangles,   std::vector<double>(triangles.size(), THICKNESS),
-                mass,    reference_x, x,
-                nullptr, held};
+        card.parts = {0};
+        contact::ContactSetup setup;
+        setup.cards = {card};
+        setup.triangles = triangles;
+        setup.part.assign(triangles.size(), 0);
+        setup.thickness.assign(triangles.size(), THICKNESS);
+        setup.node_mass = mass;
+        setup.reference_x = reference_x;
+        setup.x0 = x;
+        setup.held = held;
+        return setup;
     }
     void add_spring_force() {
         for (const Spring& s : springs_) {

@@ -78,7 +78,7 @@ TEST_CASE("whatever is near is due, and whatever may meet is known, as in a list
         Points v(x.size());
         for (std::size_t i = 0; i < x.size(); ++i) v[i] = (next[i] - x[i]) / dt;
         if (n == 0)
-            pairs.start(x, v, t, dt);
+            pairs.start(x, v, t, dt, std::vector<std::uint8_t>{1});
         else
             pairs.follow(x, t);
         pairs.foresee(x, v, t, dt);
@@ -115,7 +115,7 @@ TEST_CASE("cloth that flies without changing builds its lists once", "[contact]"
     Candidates pairs(fixed, 1.5);
     const Points v(bag.x.size(), Vec3(80, 10, -30));
     const double dt = 1e-5;
-    pairs.start(bag.x, v, 0.0, dt);
+    pairs.start(bag.x, v, 0.0, dt, std::vector<std::uint8_t>{1});
     for (int n = 1; n < 90; ++n) {
         for (std::size_t i = 0; i < v.size(); ++i) bag.x[i] += dt * v[i];
         pairs.follow(bag.x, n * dt);

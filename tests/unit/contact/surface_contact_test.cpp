@@ -179,9 +179,11 @@ TEST_CASE("a contact thickness of zero and a free node without mass are refused"
 
 TEST_CASE("the contact thickness follows its curve", "[contact]") {
     SpringCloth cloth(pair_of_sheets(2.0 * H));
-    const Curve curve{1, {0.0, 1.0}, {H, 4.0 * H}};
-    ContactSetup setup = cloth.setup({}, cloth.x);
-    setup.thickness_curve = &curve;
+    const std::vector<Curve> curves = {{1, {0.0, 1.0}, {H, 4.0 * H}}};
+    ContactCard card;
+    card.thickness_curve = 0;
+    ContactSetup setup = cloth.setup(card, cloth.x);
+    setup.curves = curves;
     SurfaceContact contact(setup);
     const auto touching = [&](double t) {
         contact.find(cloth.x, cloth.v, t, 1e-6);

@@ -34,7 +34,7 @@ struct Motion {
           body(model, 0, mass) {}
 
     void step(double t, double dt, double span) {
-        body.advance(t, dt, span, nodes);
+        body.advance(t, dt, span, {}, nodes);
         nodes.drift(dt);
         nodes.x.swap(nodes.x_1);
     }
@@ -106,4 +106,49 @@ TEST_CASE("prescribed and fixed motions of a rigid body hold exactly", "[solver]
     CHECK(motion.nodes.x[0].x() - start == Approx(2.0).epsilon(1e-12));
     CHECK(motion.nodes.x[0].y() == Approx(0.0).margin(1e-12));
     CHECK(motion.nodes.x[0].z() == Approx(0.0).margin(1e-12));
+}
+
+TEST_CASE("free rotation about the middle axis flips and keeps energy and angular momentum",
+          "[solver][rigid]") {
+    Motion motion(brick(Vec3::Zero(), {0.02, 12.0, 0.01}));
+    const auto spin_in_body = [&] {
+        return Vec3(motion.body.turn().conjugate() * motion.body.spin());
+    };
+    // along whichever principal axis is the middle one: the spin starts nearly along it
+    Eigen::Index middle = 0;
+    const Vec3 first = spin_in_body();
+    first.cwiseAbs().maxCoeff(&middle);
+    const Vec3 momentum = motion.body.angular_momentum();
+    const double energy = motion.body.kinetic_energy(), dt = 1e-3;
+    bool has_flipped = false;
+    for (int step = 0; step < 100000; ++step) {
+        motion.step(step * dt, dt, dt);
+        has_flipped |=
+            spin_in_body()[middle] * first[middle] < -0.5 * first[middle] * first[middle];
+    }
+    CHECK(has_flipped);
+    CHECK((motion.body.angular_momentum() - momentum).norm() == 0.0);
+    CHECK(motion.body.kinetic_energy() == Approx(energy).epsilon(1e-9));
+}
+
+TEST_CASE("a body on a hinge turns by the moment about it alone", "[solver][rigid]") {
+    Model model = brick(Vec3::Zero(), Vec3::Zero());
+    auto& card = std::get<fabric::RigidCard>(model.materials[0].card);
+    card.fixed_moves = 0b111;
+    card.fixed_turns = 0b011;  // free about z, which is no principal axis
+    const std::vector<double> mass = {1.0, 2.0, 1.5, 0.5};
+    Motion motion(model, mass);
+    motion.nodes.f[0] = Vec3(0.0, 4.0, 7.0);
+    const Vec3 centre = motion.body.position();
+    double moment_of_inertia = 0.0;
+    for (std::size_t n = 0; n < 4; ++n) {
+        const Vec3 r = model.x[n] - centre;
+        moment_of_inertia += mass[n] * (r.x() * r.x() + r.y() * r.y());
+    }
+    const double moment = ((model.x[0] - centre).cross(motion.nodes.f[0])).z();
+    const double dt = 1e-4;
+    motion.step(0.0, dt, dt);
+    CHECK(motion.body.spin().z() == Approx(dt * moment / moment_of_inertia).epsilon(1e-9));
+    CHECK(std::abs(motion.body.spin().x()) < 1e-6 * motion.body.spin().z());
+    CHECK(motion.body.velocity().norm() == 0.0);
 }
