@@ -34,9 +34,14 @@ struct MeshArguments {
     std::string input, output;
 };
 
+struct FoldArguments {
+    std::string recipe, output;
+};
+
 int run(const RunArguments& arguments);
 int check(const DeckArguments& arguments);
 int mesh(const MeshArguments& arguments);
+int fold(const FoldArguments& arguments);
 
 /// Reads the deck with its -D values and --until, and sets the number of threads.
 Model load(const DeckArguments& arguments);

@@ -1,7 +1,7 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 //
-// The command line: corpuscle run | check | mesh. Exit status 0 normal, 2 bad input, 3 the physics
+// The command line: corpuscle run | check | fold | mesh. Exit status 0 normal, 2 bad input, 3 the physics
 // broke, 1 anything else.
 
 #include <fmt/core.h>
@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
         "Examples:\n"
         "  corpuscle run driver_bag_flat.k -D NP=20000\n"
         "  corpuscle check driver_bag_flat.k\n"
+        "  corpuscle fold driver_bag.toml -o mesh.k\n"
         "  corpuscle mesh head.stl -o head.k");
 
     tools::RunArguments to_run;
@@ -60,6 +61,19 @@ int run(int argc, char** argv) {
     mesh->add_option("IN", to_mesh.input, "mesh file")->required();
     mesh->add_option("-o,--output", to_mesh.output, "deck to write")->required();
 
+    tools::FoldArguments to_fold;
+    CLI::App* fold = app.add_subcommand(
+        "fold", "cut, sew and fold a bag as a recipe says; the deck holds the folded mesh and its "
+                "flat reference geometry, and a section of the pack is drawn beside it");
+    fold->add_option("RECIPE", to_fold.recipe, "recipe in TOML")->required();
+    fold->add_option("-o,--output", to_fold.output, "deck to write; the section is beside it, .svg")
+        ->required();
+    fold->footer(
+        "Examples:\n"
+        "  corpuscle fold models/recipes/zigzag.toml -o bag.k\n"
+        "  corpuscle fold models/driver_bag_folded/fold.toml -o mesh.k\n"
+        "tools/fold/README.md says what a recipe may hold.");
+
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -67,6 +81,7 @@ int run(int argc, char** argv) {
     }
     if (*run) return tools::run(to_run);
     if (*check) return tools::check(to_check);
+    if (*fold) return tools::fold(to_fold);
     return tools::mesh(to_mesh);
 }
 

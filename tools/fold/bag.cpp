@@ -1,0 +1,223 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "tools/fold/bag.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "solver/base/error.hpp"
+
+namespace corpuscle::fold {
+namespace {
+
+/// Whether p is within the strip, wider by `margin`.
+bool is_in(const TetherStrip& s, const Vec3& p, double margin) {
+    return p.x() > s.low.x() - margin && p.x() < s.high.x() + margin &&
+           p.y() > s.low.y() - margin && p.y() < s.high.y() + margin;
+}
+
+double distance_outside(const TetherStrip& s, const Vec3& p) {
+    return std::max({s.low.x() - p.x(), p.x() - s.high.x(), s.low.y() - p.y(),
+                     p.y() - s.high.y(), 0.0});
+}
+
+double distance_to_edge(const Vec3& p, const Vec3& a, const Vec3& b) {
+    const double share = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+    return (p - a - share * (b - a)).norm();
+}
+
+/// Rows of Bag::parts.
+enum Piece { FRONT, BACK, MODULE, REINFORCEMENT, FRONT_VENT, BACK_VENT, TETHER };
+
+class Sewing {
+public:
+    Sewing(const Recipe& recipe, Sheet plan) : r_(recipe), plan_(std::move(plan)) {}
+
+    Bag run() {
+        check_tethers();
+        add_nodes();
+        add_panels();
+        for (std::size_t i = 0; i < r_.tethers.size(); ++i) add_tether(r_.tethers[i]);
+        finish();
+        return std::move(bag_);
+    }
+
+private:
+    void check_tethers() const {
+        for (std::size_t i = 0; i < r_.tethers.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                const TetherStrip a(r_.tethers[i]), b(r_.tethers[j]);
+                const double apart = (a.low - b.high).cwiseMax(b.low - a.high).head<2>().maxCoeff();
+                if (apart < r_.pattern.element)
+                    throw InputError(fmt::format(
+                        "{}:{}: [[tether]] is {:.4g} away from that of line {}, expected more than "
+                        "an element: {}",
+                        r_.file, r_.tethers[i].line, std::max(apart, 0.0), r_.tethers[j].line,
+                        r_.pattern.element));
+            }
+    }
+
+    /// Distance of the panels from z = 0.
+    [[nodiscard]] double half_gap(const Vec3& X) const {
+        double edge = INF, strip = INF;
+        for (const auto& [a, b] : rim_)
+            edge = std::min(edge, distance_to_edge(X, plan_.X[a], plan_.X[b]));
+        for (const Tether& t : r_.tethers)
+            strip = std::min(strip, distance_outside(TetherStrip(t), X));
+        const double open = std::min(1.0, edge / r_.pattern.closing);
+        const double wide = std::max(0.0, 1.0 - strip / r_.pattern.closing);
+        return 0.5 * r_.pattern.gap * open * (1.0 + wide);
+    }
+
+    Index add_node(std::size_t n, double z) {
+        Sheet& s = bag_.sheet;
+        s.X.push_back(plan_.X[n]);
+        s.x.emplace_back(plan_.X[n].x(), plan_.X[n].y(), z);
+        s.on.push_back(plan_.on[n]);
+        return static_cast<Index>(s.X.size()) - 1;
+    }
+
+    void add_nodes() {
+        rim_ = rim_edges(plan_.cells);
+        std::set<Index> seam;
+        for (const auto& [a, b] : rim_) seam.insert({a, b});
+        for (std::size_t n = 0; n < plan_.X.size(); ++n) {
+            const bool is_sewn = seam.contains(static_cast<Index>(n));
+            const double half = is_sewn ? 0.0 : half_gap(plan_.X[n]);
+            front_.push_back(add_node(n, half));
+            back_.push_back(is_sewn ? front_.back() : add_node(n, -half));
+            if (is_sewn) {
+                bag_.seam.push_back(front_.back());
+                auto& on = bag_.sheet.on[front_.back()];
+                if (on.empty() || on.front() >= 0) on.insert(on.begin(), SEAM);
+            }
+        }
+    }
+
+    void add(const Cell& cell, const std::vector<Index>& rows, Piece piece) {
+        bag_.sheet.cells.push_back({rows[cell[0]], rows[cell[1]], rows[cell[2]], rows[cell[3]]});
+        bag_.sheet.part.push_back(piece);
+    }
+
+    [[nodiscard]] bool is_vent_of(int region, bool is_front) const {
+        return region >= VENT && r_.vents[region - VENT].is_front == is_front;
+    }
+
+    void add_panels() {
+        std::set<Index> module;
+        for (std::size_t e = 0; e < plan_.cells.size(); ++e) {
+            const int region = plan_.part[e];
+            add(plan_.cells[e], front_, is_vent_of(region, true) ? FRONT_VENT : FRONT);
+            Piece piece = BACK;
+            if (is_vent_of(region, false)) piece = BACK_VENT;
+            if (region == RING) piece = REINFORCEMENT;
+            if (region == HOLE) piece = MODULE;
+            if (region == HOLE || region == RING)
+                for (const Index n : plan_.cells[e]) module.insert(back_[n]);
+            if (region != HOLE || !r_.hole->is_open) add(plan_.cells[e], back_, piece);
+        }
+        bag_.module.assign(module.begin(), module.end());
+    }
+
+    /// The panels' cells between, once more: their own nodes but for the two ends.
+    void add_tether(const Tether& t) {
+        const TetherStrip strip(t);
+        const double near = 0.45 * r_.pattern.element;  // lines of folds may have taken its edges
+        const bool is_along_x = t.direction % 180 == 0;
+        const int axis = is_along_x ? 0 : 1;
+        const double way = t.direction < 180 ? 1.0 : -1.0;
+        std::vector<std::size_t> cells;
+        double first = INF, last = -INF;
+        for (std::size_t e = 0; e < plan_.cells.size(); ++e) {
+            const Cell& c = plan_.cells[e];
+            const Vec3 middle = (plan_.X[c[0]] + plan_.X[c[1]] + plan_.X[c[2]] +
+                                 (corner_count(c) == 4 ? plan_.X[c[3]] : plan_.X[c[2]])) /
+                                4.0;
+            if (!is_in(strip, middle, 0.0)) continue;
+            cells.push_back(e);
+            for (const Index n : c) {
+                first = std::min(first, way * plan_.X[n][axis]);
+                last = std::max(last, way * plan_.X[n][axis]);
+            }
+        }
+        if (cells.empty() || last - first < 2.0 * near)
+            throw InputError(fmt::format("{}:{}: [[tether]] has no room for elements of {}", r_.file,
+                                         t.line, r_.pattern.element));
+        std::map<Index, Index> own;
+        const double end = 1e-6 * r_.pattern.element;
+        for (const std::size_t e : cells) {
+            Cell c;
+            for (int k = 0; k < 4; ++k) {
+                const Index n = plan_.cells[e][k];
+                const double at = way * plan_.X[n][axis];
+                if (at < first + end)
+                    c[k] = back_[n];
+                else if (at > last - end)
+                    c[k] = front_[n];
+                else if (const auto [found, is_new] = own.try_emplace(n, 0); is_new)
+                    c[k] = found->second = add_node(n, 0.0);
+                else
+                    c[k] = found->second;
+            }
+            bag_.sheet.cells.push_back(c);
+            bag_.sheet.part.push_back(TETHER);
+        }
+    }
+
+    void finish() {
+        bag_.parts = {{r_.parts.front, "front panel", true},
+                      {r_.parts.back, "back panel", false},
+                      {r_.parts.module, "module cover", false},
+                      {r_.parts.reinforcement, "reinforcement", false},
+                      {r_.parts.vent, "vents", true},
+                      {r_.parts.vent, "vents", false},
+                      {r_.parts.tether, "tethers", false}};
+        bag_.has_vents = !r_.vents.empty();
+        drop_loose_nodes(bag_);
+    }
+
+    /// Nodes of the back panel inside an open hole belong to nothing.
+    static void drop_loose_nodes(Bag& bag) {
+        std::vector<char> is_used(bag.sheet.X.size(), 0);
+        for (const Cell& c : bag.sheet.cells)
+            for (const Index n : c) is_used[n] = 1;
+        std::vector<Index> row(is_used.size());
+        Index next = 0;
+        for (std::size_t n = 0; n < row.size(); ++n) row[n] = is_used[n] ? next++ : -1;
+        for (auto* set : {&bag.seam, &bag.module}) {
+            std::erase_if(*set, [&](Index n) { return row[n] < 0; });
+            for (Index& n : *set) n = row[n];
+        }
+        fold::drop_loose_nodes(bag.sheet);
+    }
+
+    static constexpr int SEAM = -1000000;  ///< a line that counts as curved: its nodes stay
+
+    const Recipe& r_;
+    Sheet plan_;
+    Bag bag_;
+    std::vector<std::pair<Index, Index>> rim_;
+    std::vector<Index> front_, back_;  ///< rows of the bag by those of the plan
+};
+
+}  // namespace
+
+void turn_front(Bag& bag) {
+    for (std::size_t e = 0; e < bag.sheet.cells.size(); ++e) {
+        Cell& c = bag.sheet.cells[e];
+        if (!bag.parts[bag.sheet.part[e]].is_front) continue;
+        if (corner_count(c) == 4)
+            std::swap(c[1], c[3]);
+        else
+            std::swap(c[0], c[1]);
+    }
+}
+
+Bag make_bag(const Recipe& recipe, const PlanLines& lines) {
+    return Sewing(recipe, make_plan(recipe, lines)).run();
+}
+
+}  // namespace corpuscle::fold

@@ -1,0 +1,178 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "tools/fold/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/base/error.hpp"
+#include "tools/fold/imprint.hpp"
+
+namespace corpuscle::fold {
+namespace {
+
+constexpr double CLEAR_OF_FOLDS = 0.4;  ///< of an element: a tether's edge nearer to a fold's line
+                                        ///< takes that line
+constexpr double WANTED = 0.5;          ///< sine of a corner's angle that smoothing aims at: 30°
+constexpr int ROUNDS = 12;
+
+/// Lines of the grid along one axis; names of those that must stay.
+struct GridLines {
+    std::vector<double> at;
+    std::vector<int> name;  ///< -1: free
+};
+
+struct Extent {
+    double x, y;  ///< half of the grid's size [m]
+};
+
+Extent extent(const Pattern& p) {
+    if (p.kind == PatternKind::RECTANGLE) return {0.5 * p.length, 0.5 * p.width};
+    return {0.5 * p.diameter + p.element, 0.5 * p.diameter + p.element};
+}
+
+GridLines grid_lines(std::vector<double> hard, const std::vector<double>& soft, double half,
+                     double size, int first_name) {
+    std::erase_if(hard, [&](double v) { return std::abs(v) > half - 1e-3 * size; });
+    for (const double v : soft)
+        if (std::all_of(hard.begin(), hard.end(),
+                        [&](double h) { return std::abs(h - v) > CLEAR_OF_FOLDS * size; }))
+            hard.push_back(v);
+    std::sort(hard.begin(), hard.end());
+    GridLines lines{{-half}, {first_name}};
+    hard.push_back(half);
+    for (std::size_t i = 0; i < hard.size(); ++i) {
+        const double from = lines.at.back(), length = hard[i] - from;
+        const int n = std::max(1, static_cast<int>(std::lround(length / size)));
+        for (int k = 1; k < n; ++k) {
+            lines.at.push_back(from + length * k / n);
+            lines.name.push_back(-1);
+        }
+        lines.at.push_back(hard[i]);
+        lines.name.push_back(first_name + 1 + static_cast<int>(i));
+    }
+    return lines;
+}
+
+Sheet grid(const GridLines& along_x, const GridLines& along_y) {
+    Sheet sheet;
+    const auto columns = static_cast<Index>(along_x.at.size());
+    const auto rows = static_cast<Index>(along_y.at.size());
+    for (Index j = 0; j < rows; ++j)
+        for (Index i = 0; i < columns; ++i) {
+            sheet.X.emplace_back(along_x.at[i], along_y.at[j], 0.0);
+            auto& on = sheet.on.emplace_back();
+            for (const int name : {along_x.name[i], along_y.name[j]})
+                if (name >= 0) on.push_back(name);
+        }
+    for (Index j = 0; j + 1 < rows; ++j)
+        for (Index i = 0; i + 1 < columns; ++i) {
+            const Index n = j * columns + i;
+            sheet.cells.push_back({n, n + 1, n + columns + 1, n + columns});
+        }
+    sheet.x = sheet.X;
+    sheet.part.assign(sheet.cells.size(), CLOTH);
+    return sheet;
+}
+
+struct Circle {
+    Vec3 middle;
+    double radius;
+};
+
+std::vector<int> imprint_circle(Sheet& sheet, const Circle& c, int name) {
+    Imprint line{name, {}, 0.45, [&](Vec3& X) {
+                     X = c.middle + c.radius / (X - c.middle).norm() * (X - c.middle);
+                 }};
+    for (const Vec3& X : sheet.X) line.level.push_back((X - c.middle).norm() - c.radius);
+    return imprint(sheet, line);
+}
+
+void imprint_region(Sheet& sheet, const Circle& c, int name, int region) {
+    const std::vector<int> side = imprint_circle(sheet, c, name);
+    for (std::size_t e = 0; e < side.size(); ++e)
+        if (side[e] < 0) sheet.part[e] = region;
+}
+
+void keep_inside(Sheet& sheet, const std::vector<int>& side) {
+    std::size_t kept = 0;
+    for (std::size_t e = 0; e < side.size(); ++e)
+        if (side[e] < 0) {
+            sheet.cells[kept] = sheet.cells[e];
+            sheet.part[kept++] = sheet.part[e];
+        }
+    sheet.cells.resize(kept);
+    sheet.part.resize(kept);
+    drop_loose_nodes(sheet);
+}
+
+bool is_inside(const Pattern& p, double x, double y, double margin) {
+    if (p.kind == PatternKind::DISC) return std::hypot(x, y) + margin < 0.5 * p.diameter;
+    return std::abs(x) + margin < 0.5 * p.length && std::abs(y) + margin < 0.5 * p.width;
+}
+
+void check_inside(const Recipe& r) {
+    std::vector<std::string> faults;
+    const auto check = [&](bool is_good, const std::string& what) {
+        if (!is_good)
+            faults.push_back(fmt::format("{}: {}, expected within the pattern", r.file, what));
+    };
+    if (r.hole)
+        check(is_inside(r.pattern, 0, 0, 0.5 * std::max(r.hole->diameter, r.hole->reinforcement)),
+              fmt::format("[hole] diameter = {}", r.hole->diameter));
+    for (const VentHole& v : r.vents)
+        check(is_inside(r.pattern, v.x, v.y, 0.5 * v.diameter),
+              fmt::format("[[vent]] at = [{}, {}]", v.x, v.y));
+    for (const Tether& t : r.tethers) {
+        const TetherStrip s(t);
+        for (const double x : {s.low.x(), s.high.x()})
+            for (const double y : {s.low.y(), s.high.y()})
+                check(is_inside(r.pattern, x, y, r.pattern.element),
+                      fmt::format("[[tether]] of line {} reaches ({}, {})", t.line, x, y));
+    }
+    if (!faults.empty()) throw InputError(faults);
+}
+
+}  // namespace
+
+TetherStrip::TetherStrip(const Tether& t) {
+    const bool is_along_x = t.direction % 180 == 0;
+    const double way = t.direction < 180 ? t.length : -t.length;
+    const Vec3 from(t.x, t.y, 0.0), to = from + way * (is_along_x ? Vec3::UnitX() : Vec3::UnitY());
+    const Vec3 aside = 0.5 * t.width * (is_along_x ? Vec3::UnitY() : Vec3::UnitX());
+    low = from.cwiseMin(to) - aside;
+    high = from.cwiseMax(to) + aside;
+}
+
+Sheet make_plan(const Recipe& r, const PlanLines& lines) {
+    check_inside(r);
+    std::vector<double> soft_x, soft_y;
+    for (const Tether& t : r.tethers) {
+        const TetherStrip s(t);
+        soft_x.insert(soft_x.end(), {s.low.x(), s.high.x()});
+        soft_y.insert(soft_y.end(), {s.low.y(), s.high.y()});
+    }
+    const Extent half = extent(r.pattern);
+    const double size = r.pattern.element;
+    constexpr int Y_NAMES = 1000000;
+    Sheet sheet = grid(grid_lines(lines.x, soft_x, half.x, size, 0),
+                       grid_lines(lines.y, soft_y, half.y, size, Y_NAMES));
+    int name = -1;
+    if (r.pattern.kind == PatternKind::DISC)
+        keep_inside(sheet, imprint_circle(sheet, {Vec3::Zero(), 0.5 * r.pattern.diameter}, name--));
+    if (r.hole && r.hole->reinforcement > 0.0)
+        imprint_region(sheet, {Vec3::Zero(), 0.5 * r.hole->reinforcement}, name--, RING);
+    if (r.hole) imprint_region(sheet, {Vec3::Zero(), 0.5 * r.hole->diameter}, name--, HOLE);
+    for (std::size_t i = 0; i < r.vents.size(); ++i) {
+        const VentHole& v = r.vents[i];
+        imprint_region(sheet, {Vec3(v.x, v.y, 0.0), 0.5 * v.diameter}, name--,
+                       VENT + static_cast<int>(i));
+    }
+    smooth(sheet, WANTED, ROUNDS);
+    sheet.x = sheet.X;
+    return sheet;
+}
+
+}  // namespace corpuscle::fold

@@ -1,0 +1,33 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "tools/fold/recipe.hpp"
+#include "tools/fold/sheet.hpp"
+
+namespace corpuscle::fold {
+
+/// Lines that the mesh of a panel must have, so that no fold has to cut it.
+struct PlanLines {
+    std::vector<double> x, y;  ///< at constant x, at constant y: ascending [m]
+};
+
+/// Where the borders of accordions along x or y lie in the flat pattern, traced back through those
+/// before them. Borders that lie in the bend of another fold are left out: cutting finds them.
+[[nodiscard]] PlanLines plan_lines(const std::vector<Accordion>& folds);
+
+/// What a cell of a panel is; vent i is VENT + i.
+enum Region { CLOTH = 0, HOLE = 1, RING = 2, VENT = 3 };
+
+/// The rectangle that a tether covers, along the axes.
+struct TetherStrip {
+    Vec3 low, high;  ///< corners [m]
+    explicit TetherStrip(const Tether& tether);
+};
+
+/// One panel, flat, for a disc or a rectangle: quads on the lines and between them, the rim, the
+/// hole, its ring and the vents imprinted. `part` is the Region.
+/// @throws InputError if a hole, a vent or a tether is not within the pattern
+[[nodiscard]] Sheet make_plan(const Recipe& recipe, const PlanLines& lines);
+
+}  // namespace corpuscle::fold

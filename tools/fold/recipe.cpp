@@ -1,0 +1,148 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "tools/fold/recipe.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "solver/base/error.hpp"
+#include "tools/fold/recipe_steps.hpp"
+#include "tools/fold/toml_reader.hpp"
+
+namespace corpuscle::fold {
+namespace {
+
+Pattern read_pattern(const toml::table& table, RecipeFaults& faults) {
+    TableReader at(table, "[pattern]", faults);
+    Pattern p;
+    const std::string kind = at.choice("kind", {"disc", "rectangle", "deck"});
+    if (kind == "disc") p.diameter = at.positive("diameter");
+    if (kind == "rectangle") {
+        p.kind = PatternKind::RECTANGLE;
+        p.length = at.positive("length");
+        p.width = at.positive("width");
+    }
+    if (kind == "deck") {
+        p.kind = PatternKind::DECK;
+        p.file = at.text_or("file", "");
+        if (p.file.empty()) at.fault("file", "the name of a deck, beside the recipe");
+        p.element = 0.0;  // the deck's own
+    } else {
+        p.element = at.positive("element");
+    }
+    p.gap = at.positive("gap");
+    p.closing = at.positive_or("closing", 1.5 * p.element);
+    at.finish();
+    return p;
+}
+
+PartIds read_parts(const toml::table& table, RecipeFaults& faults) {
+    TableReader at(table, "[parts]", faults);
+    PartIds p;
+    const auto id = [&](const char* key, int& value) {
+        value = at.whole_or(key, value, 1, 99999999);
+    };
+    id("front", p.front);
+    id("back", p.back);
+    id("module", p.module);
+    id("reinforcement", p.reinforcement);
+    id("vent", p.vent);
+    id("tether", p.tether);
+    at.finish();
+    return p;
+}
+
+Hole read_hole(const toml::table& table, RecipeFaults& faults) {
+    TableReader at(table, "[hole]", faults);
+    Hole h;
+    h.diameter = at.positive("diameter");
+    h.reinforcement = at.not_negative_or("reinforcement", 0.0);
+    if (h.reinforcement > 0.0 && h.reinforcement <= h.diameter)
+        at.fault("reinforcement", "a diameter above that of the hole, or 0 for none");
+    h.is_open = at.truth_or("open", false);
+    at.finish();
+    return h;
+}
+
+VentHole read_vent(const toml::table& table, RecipeFaults& faults) {
+    TableReader at(table, "[[vent]]", faults);
+    VentHole v;
+    const std::vector<double> place = at.numbers("at", 2, false);
+    v.x = place[0];
+    v.y = place[1];
+    v.diameter = at.positive("diameter");
+    v.is_front = at.choice("panel", {"back", "front"}) == "front";
+    at.finish();
+    return v;
+}
+
+Tether read_tether(const toml::table& table, RecipeFaults& faults) {
+    TableReader at(table, "[[tether]]", faults);
+    Tether t;
+    t.line = static_cast<int>(at.line());
+    const std::vector<double> place = at.numbers("from", 2, false);
+    t.x = place[0];
+    t.y = place[1];
+    t.direction = at.whole_or("direction", 0, 0, 270);
+    if (t.direction % 90 != 0) at.fault("direction", "0, 90, 180 or 270 degrees");
+    t.length = at.positive("length");
+    t.width = at.positive("width");
+    at.finish();
+    return t;
+}
+
+Package read_package(const toml::table& table, RecipeFaults& faults) {
+    TableReader at(table, "[package]", faults);
+    const Package p{at.positive("length"), at.positive("width"), at.positive("height")};
+    at.finish();
+    return p;
+}
+
+Recipe read(const toml::table& root, const std::string& name) {
+    RecipeFaults faults{name, {}};
+    TableReader at(root, "the recipe", faults);
+    Recipe r;
+    r.file = name;
+    r.title = at.text_or("title", r.title);
+    r.units = at.text_or("units", "");
+    if (const auto* table = at.table("pattern"))
+        r.pattern = read_pattern(*table, faults);
+    else if (!at.has("pattern"))
+        at.fault("pattern", "a table [pattern]");
+    if (const auto* table = at.table("parts")) r.parts = read_parts(*table, faults);
+    if (const auto* table = at.table("hole")) r.hole = read_hole(*table, faults);
+    if (const auto* table = at.table("package")) r.package = read_package(*table, faults);
+    for (const auto* table : at.tables("vent")) r.vents.push_back(read_vent(*table, faults));
+    for (const auto* table : at.tables("tether")) r.tethers.push_back(read_tether(*table, faults));
+    int number = 0;
+    for (const auto* table : at.tables("fold"))
+        r.steps.push_back(read_step(*table, ++number, faults));
+    at.finish();
+    if (!faults.all.empty()) throw InputError(faults.all);
+    return r;
+}
+
+}  // namespace
+
+Recipe parse_recipe(const std::string& text, const std::string& name) {
+    try {
+        return read(toml::parse(text, name), name);
+    } catch (const toml::parse_error& error) {
+        throw InputError(fmt::format("{}:{}: {}", name, error.source().begin.line,
+                                     std::string(error.description())));
+    }
+}
+
+Recipe read_recipe(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    std::ostringstream text;
+    if (!in || !(text << in.rdbuf()))
+        throw InputError(fmt::format("{}: cannot be read, or is empty", file.string()));
+    Recipe recipe = parse_recipe(text.str(), file.string());
+    if (!recipe.pattern.file.empty()) recipe.pattern.file = file.parent_path() / recipe.pattern.file;
+    return recipe;
+}
+
+}  // namespace corpuscle::fold
