@@ -20,10 +20,11 @@ constexpr std::size_t SHOWN_CROSSINGS = 10;
 /// A pack with crossings is never written.
 void refuse_crossings(const fold::Recipe& recipe, const fold::Inspection& found) {
     if (found.crossings.empty()) return;
-    std::vector<std::string> faults{fmt::format(
-        "{}: {} pairs of shells cross when folded; nothing was written. A greater gap, wider pleats "
-        "or smaller elements help",
-        recipe.file, found.crossings.size())};
+    std::vector<std::string> faults{
+        fmt::format("{}: {} pairs of shells cross when folded; nothing was written. A greater gap, "
+                    "wider pleats "
+                    "or smaller elements help",
+                    recipe.file, found.crossings.size())};
     for (std::size_t i = 0; i < std::min(SHOWN_CROSSINGS, found.crossings.size()); ++i)
         faults.push_back(fmt::format("{}: shells {} and {} cross", recipe.file,
                                      found.crossings[i].first + 1, found.crossings[i].second + 1));
@@ -42,8 +43,8 @@ int fold(const FoldArguments& arguments) {
     io::replace_text(picture, fold::section_svg(bag, found));
     fmt::print("{}\n", fold::text(found));
     if (recipe.package) fmt::print("{}\n", fold::fit(found, *recipe.package));
-    fmt::print("{}: {} nodes, {} shells; section: {}\n", arguments.output,
-               bag.sheet.x.size(), bag.sheet.cells.size(), picture.string());
+    fmt::print("{}: {} nodes, {} shells; section: {}\n", arguments.output, bag.sheet.x.size(),
+               bag.sheet.cells.size(), picture.string());
     return 0;
 }
 

@@ -1,8 +1,8 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 //
-// The command line: corpuscle run | check | fold | mesh. Exit status 0 normal, 2 bad input, 3 the physics
-// broke, 1 anything else.
+// The command line: corpuscle run | check | fold | mesh. Exit status 0 normal, 2 bad input, 3 the
+// physics broke, 1 anything else.
 
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
@@ -63,8 +63,9 @@ int run(int argc, char** argv) {
 
     tools::FoldArguments to_fold;
     CLI::App* fold = app.add_subcommand(
-        "fold", "cut, sew and fold a bag as a recipe says; the deck holds the folded mesh and its "
-                "flat reference geometry, and a section of the pack is drawn beside it");
+        "fold",
+        "cut, sew and fold a bag as a recipe says; the deck holds the folded mesh and its "
+        "flat reference geometry, and a section of the pack is drawn beside it");
     fold->add_option("RECIPE", to_fold.recipe, "recipe in TOML")->required();
     fold->add_option("-o,--output", to_fold.output, "deck to write; the section is beside it, .svg")
         ->required();

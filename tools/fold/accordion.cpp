@@ -14,9 +14,9 @@ namespace {
 
 constexpr double WIDTH_PER_CLIMB = 2.0;   ///< of a band; flatter bands shorten less
 constexpr double LEAST_PER_CLIMB = 1.05;  ///< below this the outermost layer would not reach
-constexpr double LEAST_FLAT = 0.6;        ///< flat part between two bands, in element sizes, or none
-constexpr double CLOSED = 0.5;            ///< of a band, that the turned pack may fill at its line
-constexpr double SPREAD = 2.0;  ///< layers are that much farther apart at a line, at most
+constexpr double LEAST_FLAT = 0.6;  ///< flat part between two bands, in element sizes, or none
+constexpr double CLOSED = 0.5;      ///< of a band, that the turned pack may fill at its line
+constexpr double SPREAD = 2.0;      ///< layers are that much farther apart at a line, at most
 
 double sign(std::size_t strip) {
     return strip % 2 == 0 ? 1.0 : -1.0;
@@ -106,7 +106,8 @@ Heights local_heights(const Accordion& f, const Points& x, double gap) {
         Range inside, beside;
         for (const Vec3& p : x) {
             const double u = sign(i) * p.z();
-            const auto strip = static_cast<std::ptrdiff_t>(strip_of(f, p.x())) - static_cast<std::ptrdiff_t>(i);
+            const auto strip =
+                static_cast<std::ptrdiff_t>(strip_of(f, p.x())) - static_cast<std::ptrdiff_t>(i);
             if (strip == 0 || strip == 1) beside.include(u);
             if (std::abs(p.x() - f.lines[i]) <= band(f, i) + slack(f)) inside.include(u);
         }
@@ -126,6 +127,20 @@ InputError too_thick(const Accordion& f, std::size_t i, double climb, double roo
         f.name, i + 1, 2.0 * climb, LEAST_PER_CLIMB * climb, room));
 }
 
+/// Cloth must lie on both sides of every line that the recipe counts on.
+void check_reach(const Accordion& f, const Points& x) {
+    Range s;
+    for (const double v : distance(f, 0.0, x)) s.include(v);
+    const std::size_t n = std::min(f.needed, f.lines.size());
+    for (std::size_t i = 0; i < n; ++i)
+        if (f.lines[i] <= s.low || f.lines[i] >= s.high)
+            throw InputError(
+                fmt::format("{}: line {} is at {:.4g}, expected between {:.4g} and {:.4g}, where "
+                            "there is cloth "
+                            "on both sides (measured towards the side that is folded)",
+                            f.name, i + 1, f.lines[i], s.low, s.high));
+}
+
 /// One node beside line i.
 Vec3 turned(const Accordion& f, const Heights& h, std::size_t i, const Vec3& p) {
     const double width = f.bands[i], climb = h.middle[i] - h.offset[i] - h.low[i];
@@ -137,7 +152,8 @@ Vec3 turned(const Accordion& f, const Heights& h, std::size_t i, const Vec3& p) 
     const double w = 1.0 - std::abs(off) / width;
     const double flat = off < 0.0 ? h.offset[i] + u : h.offset[i + 1] - u;
     const double inward = (1.0 - w) * width + w * (d + spread * (u - h.low[i]));
-    return {mirrored(f, i, f.lines[i]) - sign(i) * inward, p.y(), (1.0 - w) * flat + w * h.middle[i]};
+    return {mirrored(f, i, f.lines[i]) - sign(i) * inward, p.y(),
+            (1.0 - w) * flat + w * h.middle[i]};
 }
 
 }  // namespace
@@ -147,6 +163,14 @@ double mirrored(const Accordion& f, std::size_t strip, double s) {
     return s;
 }
 
+bool is_turned(const Accordion& f, const Vec3& x) {
+    return strip_of(f, direction(f).dot(x)) % 2 == 1;
+}
+
+Vec3 direction(const Accordion& f) {
+    return frame(f).row(0).transpose();
+}
+
 std::vector<double> distance(const Accordion& f, double at, const Points& x) {
     const Mat3 to = frame(f);
     std::vector<double> all(x.size());
@@ -154,11 +178,11 @@ std::vector<double> distance(const Accordion& f, double at, const Points& x) {
     return all;
 }
 
-std::vector<double> borders(const Accordion& f) {
+std::vector<double> borders(const Accordion& f, int parts) {
     std::vector<double> all;
     for (std::size_t i = 0; i < f.lines.size(); ++i)
-        for (const double off : {-1.0, 0.0, 1.0}) {
-            const double at = f.lines[i] + off * f.bands[i];
+        for (int k = -parts; k <= parts; ++k) {
+            const double at = f.lines[i] + f.bands[i] * k / parts;
             if (all.empty() || at > all.back() + 1e-6 * f.bands[i]) all.push_back(at);
         }
     return all;
@@ -169,6 +193,7 @@ Heights heights(const Accordion& f, const Points& x, double gap) {
 }
 
 void choose_bands(Accordion& f, const Points& x, double gap, double size) {
+    check_reach(f, x);
     const Heights h = heights(f, x, gap);
     f.lines.resize(h.middle.size());  // those that the cloth reaches
     f.bands.assign(f.lines.size(), 0.0);
@@ -182,7 +207,8 @@ void choose_bands(Accordion& f, const Points& x, double gap, double size) {
         f.bands[i + 1] = 0.5 * width;
     }
     for (std::size_t i = 0; i < f.lines.size(); ++i)
-        if (f.bands[i] < LEAST_PER_CLIMB * h.climb(i)) throw too_thick(f, i, h.climb(i), f.bands[i]);
+        if (f.bands[i] < LEAST_PER_CLIMB * h.climb(i))
+            throw too_thick(f, i, h.climb(i), f.bands[i]);
 }
 
 void apply(const Accordion& f, double gap, Points& x) {

@@ -20,8 +20,8 @@ bool is_in(const TetherStrip& s, const Vec3& p, double margin) {
 }
 
 double distance_outside(const TetherStrip& s, const Vec3& p) {
-    return std::max({s.low.x() - p.x(), p.x() - s.high.x(), s.low.y() - p.y(),
-                     p.y() - s.high.y(), 0.0});
+    return std::max(
+        {s.low.x() - p.x(), p.x() - s.high.x(), s.low.y() - p.y(), p.y() - s.high.y(), 0.0});
 }
 
 double distance_to_edge(const Vec3& p, const Vec3& a, const Vec3& b) {
@@ -144,8 +144,8 @@ private:
             }
         }
         if (cells.empty() || last - first < 2.0 * near)
-            throw InputError(fmt::format("{}:{}: [[tether]] has no room for elements of {}", r_.file,
-                                         t.line, r_.pattern.element));
+            throw InputError(fmt::format("{}:{}: [[tether]] has no room for elements of {}",
+                                         r_.file, t.line, r_.pattern.element));
         std::map<Index, Index> own;
         const double end = 1e-6 * r_.pattern.element;
         for (const std::size_t e : cells) {

@@ -21,9 +21,9 @@ struct Bag {
     bool has_vents = false;
 };
 
-/// Cuts and sews: the front lies above (+z) the back, half the gap on each side of z = 0, more where
-/// a tether lies between them, closing towards the seam. Seen from
-/// the front all cells run counter-clockwise, as imprint() wants them.
+/// Cuts and sews: the front lies above (+z) the back, half the gap on each side of z = 0, more
+/// where a tether lies between them, closing towards the seam. Seen from the front all cells run
+/// counter-clockwise, as imprint() wants them.
 /// @throws InputError as make_plan(), or if tethers overlap
 [[nodiscard]] Bag make_bag(const Recipe& recipe, const PlanLines& lines);
 

@@ -12,7 +12,8 @@ namespace corpuscle::fold {
 namespace {
 
 std::string node_table(const char* keyword, const Points& x) {
-    std::string text = fmt::format("{}\n$#   nid               x               y               z\n", keyword);
+    std::string text =
+        fmt::format("{}\n$#   nid               x               y               z\n", keyword);
     for (std::size_t n = 0; n < x.size(); ++n)
         text += fmt::format("{:8d}{}{}{}\n", n + 1, io::in_16_columns(x[n].x() + 0.0),
                             io::in_16_columns(x[n].y() + 0.0), io::in_16_columns(x[n].z() + 0.0));
@@ -42,7 +43,8 @@ std::string comment(std::string text) {
 }  // namespace
 
 std::string bag_deck(const Bag& bag, const Recipe& recipe, const Inspection& found) {
-    std::string deck = comment(recipe.title + "\nMade by corpuscle fold: change the recipe, not this.");
+    std::string deck =
+        comment(recipe.title + "\nMade by corpuscle fold: change the recipe, not this.");
     if (!recipe.units.empty()) deck += comment("Units: " + recipe.units);
     deck += comment(text(found));
     std::map<int, std::string> titles;  // of the parts that there are
@@ -56,15 +58,16 @@ std::string bag_deck(const Bag& bag, const Recipe& recipe, const Inspection& fou
     deck += "*ELEMENT_SHELL\n$#   eid     pid      n1      n2      n3      n4\n";
     for (std::size_t e = 0; e < bag.sheet.cells.size(); ++e) {
         const Cell& c = bag.sheet.cells[e];
-        deck += fmt::format("{:8d}{:8d}{:8d}{:8d}{:8d}{:8d}\n", e + 1,
-                            bag.parts[bag.sheet.part[e]].id, c[0] + 1,
-                            c[1] + 1, c[2] + 1, c[3] + 1);
+        deck +=
+            fmt::format("{:8d}{:8d}{:8d}{:8d}{:8d}{:8d}\n", e + 1, bag.parts[bag.sheet.part[e]].id,
+                        c[0] + 1, c[1] + 1, c[2] + 1, c[3] + 1);
     }
     deck += node_table("*AIRBAG_REFERENCE_GEOMETRY", bag.sheet.X);
     deck += set("*SET_PART_LIST_TITLE", 1, "the bag", parts);
     deck += set("*SET_PART_LIST_TITLE", 2, "vents",
                 bag.has_vents ? std::vector{recipe.parts.vent} : std::vector<int>{});
-    deck += set("*SET_NODE_LIST_TITLE", 1, "module: cover and ring of the hole", numbers(bag.module));
+    deck +=
+        set("*SET_NODE_LIST_TITLE", 1, "module: cover and ring of the hole", numbers(bag.module));
     deck += set("*SET_NODE_LIST_TITLE", 2, "seam", numbers(bag.seam));
     return deck + "*END\n";
 }

@@ -5,11 +5,21 @@
 #include <algorithm>
 
 #include "tools/fold/imprint.hpp"
+#include "tools/fold/inspect.hpp"
 
 namespace corpuscle::fold {
 namespace {
 
-constexpr double SNAP = 0.35;  ///< of an edge, that a node moves to a fold's border at most
+/// How a mesh is made for the folds. Where the bends of oblique folds meet, facets are twisted, and
+/// meshes of layers that do not match may come too close: then another mesh helps, or a finer one.
+struct Way {
+    double snap;  ///< share of an edge that a node moves to a fold's border at most
+    int parts;    ///< of a band
+};
+constexpr std::array WAYS{Way{0.35, 1}, Way{0.25, 1}, Way{0.35, 2}, Way{0.25, 2}, Way{0.3, 3}};
+/// Nodes on other lines that are nearer to a border than this share of an edge count as on it:
+/// slivers would be worse.
+constexpr double GIVES_WAY = 0.08;
 constexpr int FIRST_NAME = 2000000;
 
 /// All accordions, with the bands that the draft needs.
@@ -24,31 +34,40 @@ std::vector<Accordion> plan_folds(const Recipe& r, Points x, double size) {
     return all;
 }
 
-/// Quads are cut into triangles from their first corner to their third: so that those which lie on
-/// each other are cut alike, that one is chosen which rises in the plan of the pack.
-void align_diagonals(Sheet& sheet) {
-    for (Cell& c : sheet.cells) {
-        if (corner_count(c) == 3) continue;
-        const Vec3 d = sheet.x[c[2]] - sheet.x[c[0]];
-        if (d.x() * d.y() < 0.0) std::rotate(c.begin(), c.begin() + 1, c.end());
+/// Quads count as two triangles, cut from their first corner to their third. Those that come to lie
+/// on each other shall be cut alike, so a quad that is turned over gets the other diagonal.
+void turn_diagonals(const Accordion& fold, Sheet& s) {
+    for (Cell& c : s.cells)
+        if (corner_count(c) == 4 &&
+            is_turned(fold, (s.x[c[0]] + s.x[c[1]] + s.x[c[2]] + s.x[c[3]]) / 4.0))
+            std::rotate(c.begin(), c.begin() + 1, c.end());
+}
+
+Bag fold_once(const Recipe& recipe, const std::vector<Accordion>& folds, Way way) {
+    Bag bag = make_bag(recipe, plan_lines(folds, way.parts));
+    int name = FIRST_NAME;
+    for (const Accordion& fold : folds) {
+        for (const double border : borders(fold, way.parts))
+            imprint(bag.sheet,
+                    {name++, distance(fold, border, bag.sheet.x), way.snap, GIVES_WAY, {}});
+        turn_diagonals(fold, bag.sheet);
+        apply(fold, recipe.pattern.gap, bag.sheet.x);
     }
+    turn_front(bag);
+    return bag;
 }
 
 }  // namespace
 
 Bag fold(const Recipe& recipe) {
-    const double size = recipe.pattern.element;
-    const std::vector<Accordion> folds = plan_folds(recipe, make_bag(recipe, {}).sheet.x, size);
-    Bag bag = make_bag(recipe, plan_lines(folds));
-    int name = FIRST_NAME;
-    for (const Accordion& fold : folds) {
-        for (const double border : borders(fold))
-            imprint(bag.sheet, {name++, distance(fold, border, bag.sheet.x), SNAP, {}});
-        apply(fold, recipe.pattern.gap, bag.sheet.x);
-    }
-    turn_front(bag);
-    align_diagonals(bag.sheet);
-    return bag;
+    const std::vector<Accordion> folds =
+        plan_folds(recipe, make_bag(recipe, {}).sheet.x, recipe.pattern.element);
+    Bag first = fold_once(recipe, folds, WAYS.front());
+    if (crossing_cells(first.sheet).empty()) return first;
+    for (std::size_t i = 1; i < WAYS.size(); ++i)
+        if (Bag other = fold_once(recipe, folds, WAYS[i]); crossing_cells(other.sheet).empty())
+            return other;
+    return first;
 }
 
 }  // namespace corpuscle::fold

@@ -19,6 +19,7 @@ public:
     std::vector<int> run() {
         find_nodes_on_it();
         snap();
+        give_way();
         split_edges();
         return cut_cells();
     }
@@ -83,6 +84,15 @@ private:
         }
     }
 
+    void give_way() {
+        for (const Edge& e : crossed_edges()) {
+            if (!is_crossed(e)) continue;
+            const double share = level_[e.first] / (level_[e.first] - level_[e.second]);
+            if (share < line_.gives_way) put_on_line(e.first);
+            if (1.0 - share < line_.gives_way) put_on_line(e.second);
+        }
+    }
+
     void split_edges() {
         for (const Edge& e : crossed_edges()) {
             const auto [a, b] = e;
@@ -140,8 +150,10 @@ private:
                 for (const int side : {-1, 1})
                     for (const Cell& cell : best_cells(corners_at(side, all), sheet_.X))
                         add(cell, e, side);
-            } else if (corner_count(sheet_.cells[e]) == 4 && quality(sheet_.cells[e], sheet_.X) < 0.5) {
-                for (const Cell& cell : best_cells(all, sheet_.X)) add(cell, e, most > 0.0 ? 1 : -1);
+            } else if (corner_count(sheet_.cells[e]) == 4 &&
+                       quality(sheet_.cells[e], sheet_.X) < 0.5) {
+                for (const Cell& cell : best_cells(all, sheet_.X))
+                    add(cell, e, most > 0.0 ? 1 : -1);
             } else {
                 add(sheet_.cells[e], e, most > 0.0 ? 1 : -1);
             }

@@ -12,6 +12,8 @@ struct Imprint {
                                 ///< negative if it is curved
     std::vector<double> level;  ///< N: signed distance of every node from the line            [m]
     double snap = 0.4;          ///< nodes nearer than this share of an edge move onto the line
+    double gives_way = 0.0;  ///< nodes that cannot move and are nearer than this share of an edge
+                             ///< take the line to themselves
     std::function<void(Vec3& X)> settle;  ///< moves a point that is nearly on the line onto it,
                                           ///< or is empty: it stays                            [m]
 };

@@ -75,7 +75,9 @@ int count_layers(const Sheet& s, const Inspection& found) {
     for (const Triangle& t : triangles(s.cells)) {
         const Vec3 low = s.x[t[0]].cwiseMin(s.x[t[1]]).cwiseMin(s.x[t[2]]) - found.low;
         const Vec3 high = s.x[t[0]].cwiseMax(s.x[t[1]]).cwiseMax(s.x[t[2]]) - found.low;
-        const auto first = [&](int k) { return std::max(0, static_cast<int>(low[k] / step[k] - OFF)); };
+        const auto first = [&](int k) {
+            return std::max(0, static_cast<int>(low[k] / step[k] - OFF));
+        };
         const auto last = [&](int k) {
             return std::min(POINTS - 1, static_cast<int>(high[k] / step[k] - OFF) + 1);
         };
@@ -114,24 +116,30 @@ std::string fit(const Inspection& found, const Package& package) {
         if (size[k] > room[k])
             over += fmt::format("{}{} by {:.4g}", over.empty() ? "" : ", ",
                                 std::array{"length", "width", "height"}[k], size[k] - room[k]);
-    const std::string asked = fmt::format("the package of {:.6g} x {:.6g} x {:.6g}", room.x(), room.y(), room.z());
-    return over.empty() ? "fits into " + asked : "does not fit into " + asked + ": too great in " + over;
+    const std::string asked =
+        fmt::format("the package of {:.6g} x {:.6g} x {:.6g}", room.x(), room.y(), room.z());
+    return over.empty() ? "fits into " + asked
+                        : "does not fit into " + asked + ": too great in " + over;
 }
 
 std::string text(const Inspection& f) {
     const Vec3 size = f.high - f.low;
     const auto shell = [](Index row) { return row + 1; };
-    std::string all = fmt::format("{} quads, {} triangles, flat area {:.6g}\n", f.quads, f.triangles, f.flat_area);
-    all += fmt::format("pack of {:.4g} x {:.4g} x {:.4g}, up to {} layers\n", size.x(), size.y(), size.z(), f.layers);
+    std::string all = fmt::format("{} quads, {} triangles, flat area {:.6g}\n", f.quads,
+                                  f.triangles, f.flat_area);
+    all += fmt::format("pack of {:.4g} x {:.4g} x {:.4g}, up to {} layers\n", size.x(), size.y(),
+                       size.z(), f.layers);
     all += fmt::format("crossings: {}\n", f.crossings.size());
     if (f.least_gap_at[0] >= 0)
-        all += fmt::format("least gap between shells that share no node: {:.4g} (shells {} and {})\n",
-                           f.least_gap, shell(f.least_gap_at[0]), shell(f.least_gap_at[1]));
+        all +=
+            fmt::format("least gap between shells that share no node: {:.4g} (shells {} and {})\n",
+                        f.least_gap, shell(f.least_gap_at[0]), shell(f.least_gap_at[1]));
     all += fmt::format(
-        "edge strain that the fold puts in: {:.3g} (shell {}) to {:.3g} (shell {}), RMS {:.3g}\n", f.least_strain,
-        shell(f.shortest_at), f.greatest_strain, shell(f.longest_at), f.rms_strain);
-    all += fmt::format("flat mesh: least angle {:.3g} degrees (shell {}), longest over shortest edge {:.3g}",
-                       f.least_angle * 180.0 / std::numbers::pi, shell(f.least_angle_at), f.greatest_aspect);
+        "edge strain that the fold puts in: {:.3g} (shell {}) to {:.3g} (shell {}), RMS {:.3g}\n",
+        f.least_strain, shell(f.shortest_at), f.greatest_strain, shell(f.longest_at), f.rms_strain);
+    all += fmt::format(
+        "flat mesh: least angle {:.3g} degrees (shell {}), longest over shortest edge {:.3g}",
+        f.least_angle * 180.0 / std::numbers::pi, shell(f.least_angle_at), f.greatest_aspect);
     return all;
 }
 

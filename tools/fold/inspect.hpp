@@ -9,16 +9,16 @@ namespace corpuscle::fold {
 /// What can be said of a folded bag. Rows are of cells.
 struct Inspection {
     std::vector<std::pair<Index, Index>> crossings;  ///< cells that cross, exactly, sorted
-    double least_gap = INF;                ///< between cells without a common node             [m]
+    double least_gap = INF;  ///< between cells without a common node             [m]
     std::array<Index, 2> least_gap_at{-1, -1};
     double least_strain = 0.0, greatest_strain = 0.0, rms_strain = 0.0;  ///< of edges          [-]
     Index shortest_at = -1, longest_at = -1;
-    Vec3 low, high;                        ///< corners of the pack, middle of the cloth        [m]
-    int layers = 0;                        ///< most cells above each other
-    double least_angle = 0.0;              ///< of the flat mesh, at a corner                 [rad]
+    Vec3 low, high;            ///< corners of the pack, middle of the cloth        [m]
+    int layers = 0;            ///< most cells above each other
+    double least_angle = 0.0;  ///< of the flat mesh, at a corner                 [rad]
     Index least_angle_at = -1;
-    double greatest_aspect = 0.0;          ///< longest over shortest edge, flat                [-]
-    double flat_area = 0.0;                ///< of all cells                                  [m^2]
+    double greatest_aspect = 0.0;  ///< longest over shortest edge, flat                [-]
+    double flat_area = 0.0;        ///< of all cells                                  [m^2]
     std::size_t triangles = 0, quads = 0;
 };
 

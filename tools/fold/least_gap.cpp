@@ -19,9 +19,8 @@ std::vector<Index> cell_of_triangles(const std::vector<Cell>& cells) {
 }
 
 bool share_node(const Triangle& a, const Triangle& b) {
-    return std::any_of(a.begin(), a.end(), [&](Index n) {
-        return std::find(b.begin(), b.end(), n) != b.end();
-    });
+    return std::any_of(a.begin(), a.end(),
+                       [&](Index n) { return std::find(b.begin(), b.end(), n) != b.end(); });
 }
 
 /// Distance of two triangles that do not cross: six nodes against triangles, nine pairs of edges.
@@ -33,8 +32,7 @@ double distance(const Triangle& a, const Triangle& b, const Points& x) {
     for (int i = 0; i < 3; ++i) {
         look({{a[i], b[0], b[1], b[2]}, false});
         look({{b[i], a[0], a[1], a[2]}, false});
-        for (int j = 0; j < 3; ++j)
-            look({{a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3]}, true});
+        for (int j = 0; j < 3; ++j) look({{a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3]}, true});
     }
     return std::sqrt(least);
 }

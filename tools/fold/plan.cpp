@@ -83,7 +83,7 @@ struct Circle {
 };
 
 std::vector<int> imprint_circle(Sheet& sheet, const Circle& c, int name) {
-    Imprint line{name, {}, 0.45, [&](Vec3& X) {
+    Imprint line{name, {}, 0.45, 0.2, [&](Vec3& X) {
                      X = c.middle + c.radius / (X - c.middle).norm() * (X - c.middle);
                  }};
     for (const Vec3& X : sheet.X) line.level.push_back((X - c.middle).norm() - c.radius);

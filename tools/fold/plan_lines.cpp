@@ -47,13 +47,13 @@ void sort_unique(std::vector<double>& lines) {
 
 }  // namespace
 
-PlanLines plan_lines(const std::vector<Accordion>& folds) {
+PlanLines plan_lines(const std::vector<Accordion>& folds, int parts) {
     PlanLines all;
     for (std::size_t j = 0; j < folds.size(); ++j) {
         const Axis mine = axis(folds[j]);
         if (mine.index < 0 || folds[j].lines.empty()) continue;
         std::vector<double> places;  // x or y, as they are before fold j
-        for (const double s : borders(folds[j])) places.push_back(mine.sign * s);
+        for (const double s : borders(folds[j], parts)) places.push_back(mine.sign * s);
         for (std::size_t i = j; i-- > 0;) {
             const Axis other = axis(folds[i]);
             if (other.index != mine.index || folds[i].lines.empty()) continue;

@@ -141,7 +141,8 @@ Recipe read_recipe(const std::filesystem::path& file) {
     if (!in || !(text << in.rdbuf()))
         throw InputError(fmt::format("{}: cannot be read, or is empty", file.string()));
     Recipe recipe = parse_recipe(text.str(), file.string());
-    if (!recipe.pattern.file.empty()) recipe.pattern.file = file.parent_path() / recipe.pattern.file;
+    if (!recipe.pattern.file.empty())
+        recipe.pattern.file = file.parent_path() / recipe.pattern.file;
     return recipe;
 }
 

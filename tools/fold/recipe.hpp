@@ -46,7 +46,7 @@ struct Tether {
     double x = NaN, y = NaN;  ///< middle of its beginning                                     [m]
     int direction = 0;        ///< 0, 90, 180 or 270 degrees from x
     double length = NaN, width = NaN;
-    int line = 0;             ///< of the recipe
+    int line = 0;  ///< of the recipe
 };
 
 struct Package {

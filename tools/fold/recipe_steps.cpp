@@ -24,11 +24,14 @@ std::vector<Accordion> read_zigzag(TableReader& at, Accordion fold, bool is_both
     if (is_both) fold.room = line;
     fold.lines = {line};
     if (at.has("pleats")) {
-        for (const double width : at.numbers("pleats", 0, true)) fold.lines.push_back(line += width);
+        for (const double width : at.numbers("pleats", 0, true))
+            fold.lines.push_back(line += width);
+        fold.needed = fold.lines.size();
     } else {
         const double width = at.positive("width");
         for (int i = at.whole_or("count", MOST_FOLDS, 1, MOST_FOLDS); i > 0; --i)
             fold.lines.push_back(line += width);
+        if (at.has("count")) fold.needed = fold.lines.size();
     }
     return {fold};
 }

@@ -29,7 +29,9 @@ std::string cut(const Triangle& t, const Points& x, const View& v, const Inspect
         if (before * after < 0.0) ends.push_back(a + before / (before - after) * (b - a));
     }
     if (ends.size() != 2) return "";
-    const auto right = [&](const Vec3& p) { return v.left + v.scale * (p[v.along] - found.low[v.along]); };
+    const auto right = [&](const Vec3& p) {
+        return v.left + v.scale * (p[v.along] - found.low[v.along]);
+    };
     const auto down = [&](const Vec3& p) { return v.top + v.scale * (found.high.z() - p.z()); };
     return fmt::format(
         "<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" stroke=\"{}\"/>\n",
@@ -51,7 +53,8 @@ std::string section_svg(const Bag& bag, const Inspection& found) {
     for (const int across : {1, 0}) {
         // a little off the middle, where lines of the mesh would lie in the cut
         const double at = found.low[across] + 0.513 * size[across];
-        const View view{1 - across, across, at, scale, MARGIN, MARGIN + (across == 1 ? 0.0 : height)};
+        const View view{1 - across, across, at,
+                        scale,      MARGIN, MARGIN + (across == 1 ? 0.0 : height)};
         svg += fmt::format("<text x=\"{}\" y=\"{:.1f}\">cut at {} = {:.4g}</text>\n", MARGIN,
                            view.top - 8.0, across == 1 ? "y" : "x", at);
         for (std::size_t e = 0; e < bag.sheet.cells.size(); ++e) {

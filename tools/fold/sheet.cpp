@@ -12,8 +12,7 @@ namespace {
 std::map<std::pair<Index, Index>, int> count_edges(const std::vector<Cell>& cells) {
     std::map<std::pair<Index, Index>, int> count;
     for (const Cell& c : cells)
-        for (int k = 0, n = corner_count(c); k < n; ++k)
-            ++count[std::minmax(c[k], c[(k + 1) % n])];
+        for (int k = 0, n = corner_count(c); k < n; ++k) ++count[std::minmax(c[k], c[(k + 1) % n])];
     return count;
 }
 
@@ -69,7 +68,8 @@ double quality(const Cell& cell, const Points& X) {
 
 double area(const Cell& cell, const Points& X) {
     double sum = 0.0;
-    for (const Triangle& t : triangles({cell})) sum += vector_area(X[t[0]], X[t[1]], X[t[2]]).norm();
+    for (const Triangle& t : triangles({cell}))
+        sum += vector_area(X[t[0]], X[t[1]], X[t[2]]).norm();
     return sum;
 }
 

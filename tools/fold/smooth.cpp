@@ -39,7 +39,8 @@ void smooth(Sheet& sheet, double wanted, int rounds) {
             const double before = worst(near.cells[n], sheet);
             if (before >= wanted) continue;
             const auto& on = sheet.on[n];
-            if (!on.empty() && on.front() < 0) continue;  // a curve: along its chords it would shrink
+            if (!on.empty() && on.front() < 0)
+                continue;                // a curve: along its chords it would shrink
             Vec3 middle = Vec3::Zero();  // of the neighbours that it may move towards
             int count = 0;
             for (const Index m : near.nodes[n])

@@ -1,0 +1,13 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace corpuscle::support {
+
+/// A recipe for `corpuscle fold` that a user might write: disc or rectangle of some 0.5 m, one to
+/// three folds of any kind, along the axes or, with `is_oblique`, in any direction. Units: mm.
+[[nodiscard]] std::string random_recipe(unsigned seed, bool is_oblique);
+
+}  // namespace corpuscle::support
