@@ -17,21 +17,14 @@ namespace {
 Pattern read_pattern(const toml::table& table, RecipeFaults& faults) {
     TableReader at(table, "[pattern]", faults);
     Pattern p;
-    const std::string kind = at.choice("kind", {"disc", "rectangle", "deck"});
+    const std::string kind = at.choice("kind", {"disc", "rectangle"});
     if (kind == "disc") p.diameter = at.positive("diameter");
     if (kind == "rectangle") {
         p.kind = PatternKind::RECTANGLE;
         p.length = at.positive("length");
         p.width = at.positive("width");
     }
-    if (kind == "deck") {
-        p.kind = PatternKind::DECK;
-        p.file = at.text_or("file", "");
-        if (p.file.empty()) at.fault("file", "the name of a deck, beside the recipe");
-        p.element = 0.0;  // the deck's own
-    } else {
-        p.element = at.positive("element");
-    }
+    p.element = at.positive("element");
     p.gap = at.positive("gap");
     p.closing = at.positive_or("closing", 1.5 * p.element);
     at.finish();
@@ -140,10 +133,7 @@ Recipe read_recipe(const std::filesystem::path& file) {
     std::ostringstream text;
     if (!in || !(text << in.rdbuf()))
         throw InputError(fmt::format("{}: cannot be read, or is empty", file.string()));
-    Recipe recipe = parse_recipe(text.str(), file.string());
-    if (!recipe.pattern.file.empty())
-        recipe.pattern.file = file.parent_path() / recipe.pattern.file;
-    return recipe;
+    return parse_recipe(text.str(), file.string());
 }
 
 }  // namespace corpuscle::fold

@@ -12,13 +12,12 @@
 /// How a bag is cut and folded, as its recipe says. Lengths are in the recipe's own unit.
 namespace corpuscle::fold {
 
-enum class PatternKind { DISC, RECTANGLE, DECK };
+enum class PatternKind { DISC, RECTANGLE };
 
 struct Pattern {
     PatternKind kind = PatternKind::DISC;
     double diameter = NaN;             ///< of the disc                                        [m]
     double length = NaN, width = NaN;  ///< of the rectangle along x and y                     [m]
-    std::filesystem::path file;        ///< of the deck, beside the recipe
     double element = NaN;              ///< size of the elements                               [m]
     double gap = NaN;                  ///< between layers, middle to middle                   [m]
     double closing = NaN;              ///< over which the panels close towards the seam       [m]
