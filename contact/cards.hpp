@@ -34,15 +34,4 @@ struct ContactCard {
     double death = INF;              ///< DT  [s]
 };
 
-/// *RIGIDWALL_PLANAR: an immovable half-space.
-struct PlanarWallCard {
-    int id = 0;  ///< RWID, else order in the deck from 1
-    std::string title;
-    Vec3 point = Vec3::Zero();        ///< XT YT ZT, on the wall                      [m]
-    Vec3 normal = Vec3::UnitZ();      ///< head - tail, unit; nodes live on this side
-    double friction = 0.0;            ///< FRIC: 0 slides, 1 sticks, else Coulomb     [-]
-    std::vector<Index> nodes;         ///< node rows that it stops
-    double birth = 0.0, death = INF;  ///< [s]
-};
-
 }  // namespace corpuscle::contact

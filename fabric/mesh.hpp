@@ -22,9 +22,10 @@ struct Shell {
 struct Part {
     int id = 0;
     std::string title;
-    Index material = -1;     ///< row among the materials
-    double thickness = NaN;  ///< mean of T1-T4 [m]
-    int element_form = 5;    ///< ELFORM: 9 fully integrated quads, any other: one-point quads
+    Index material = -1;             ///< row among the materials
+    double thickness = NaN;          ///< mean of T1-T4 [m]
+    double contact_thickness = NaN;  ///< OPTT; NaN: the thickness [m]
+    int element_form = 5;  ///< ELFORM: 9 fully integrated quads, any other: one-point quads
 };
 
 }  // namespace corpuscle

@@ -102,8 +102,8 @@ std::string rwforc_state(const RecordLayout& layout, const Sample& sample) {
     const bool has_normals = layout.wall_normals.size() == layout.walls.size();
     for (std::size_t i = 0; i < layout.walls.size(); ++i) {
         const Vec3& force = sample.wall_force[i];
-        const double normal =
-            has_normals ? std::abs(force.dot(layout.wall_normals[i])) : force.norm();
+        const bool is_plane = has_normals && !layout.wall_normals[i].isZero(0.0);
+        const double normal = is_plane ? std::abs(force.dot(layout.wall_normals[i])) : force.norm();
         text += fmt::format("{}{:8d}{}{}\n", field(sample.time, 12, 5), layout.walls[i],
                             field(normal, 15, 6), fields(force, 15, 6));
     }

@@ -1,6 +1,6 @@
 # keyword decks -> Model
 target_sources(corpuscle_io PRIVATE
-    deck.cpp rigid_start.cpp
+    deck.cpp rigid_start.cpp solid_skin.cpp
     # text -> cards
     faults.cpp text.cpp lines.cpp keyword_reader.cpp
     expression.cpp parameters.cpp parameter_cards.cpp
@@ -20,11 +20,14 @@ target_sources(corpuscle_io PRIVATE
     keywords/airbag_uniform.cpp
     keywords/airbag_vents.cpp
     keywords/reference_geometry.cpp
+    keywords/rigid_parts.cpp
     keywords/boundary.cpp
     keywords/motion.cpp
     keywords/initial_velocity.cpp
     keywords/loads.cpp
     keywords/contact.cpp
+    keywords/contact_surface.cpp
     keywords/walls.cpp
+    keywords/walls_geometric.cpp
     keywords/database_sensor.cpp
     keywords/control_output.cpp)

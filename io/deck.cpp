@@ -14,6 +14,7 @@
 #include "io/keywords/keywords.hpp"
 #include "io/parameters.hpp"
 #include "io/rigid_start.hpp"
+#include "io/solid_skin.hpp"
 #include "io/text.hpp"
 #include "solver/base/error.hpp"
 
@@ -128,12 +129,24 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options) {
     draft.dialect = dialect(parameters, faults);
     draft.collision = collision(parameters, faults);
     draft.mean_free_path = mean_free_path(draft.collision, parameters, faults);
-    for (Task& task : sort_out(text, faults)) read_block(task, parameters, faults, draft);
+    std::vector<Task> tasks = sort_out(text, faults);
+    const auto scene = std::find_if(tasks.begin(), tasks.end(), [](const Task& task) {
+        return task.match.keyword->phase > keywords::Phase::SHELL;
+    });
+    for (auto task = tasks.begin(); task != scene; ++task)
+        read_block(*task, parameters, faults, draft);
+    if (!faults.any()) make_skins(draft);  // sets and all that follows know them as shells
+    for (auto task = scene; task != tasks.end(); ++task)
+        read_block(*task, parameters, faults, draft);
     if (!text.files.empty()) check_whole(draft, text, faults);
 
     std::vector<std::string> all = parameters.unused_overrides();
     for (std::string& fault : faults.faults()) all.push_back(std::move(fault));
     if (!all.empty()) throw InputError(std::move(all));
+    for (const RigidVelocity& start : draft.inertia_start)
+        if (std::none_of(model.rigid_velocity.begin(), model.rigid_velocity.end(),
+                         [&](const RigidVelocity& own) { return own.part == start.part; }))
+            model.rigid_velocity.push_back(start);
     start_rigid_parts(model);
     model.warnings = faults.warnings();
     return model;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,14 @@ namespace corpuscle::io {
 struct Section {
     double thickness = NaN;
     int element_form = 0;
+    bool is_solid = false;  ///< *SECTION_SOLID
+};
+
+/// *ELEMENT_SOLID; fewer than eight corners repeat some.
+struct Solid {
+    int id = 0;
+    Index part = -1;
+    std::array<Index, 8> nodes{};
 };
 
 /// Which meaning of the cards the deck wants: today's, or that of the 2007 course notes.
@@ -34,10 +43,15 @@ struct Draft {
         sections{"*SECTION_SHELL"}, curves{"*DEFINE_CURVE"}, vectors{"*DEFINE_VECTOR"};
     Registry node_sets{"*SET_NODE"}, part_sets{"*SET_PART"}, shell_sets{"*SET_SHELL"},
         segment_sets{"*SET_SEGMENT"};
+    Registry solids{"*ELEMENT_SOLID"};
     Registry cpm_vents{"*DEFINE_CPM_VENT"};
 
     std::vector<Section> section;
-    Points vector;                                               ///< head - tail
+    std::vector<std::uint8_t> part_has_solids;  ///< by part row
+    std::vector<Solid> solid;
+    std::vector<RigidVelocity> inertia_start;  ///< of *PART_INERTIA, where nothing else says it
+    std::vector<Index> rigid_owner;  ///< by node row: rigid part or -1; empty until it is asked for
+    Points vector;                   ///< head - tail
     std::vector<std::vector<Index>> node_set;                    ///< node rows
     std::vector<std::vector<Index>> part_set;                    ///< part rows
     std::vector<std::vector<Index>> shell_set;                   ///< shell rows

@@ -24,6 +24,7 @@ Sample blank(const RecordLayout& layout) {
     s.parts.resize(layout.parts.size());
     s.rigid_bodies.resize(layout.rigid_bodies.size());
     s.wall_force.resize(layout.walls.size(), Vec3::Zero());
+    s.moving_walls.resize(layout.moving_walls.size());
     s.contacts.resize(layout.contacts.size());
     s.sensors.resize(layout.sensors);
     s.node_coordinates.resize(layout.history_nodes.size(), Vec3::Zero());
@@ -36,6 +37,7 @@ Sample blank(const RecordLayout& layout) {
                 s.parts.size() == layout.parts.size() &&
                 s.rigid_bodies.size() == layout.rigid_bodies.size() &&
                 s.wall_force.size() == layout.walls.size() &&
+                s.moving_walls.size() == layout.moving_walls.size() &&
                 s.contacts.size() == layout.contacts.size() && s.sensors.size() == layout.sensors &&
                 s.node_coordinates.size() == layout.history_nodes.size() &&
                 s.node_velocity.size() == layout.history_nodes.size();
@@ -144,6 +146,12 @@ void touching(auto&& row, const RecordLayout& layout, const Sample& s) {
     for (std::size_t i = 0; i < layout.walls.size(); ++i)
         row(fmt::format("/history/rigidwall/{}/force", layout.walls[i]), FORCE,
             "force on the rigid wall", s.wall_force[i]);
+    for (std::size_t i = 0; i < layout.moving_walls.size(); ++i) {
+        const std::string of = fmt::format("/history/rigidwall/{}/", layout.moving_walls[i]);
+        row(of + "displacement", LENGTH, "of the rigid wall, since the start",
+            s.moving_walls[i].displacement);
+        row(of + "velocity", VELOCITY, "of the rigid wall", s.moving_walls[i].velocity);
+    }
     for (std::size_t i = 0; i < layout.contacts.size(); ++i) {
         const std::string of = fmt::format("/history/contact/{}/", layout.contacts[i]);
         row(of + "force", FORCE, "resultant contact force", s.contacts[i].force);

@@ -58,6 +58,8 @@ RigidVelocity motion(const Model& model, Index part) {
         if (moment > 1e-12 * principal.eigenvalues()[2])
             rigid.spin += along.dot(turning) / moment * along;
     }
+    for (const RigidInertia& body : model.rigid_inertia)  // the velocity is that of its centre
+        if (body.part == part) rigid.velocity += rigid.spin.cross(body.centre - centre);
     return rigid;
 }
 

@@ -11,10 +11,11 @@
 
 namespace corpuscle {
 
-/// Of nodes and rigid bodies, at the half step that velocities live at.                   [J]
+/// Of nodes, rigid bodies and walls of mass, at the half step that velocities live at.                   [J]
 double Simulation::kinetic_energy() const {
     double all = nodes_.kinetic_energy();
     for (const RigidBody& body : bodies_) all += body.kinetic_energy();
+    for (const contact::RigidWall& wall : walls_) all += wall.kinetic_energy();
     return all;
 }
 
@@ -23,8 +24,8 @@ double ForceShare::work(const Points& v_mid, double span) const {
 }
 
 /// Books the work of this kick's forces, sum of f · v_mid · span, v_mid = (v_before + v) / 2:
-/// exactly the change of kinetic energy, so what held nodes gain beyond it came from their
-/// supports.
+/// exactly the change of kinetic energy, so what held nodes gain beyond it, and beyond what
+/// obstacles gave, came from their supports.
 void Simulation::book_forces(double span) {
     parallel::for_each(nodes_.size(),
                        [&](std::size_t n) { v_mid_[n] = 0.5 * (v_before_[n] + nodes_.v[n]); });
@@ -32,8 +33,10 @@ void Simulation::book_forces(double span) {
         for (const Index n : body.nodes()) v_mid_[n] = body.mid_velocity_at(nodes_.x[n]);
 
     const auto gain = [&](Index n) {
+        Vec3 given = span * nodes_.f[n];
+        if (!v_kicked_.empty()) given += nodes_.mass[n] * (nodes_.v[n] - v_kicked_[n]);
         return 0.5 * nodes_.mass[n] * (nodes_.v[n].squaredNorm() - v_before_[n].squaredNorm()) -
-               span * nodes_.f[n].dot(v_mid_[n]);
+               given.dot(v_mid_[n]);
     };
     Moved& moved = ledger_.after;
     for (const Index n : supports_.nodes()) moved.external += gain(n);
@@ -49,7 +52,7 @@ void Simulation::book_forces(double span) {
 
     double friction = 0.0;
     for (const contact::SurfaceContact& contact : contacts_) friction += contact.friction_energy();
-    for (const contact::PlanarWall& wall : walls_) friction += wall.friction_energy();
+    for (const contact::RigidWall& wall : walls_) friction += wall.friction_energy();
     moved.contact += -contact_force_.work(v_mid_, span) - (friction - moved.friction);
     moved.friction = friction;
 
@@ -94,7 +97,7 @@ void Simulation::find_touching() {
     if (std::none_of(bags_.begin(), bags_.end(), asks)) return;
     touching_.assign(nodes_.size(), 0);
     for (const contact::SurfaceContact& contact : contacts_) contact.mark_touching(touching_);
-    for (const contact::PlanarWall& wall : walls_)
+    for (const contact::RigidWall& wall : walls_)
         for (const Index node : wall.touching()) touching_[node] = 1;
     for (gas::BagGas& bag : bags_)
         if (bag.asks_for_contact()) bag.set_touching(touching_);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact/cards.hpp"
+#include "contact/wall_card.hpp"
 #include "fabric/materials/fabric_card.hpp"
 #include "fabric/mesh.hpp"
 #include "gas/bag.hpp"
@@ -122,7 +123,7 @@ struct Model {
     std::vector<gas::BagCard> bags;
     std::vector<gas::UniformBagCard> uniform_bags;  ///< that never hold particles
     std::vector<contact::ContactCard> contacts;
-    std::vector<contact::PlanarWallCard> walls;
+    std::vector<contact::WallCard> walls;
 
     std::vector<gas::SensorCard> sensors;  ///< *DATABASE_CPM_SENSOR, one a segment
 

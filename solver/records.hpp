@@ -26,7 +26,8 @@ struct RecordLayout {
     std::vector<int> parts;            ///< part ids
     std::vector<int> rigid_bodies;     ///< part ids of the rigid bodies
     std::vector<int> walls, contacts;  ///< ids
-    Points wall_normals;               ///< of the walls, unit; nodes live on this side
+    Points wall_normals;               ///< of the walls, unit, 0 of one that is not plane
+    std::vector<int> moving_walls;     ///< ids of those of the walls that can move
     std::size_t sensors = 0;           ///< numbered from 1
     std::vector<int> history_nodes;    ///< node ids
     std::vector<Index> history_node_rows;
@@ -82,6 +83,10 @@ struct Sample {
     };
     std::vector<Rigid> rigid_bodies;
     std::vector<Vec3> wall_force;
+    struct WallMotion {
+        Vec3 displacement = Vec3::Zero(), velocity = Vec3::Zero();
+    };
+    std::vector<WallMotion> moving_walls;
     struct Contact {
         Vec3 force = Vec3::Zero();
         double energy = 0;

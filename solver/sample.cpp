@@ -67,7 +67,8 @@ RecordLayout Simulation::layout() const {
         layout.rigid_bodies.push_back(model_.parts[body.part()].id);
     for (const auto& wall : model_.walls) {
         layout.walls.push_back(wall.id);
-        layout.wall_normals.push_back(wall.normal);
+        layout.wall_normals.push_back(contact::plane_normal(wall.shape));
+        if (!wall.motion.direction.isZero(0.0)) layout.moving_walls.push_back(wall.id);
     }
     for (const auto& contact : model_.contacts) layout.contacts.push_back(contact.id);
     for (const Index node : model_.history_nodes) {
@@ -119,7 +120,10 @@ Sample Simulation::sample() {
         row.parts[body.part()].kinetic_energy = body.kinetic_energy();
         row.parts[body.part()].momentum = body.mass() * body.velocity();
     }
-    for (const auto& wall : walls_) row.wall_force.push_back(wall.force());
+    for (const contact::RigidWall& wall : walls_) {
+        row.wall_force.push_back(wall.force());
+        if (wall.moves()) row.moving_walls.push_back({wall.displacement(), wall.velocity()});
+    }
     for (std::size_t c = 0; c < model_.contacts.size(); ++c) {
         const int card = static_cast<int>(c);
         row.contacts.push_back({contacts_[0].force(card), contacts_[0].energy_of(card)});

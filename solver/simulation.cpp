@@ -6,6 +6,7 @@
 #include "solver/simulation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "solver/base/error.hpp"
@@ -41,6 +42,10 @@ std::vector<std::uint8_t> strained_shells(const Model& model, const Constraints&
                                 [&](Index n) { return supports.held()[n] != 7; });
     }
     return active;
+}
+
+double contact_thickness(const Part& part) {
+    return std::isnan(part.contact_thickness) ? part.thickness : part.contact_thickness;
 }
 
 /// Stress-free corners of every shell: its own reference geometry, or that of its nodes where all
@@ -256,7 +261,7 @@ void Simulation::build_contacts() {
     for (const Index shell : facets.shell) {
         const Index part = model_.shells[shell].part;
         setup.part.push_back(part);
-        setup.thickness.push_back(model_.parts[part].thickness);
+        setup.thickness.push_back(contact_thickness(model_.parts[part]));
     }
     setup.parts = model_.parts.size();
     setup.node_mass = nodes_.mass;
@@ -272,16 +277,17 @@ void Simulation::build_contacts() {
 
 void Simulation::build_walls() {
     const std::vector<std::uint8_t> held = held_nodes();
-    for (contact::PlanarWallCard card : model_.walls) {
+    for (contact::WallCard card : model_.walls) {
         const std::size_t listed = card.nodes.size();
         std::erase_if(card.nodes, [&](Index n) { return held[n]; });
         if (card.nodes.size() < listed)
             model_.warnings.push_back(
-                fmt::format("*RIGIDWALL_PLANAR {}: {} of its nodes are held or belong to rigid "
+                fmt::format("*RIGIDWALL {}: {} of its nodes are held or belong to rigid "
                             "bodies and pass it freely",
                             card.id, listed - card.nodes.size()));
         std::erase_if(card.nodes, [&](Index n) { return !(nodes_.mass[n] > 0.0); });
-        walls_.emplace_back(card);
+        const Index curve = card.motion.curve;
+        walls_.emplace_back(card, curve >= 0 ? &model_.curves[curve] : nullptr);
     }
 }
 
@@ -346,8 +352,8 @@ void Simulation::close(const Observer& observe) {
     const double dt = clock_.dt_last;
     find_forces(dt, dt, lap);
     kick(dt, dt);
-    book_forces(dt);
     stop_at_obstacles(dt);
+    book_forces(dt);
     observe(*this);
 }
 

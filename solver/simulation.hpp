@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "contact/movers.hpp"
-#include "contact/planar_wall.hpp"
+#include "contact/rigid_wall.hpp"
 #include "contact/surface_contact.hpp"
 #include "fabric/membranes.hpp"
 #include "fabric/nodes.hpp"
@@ -121,14 +121,15 @@ private:
     std::vector<gas::UniformBag> uniform_bags_;
     std::vector<contact::SurfaceContact> contacts_;  ///< one for all cards, or none
     std::vector<Index> contact_shell_;               ///< of its triangles: rows of their shells
-    std::vector<contact::PlanarWall> walls_;
+    std::vector<contact::RigidWall> walls_;
     std::vector<RigidBody> bodies_;
     std::vector<contact::RigidMover> movers_;  ///< the same as contact sees them
     Constraints supports_;
     Loads loads_;
 
-    Points v_before_;                     ///< v(t - dt/2)                                [m/s]
-    Points v_mid_;                        ///< mean of v before and after the kick        [m/s]
+    Points v_before_;  ///< v(t - dt/2)                                [m/s]
+    Points v_kicked_;  ///< before obstacles, if there are any         [m/s]
+    Points v_mid_;     ///< mean of v before and after this step's kick   [m/s]
     std::vector<std::uint8_t> touching_;  ///< N: nodes in contact, if a bag asks for it
     ForceShare load_force_, damping_force_, contact_force_;
     Ledger ledger_;

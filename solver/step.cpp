@@ -25,8 +25,8 @@ StepReport Simulation::step(const Observer& observe) {
 
     // 2. v(t - dt/2) -> v(t + dt/2); between the two, at t, the books balance
     kick(dt, span);
-    book_forces(span);
-    stop_at_obstacles(dt);                                                      lap("motion");
+    stop_at_obstacles(dt);
+    book_forces(span);                                                          lap("motion");
     observe(*this);                                                             lap("output");
 
     // 3. x(t) -> x(t + dt)
@@ -117,10 +117,19 @@ void Simulation::drift(double dt) {
 }
 
 /// Walls and touching surfaces take away the velocity that would carry a place through them.
+///
+/// Their impulses m (v - v_k) act with the forces of the kick, v_before -> v_k; what they take is
+/// m (v_k - v) · (v_before + v) / 2, nothing where a node rests against its load.
 void Simulation::stop_at_obstacles(double dt) {
+    const bool may_stop = !walls_.empty() || !contacts_.empty();
+    if (may_stop) v_kicked_ = nodes_.v;
     const double kinetic = kinetic_energy();
-    for (contact::PlanarWall& wall : walls_)
+    for (contact::RigidWall& wall : walls_) {
+        const double driven = wall.driving_work();
         wall.hold(nodes_.x, nodes_.mass, clock_.t, dt, nodes_.v);
+        ledger_.after.external += wall.driving_work() - driven;
+        ledger_.after.contact += wall.driving_work() - driven;
+    }
     for (contact::SurfaceContact& contact : contacts_) {
         const double by_held = contact.held_work();
         contact.filter(nodes_.x, dt, nodes_.v, movers_);
@@ -130,7 +139,12 @@ void Simulation::stop_at_obstacles(double dt) {
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         bodies_[b].take(movers_[b], dt, clock_.kick_span(dt), nodes_);
     ledger_.after.kinetic = kinetic_energy();
-    ledger_.after.contact += kinetic - ledger_.after.kinetic;
+    if (may_stop)
+        ledger_.after.contact +=
+            kinetic - ledger_.after.kinetic - parallel::sum(nodes_.size(), 0.0, [&](std::size_t n) {
+                return 0.5 * nodes_.mass[n] *
+                       (v_kicked_[n] - nodes_.v[n]).dot(v_kicked_[n] - v_before_[n]);
+            });
     check_finite();
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <numeric>
+#include <cmath>
 
+#include "io/keywords/contact_surface.hpp"
 #include "io/keywords/keywords.hpp"
 
 namespace corpuscle::io::keywords {
@@ -13,27 +13,18 @@ namespace {
 
 constexpr const char* ONE_METHOD = "there is one contact method here, this choice does not count";
 
-/// SURFATYP 2 part set, 3 part, 5 or SURFA = 0 all, 6 all but a part set.
-std::vector<Index> surface_parts(Card& c, const Draft& draft) {
-    std::vector<Index> all(draft.model.parts.size());
-    std::iota(all.begin(), all.end(), 0);
-    const bool is_named = c.given("SURFA") && c.integer("SURFA") != 0;
-    const int type = is_named ? c.choice("SURFATYP", {2, 3, 5, 6}, {0, 1, 4})
-                              : c.integer("SURFATYP", within(0, 6));
-    if (!is_named || type == 5 || !c.good()) return all;
-    const Index row = c.row("SURFA", type == 3 ? draft.parts : draft.part_sets);
-    if (row < 0) return all;
-    if (type == 3) return {row};
-    const std::vector<Index>& set = draft.part_set[static_cast<std::size_t>(row)];
-    if (type == 2) return set;
-    std::erase_if(all, [&](Index p) { return std::find(set.begin(), set.end(), p) != set.end(); });
-    return all;
-}
+using Kind = contact::ContactCard::Kind;
 
+/// A single surface has no other side, the kinds with two sides must name both.
 void surfaces(Cards& cards, const Draft& draft, contact::ContactCard& contact) {
     Card c = cards.next("SURFA SURFB SURFATYP SURFBTYP SABOXID SBBOXID SAPR SBPR");
-    contact.parts = surface_parts(c, draft);
-    c.harmless("SURFB SURFBTYP SAPR SBPR");  // a single surface; forces are always written
+    c.harmless("SAPR SBPR");  // forces are always written
+    contact.parts = contact_side(c, draft, SIDE_A, contact.kind == Kind::NODES_TO_SURFACE);
+    if (contact.kind == Kind::SINGLE_SURFACE) return c.harmless("SURFB SURFBTYP");
+    contact.other_parts = contact_side(c, draft, SIDE_B, /*may_be_nodes=*/false);
+    for (const SideFields& side : {SIDE_A, SIDE_B})
+        if (c.integer(side.surface) == 0 && c.integer(side.type) != 5)
+            c.fault(side.surface, "a part, a set, or type 5 for all parts");
 }
 
 void friction(Cards& cards, contact::ContactCard& contact) {
@@ -47,12 +38,39 @@ void friction(Cards& cards, contact::ContactCard& contact) {
     c.harmless("PENCHK");
 }
 
-void thickness(Cards& cards, contact::ContactCard& contact) {
+/// SAST or SBST; else SFSAT or SFSBT times the shells' own, which must be one for a card that holds
+/// one thickness a side.
+double side_thickness(Card& c, const Draft& draft, const std::vector<Index>& parts,
+                      const char* given, const char* scale) {
+    if (const double t = c.real(given, NON_NEGATIVE); t > 0.0) {
+        c.harmless(scale);  // of the shells' own
+        return t;
+    }
+    const double factor = c.real(scale, POSITIVE);
+    if (factor == 1.0 || !c.good()) return NaN;
+    double common = NaN;
+    for (const Index part : parts) {
+        const Part& p = draft.model.parts[static_cast<std::size_t>(part)];
+        const double t = std::isnan(p.contact_thickness) ? p.thickness : p.contact_thickness;
+        if (!std::isnan(common) && t != common)
+            c.fault(scale, "1, or parts of one thickness on this side");
+        common = t;
+    }
+    return factor * common;
+}
+
+void thickness(Cards& cards, const Draft& draft, contact::ContactCard& contact) {
     Card c = cards.next("SFSA=1 SFSB=1 SAST SBST SFSAT=1 SFSBT=1 FSF=1 VSF=1");
-    const double t = c.real("SAST", NON_NEGATIVE);
-    if (t > 0.0) contact.thickness = t;
-    c.noted("SFSA", ONE_METHOD);
-    c.harmless("SFSB SBST SFSBT VSF");
+    contact.thickness = side_thickness(c, draft, contact.parts, "SAST", "SFSAT");
+    if (contact.kind == Kind::SINGLE_SURFACE)
+        c.harmless("SBST SFSBT");
+    else
+        contact.other_thickness = side_thickness(c, draft, contact.other_parts, "SBST", "SFSBT");
+    c.noted("SFSA SFSB", ONE_METHOD);
+    c.harmless("VSF");                              // of viscous friction, which VC would ask for
+    const double factor = c.real("FSF", POSITIVE);  // on Coulomb's friction
+    contact.friction_static *= factor;
+    contact.friction_dynamic *= factor;
 }
 
 /// Cards A to G, each needed by those behind it.
@@ -76,8 +94,11 @@ void options(Cards& cards, const Draft& draft, contact::ContactCard& contact) {
 
 }  // namespace
 
-void contact_single_surface(Cards& cards, Draft& draft) {
+namespace {
+
+void read_contact(Cards& cards, Draft& draft, Kind kind) {
     contact::ContactCard contact;
+    contact.kind = kind;
     contact.id = static_cast<int>(draft.model.contacts.size()) + 1;
     if (cards.has("ID") || cards.has("TITLE")) {
         Card c = cards.next("CID TITLE:70");
@@ -90,12 +111,24 @@ void contact_single_surface(Cards& cards, Draft& draft) {
     }
     surfaces(cards, draft, contact);
     friction(cards, contact);
-    thickness(cards, contact);
+    thickness(cards, draft, contact);
     options(cards, draft, contact);
     for (const contact::ContactCard& other : draft.model.contacts)
         if (other.id == contact.id)
             cards.fault(fmt::format("has id {}, as another contact has", contact.id));
     draft.model.contacts.push_back(std::move(contact));
+}
+
+}  // namespace
+
+void contact_single_surface(Cards& cards, Draft& draft) {
+    read_contact(cards, draft, Kind::SINGLE_SURFACE);
+}
+void contact_surface_to_surface(Cards& cards, Draft& draft) {
+    read_contact(cards, draft, Kind::SURFACE_TO_SURFACE);
+}
+void contact_nodes_to_surface(Cards& cards, Draft& draft) {
+    read_contact(cards, draft, Kind::NODES_TO_SURFACE);
 }
 
 }  // namespace corpuscle::io::keywords

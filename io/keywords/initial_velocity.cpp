@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "io/keywords/keywords.hpp"
+#include "io/keywords/rigid_parts.hpp"
 
 namespace corpuscle::io::keywords {
 
@@ -15,12 +16,6 @@ Rows all_nodes(const Draft& draft) {
     Rows rows(draft.model.x.size());
     std::iota(rows.begin(), rows.end(), 0);
     return rows;
-}
-
-bool is_rigid(const Draft& draft, Index part) {
-    const Index material = draft.model.parts[static_cast<std::size_t>(part)].material;
-    return material >= 0 && std::holds_alternative<fabric::RigidCard>(
-                                draft.model.materials[static_cast<std::size_t>(material)].card);
 }
 
 void set_velocity(Draft& draft, const Rows& nodes, const Vec3& velocity) {
@@ -128,6 +123,10 @@ void generation(Cards& cards, Draft& draft) {
         m = movers(c, draft);
     }
     Card c = cards.next("XC YC ZC NX NY NZ PHASE IRIGID");
+    if (c.choice("IRIGID", {0, 1}) == 1)  // goes before the velocities of *PART_INERTIA
+        std::erase_if(draft.inertia_start, [&](const RigidVelocity& start) {
+            return std::find(m.parts.begin(), m.parts.end(), start.part) != m.parts.end();
+        });
     const Vec3 centre = c.vector("XC", "YC", "ZC");
     Vec3 axis = c.vector("NX", "NY", "NZ");
     if (axis.x() == -999.0) c.fault("NX", "a direction: axes by node numbers are not acted on yet");

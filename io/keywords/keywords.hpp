@@ -44,6 +44,11 @@ void element_shell(Cards&, Draft&);
 // parts_sections.cpp
 void part(Cards&, Draft&);
 void section_shell(Cards&, Draft&);
+// rigid_parts.cpp
+void section_solid(Cards&, Draft&);
+void element_solid(Cards&, Draft&);
+void extra_nodes_node(Cards&, Draft&);
+void extra_nodes_set(Cards&, Draft&);
 // materials.cpp, mat_fabric.cpp
 void mat_elastic(Cards&, Draft&);
 void mat_null(Cards&, Draft&);
@@ -92,9 +97,15 @@ void load_segment_set(Cards&, Draft&);
 void load_shell_element(Cards&, Draft&);
 void load_shell_set(Cards&, Draft&);
 void damping_global(Cards&, Draft&);
-// contact.cpp, walls.cpp
+// contact.cpp, walls.cpp, walls_geometric.cpp
 void contact_single_surface(Cards&, Draft&);
+void contact_surface_to_surface(Cards&, Draft&);
+void contact_nodes_to_surface(Cards&, Draft&);
 void rigidwall_planar(Cards&, Draft&);
+void rigidwall_flat(Cards&, Draft&);
+void rigidwall_sphere(Cards&, Draft&);
+void rigidwall_cylinder(Cards&, Draft&);
+void rigidwall_prism(Cards&, Draft&);
 // control_output.cpp
 void title(Cards&, Draft&);
 void control_termination(Cards&, Draft&);

@@ -5,18 +5,13 @@
 #include <cmath>
 
 #include "io/keywords/keywords.hpp"
+#include "io/keywords/rigid_parts.hpp"
 
 namespace corpuscle::io::keywords {
 
 namespace {
 
 const Vec3 AXES[] = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
-
-bool is_rigid(const Draft& draft, Index part) {
-    const Index material = draft.model.parts[static_cast<std::size_t>(part)].material;
-    return material >= 0 && std::holds_alternative<fabric::RigidCard>(
-                                draft.model.materials[static_cast<std::size_t>(material)].card);
-}
 
 /// DOF 1-3 x y z, 4 along VID, 5-7 about x y z, 8 about VID.
 void direction(Card& c, const Draft& draft, PrescribedMotion& motion, bool of_rigid_part) {

@@ -49,6 +49,8 @@ void element_shell(Cards& cards, Draft& draft) {
         Shell shell;
         shell.id = c.new_id(std::size_t{0}, draft.shells, shells.size());
         shell.part = c.row(std::size_t{1}, draft.parts);
+        if (shell.part >= 0 && draft.part_has_solids[static_cast<std::size_t>(shell.part)] != 0)
+            c.fault(std::size_t{1}, "a part with *SECTION_SHELL");
         for (std::size_t k = 0; k < 3; ++k) shell.nodes[k] = c.row(k + 2, draft.nodes);
         const bool is_triangle = c.raw(4) == c.raw(5);
         const Index fourth = is_triangle ? -1 : c.row_or_none("N4", draft.nodes);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/keywords/keywords.hpp"
+#include "io/keywords/rigid_parts.hpp"
 
 namespace corpuscle::io::keywords {
 
@@ -39,6 +40,7 @@ void section_shell(Cards& cards, Draft& draft) {
 void part(Cards& cards, Draft& draft) {
     while (cards.more()) {
         Part part;
+        const auto row = static_cast<Index>(draft.model.parts.size());
         part.title = cards.title();
         {
             Card c = cards.next("PID SECID MID EOSID HGID GRAV ADPOPT TMID");
@@ -46,14 +48,27 @@ void part(Cards& cards, Draft& draft) {
             const Index section = c.row("SECID", draft.sections);
             part.material = c.row("MID", draft.materials);
             c.harmless("EOSID HGID GRAV ADPOPT TMID");
+            bool has_solids = false;
             if (section >= 0) {
                 const Section& s = draft.section[static_cast<std::size_t>(section)];
                 part.thickness = s.thickness;
                 part.element_form = s.element_form;
+                has_solids = s.is_solid;
             }
+            draft.part_has_solids.push_back(has_solids ? 1 : 0);
+            draft.model.parts.push_back(part);
+            const bool rigid = is_rigid(draft, row);
+            if (part.material >= 0 && has_solids && !rigid)
+                c.fault("SECID", "a *SECTION_SHELL: solids are read for *MAT_RIGID only");
+            if (part.material >= 0 && cards.has("INERTIA") && !rigid)
+                c.fault("MID", "a *MAT_RIGID, for _INERTIA is of rigid parts");
         }
-        if (cards.has("CONTACT")) cards.next("FS FD DC VC OPTT SFT=1 SSF=1 CPARM8");
-        draft.model.parts.push_back(part);
+        if (cards.has("INERTIA")) part_inertia(cards, draft, row);
+        if (cards.has("CONTACT")) {
+            Card c = cards.next("FS FD DC VC OPTT SFT=1 SSF=1 CPARM8");
+            if (const double t = c.real("OPTT", NON_NEGATIVE); t > 0.0)
+                draft.model.parts.back().contact_thickness = t;
+        }
     }
 }
 

@@ -13,7 +13,10 @@ namespace {
 
 using P = Phase;
 
-constexpr std::string_view NAMED = "ID TITLE";
+constexpr std::string_view SHAPED = "MOTION DISPLAY ID TITLE";
+constexpr std::string_view SHAPED_LATER = "INTERIOR DEFORM";
+constexpr std::string_view CONTACTS = "ID TITLE MPP";
+constexpr std::string_view CONTACTS_LATER = "THERMAL FRICTION SMOOTH MORTAR ORTHO";
 constexpr std::string_view LISTS = "LIST COLUMN GENERATE INCREMENT TITLE";
 constexpr std::string_view LISTS_LATER = "SMOOTH COLLECT";
 
@@ -37,12 +40,14 @@ const Keyword KEYWORDS[] = {
     {"DEFINE_CURVE", "TITLE", "", P::GROUND, define_curve},
     {"DEFINE_VECTOR", "TITLE", "NODES", P::GROUND, define_vector},
     {"SECTION_SHELL", "TITLE", "MISC EFG XFEM THERMAL", P::GROUND, section_shell},
+    {"SECTION_SOLID", "TITLE", "EFG SPG MISC", P::GROUND, section_solid},
     {"MAT_ELASTIC MAT_001", "TITLE", "FLUID", P::MATERIAL, mat_elastic},
     {"MAT_NULL MAT_009", "TITLE", "", P::MATERIAL, mat_null},
     {"MAT_RIGID MAT_020", "TITLE", "DISCRETE", P::MATERIAL, mat_rigid},
     {"MAT_FABRIC MAT_034", "TITLE", "MAP", P::MATERIAL, mat_fabric},
-    {"PART", "CONTACT", "INERTIA PRINT ATTACHMENT REPOSITION AVERAGED COMPOSITE", P::PART, part},
+    {"PART", "CONTACT INERTIA", "PRINT ATTACHMENT REPOSITION AVERAGED COMPOSITE", P::PART, part},
     {"ELEMENT_SHELL", "", "THICKNESS BETA MCID OFFSET DOF COMPOSITE", P::SHELL, element_shell},
+    {"ELEMENT_SOLID", "", "ORTHO DOF TET4TOTET10 H20 H27 H64", P::SHELL, element_solid},
 
     {"SET_NODE", LISTS, LISTS_LATER, P::SET, set_node},
     {"SET_PART", LISTS, LISTS_LATER, P::SET, set_part},
@@ -69,6 +74,8 @@ const Keyword KEYWORDS[] = {
     {"BOUNDARY_PRESCRIBED_MOTION_NODE", "ID", "", P::SCENE, motion_node},
     {"BOUNDARY_PRESCRIBED_MOTION_SET", "ID", "BOX SEGMENT LINE", P::SCENE, motion_set},
     {"BOUNDARY_PRESCRIBED_MOTION_RIGID", "ID", "LOCAL", P::SCENE, motion_rigid},
+    {"CONSTRAINED_EXTRA_NODES_NODE", "", "", P::SCENE, extra_nodes_node},
+    {"CONSTRAINED_EXTRA_NODES_SET", "", "", P::SCENE, extra_nodes_set},
     {"INITIAL_VELOCITY", "", "", P::SCENE, initial_velocity},
     {"INITIAL_VELOCITY_NODE", "", "", P::SCENE, initial_velocity_node},
     {"INITIAL_VELOCITY_RIGID_BODY", "", "", P::SCENE, initial_velocity_rigid_body},
@@ -81,9 +88,18 @@ const Keyword KEYWORDS[] = {
     {"LOAD_SHELL_ELEMENT", "ID", "", P::SCENE, load_shell_element},
     {"LOAD_SHELL_SET", "ID", "", P::SCENE, load_shell_set},
     {"DAMPING_GLOBAL", "", "", P::SCENE, damping_global},
-    {"CONTACT_AIRBAG_SINGLE_SURFACE CONTACT_AUTOMATIC_SINGLE_SURFACE", "ID TITLE MPP",
-     "THERMAL FRICTION SMOOTH MORTAR ORTHO", P::SCENE, contact_single_surface},
-    {"RIGIDWALL_PLANAR", NAMED, "FINITE MOVING FORCES ORTHO DISPLAY", P::SCENE, rigidwall_planar},
+    {"CONTACT_AIRBAG_SINGLE_SURFACE CONTACT_AUTOMATIC_SINGLE_SURFACE", CONTACTS, CONTACTS_LATER,
+     P::SCENE, contact_single_surface},
+    {"CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", CONTACTS, CONTACTS_LATER, P::SCENE,
+     contact_surface_to_surface},
+    {"CONTACT_AUTOMATIC_NODES_TO_SURFACE", CONTACTS, CONTACTS_LATER, P::SCENE,
+     contact_nodes_to_surface},
+    {"RIGIDWALL_PLANAR", "FINITE MOVING FORCES DISPLAY ID TITLE", "ORTHO", P::SCENE,
+     rigidwall_planar},
+    {"RIGIDWALL_GEOMETRIC_FLAT", SHAPED, SHAPED_LATER, P::SCENE, rigidwall_flat},
+    {"RIGIDWALL_GEOMETRIC_SPHERE", SHAPED, SHAPED_LATER, P::SCENE, rigidwall_sphere},
+    {"RIGIDWALL_GEOMETRIC_CYLINDER", SHAPED, SHAPED_LATER, P::SCENE, rigidwall_cylinder},
+    {"RIGIDWALL_GEOMETRIC_PRISM", SHAPED, SHAPED_LATER, P::SCENE, rigidwall_prism},
 };
 
 /// Beginnings of what cannot change the answer here: output, other solvers, and numerics that have

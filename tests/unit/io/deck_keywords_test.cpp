@@ -237,25 +237,28 @@ TEST_CASE("loads, damping and walls", "[io]") {
     REQUIRE(model.walls.size() == 3);
     CHECK(model.walls[0].id == 4);
     CHECK(model.walls[0].title == "floor");
-    CHECK(model.walls[0].normal == Vec3::UnitZ());
-    CHECK(model.walls[0].point == Vec3(0, 0, -1));
+    const auto plane = [&](std::size_t i) {
+        return std::get<contact::HalfSpace>(model.walls[i].shape);
+    };
+    CHECK(plane(0).normal == Vec3::UnitZ());
+    CHECK(plane(0).point == Vec3(0, 0, -1));
     CHECK(model.walls[0].friction == 0.25);
     CHECK(model.walls[0].nodes.size() == 6);
     CHECK(model.walls[1].nodes == std::vector<Index>{2, 3, 4, 5});
-    CHECK(model.walls[1].normal == -Vec3::UnitX());
-    CHECK(model.walls[2].normal == Vec3::UnitY());
+    CHECK(plane(1).normal == -Vec3::UnitX());
+    CHECK(plane(2).normal == Vec3::UnitY());
     REQUIRE(model.pressure_loads.size() == 2);
     CHECK(model.pressure_loads[0].facets[0] == std::array<Index, 4>{0, 1, 2, 2});
     CHECK(model.pressure_loads[1].facets[0] == std::array<Index, 4>{1, 4, 5, 2});
 
     CHECK(folder.faults(small_deck("*DAMPING_GLOBAL\n0,25.0,1,0,1\n")).size() == 1);
     const auto faults =
-        folder.faults(small_deck("*RIGIDWALL_PLANAR_MOVING\n\n0,0,0,0,0,1\n1,2\n"
-                                 "*RIGIDWALL_GEOMETRIC_SPHERE\n\n"
+        folder.faults(small_deck("*RIGIDWALL_PLANAR_ORTHO\n\n0,0,0,0,0,1\n1,2\n"
+                                 "*RIGIDWALL_GEOMETRIC_ELLIPSOID\n\n"
                                  "*RIGIDWALL_PLANAR\n\n0,0,0,0,0,1,2.0\n"));
     REQUIRE(faults.size() == 3);
-    CHECK(contains(faults[0], "*RIGIDWALL_PLANAR_MOVING is not acted on yet"));
-    CHECK(contains(faults[1], "*RIGIDWALL_GEOMETRIC_SPHERE is not supported yet"));
+    CHECK(contains(faults[0], "*RIGIDWALL_PLANAR_ORTHO is not acted on yet"));
+    CHECK(contains(faults[1], "*RIGIDWALL_GEOMETRIC_ELLIPSOID is not supported"));
     CHECK(contains(faults[2], "(FRIC) = 2.0, expected 0 to 1"));
 }
 

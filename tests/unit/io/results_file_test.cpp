@@ -147,6 +147,10 @@ void expect_the_rest(Histories& h) {
     h.expect(body + "/force", [](const Sample& s) { return s.rigid_bodies[0].force; });
     h.expect("/history/rigidwall/31/force", [](const Sample& s) { return s.wall_force[0]; });
     h.expect("/history/rigidwall/32/force", [](const Sample& s) { return s.wall_force[1]; });
+    h.expect("/history/rigidwall/32/displacement",
+             [](const Sample& s) { return s.moving_walls[0].displacement; });
+    h.expect("/history/rigidwall/32/velocity",
+             [](const Sample& s) { return s.moving_walls[0].velocity; });
     h.expect("/history/contact/41/force", [](const Sample& s) { return s.contacts[0].force; });
     h.expect("/history/contact/41/energy", [](const Sample& s) { return s.contacts[0].energy; });
     h.expect("/history/node/102/coordinates",

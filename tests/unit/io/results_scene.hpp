@@ -43,6 +43,7 @@ inline RecordLayout layout() {
     l.parts = {10, 11, 12};
     l.rigid_bodies = {20};
     l.walls = {31, 32};
+    l.moving_walls = {32};
     l.contacts = {41};
     l.history_nodes = {102, 105};
     l.history_node_rows = {1, 4};
@@ -96,6 +97,8 @@ inline Sample sample(const RecordLayout& layout, std::size_t row) {
     for (std::size_t i = 0; i < layout.rigid_bodies.size(); ++i)
         s.rigid_bodies.push_back({c.next3(), c.next3(), c.next3(), c.next3()});
     for (std::size_t i = 0; i < layout.walls.size(); ++i) s.wall_force.push_back(c.next3());
+    for (std::size_t i = 0; i < layout.moving_walls.size(); ++i)
+        s.moving_walls.push_back({c.next3(), c.next3()});
     for (std::size_t i = 0; i < layout.contacts.size(); ++i)
         s.contacts.push_back({c.next3(), c.next()});
     for (std::size_t i = 0; i < layout.history_nodes.size(); ++i) {
