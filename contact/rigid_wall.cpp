@@ -16,17 +16,19 @@ RigidWall::RigidWall(const WallCard& card, const Curve* curve) : card_(card), cu
     touching_.reserve(card_.nodes.size());
 }
 
-void RigidWall::hold(const Points& x, std::span<const double> mass, double t, double dt,
-                     Points& v) {
+void RigidWall::hold(const Points& x, std::span<const double> mass, double t, double dt, Points& v,
+                     const WallBodies& bodies) {
     set_out(t, dt);
     stops_.clear();
     touching_.clear();
     Vec3 impulse = Vec3::Zero();
     if (t >= card_.birth && t <= card_.death) {
         if (is_behind_.size() != card_.nodes.size()) note_nodes_behind(x);
-        find_stops(x, dt, v);
+        find_stops(x, dt, v, bodies);
         slow_down(mass);
         stop(mass, v, impulse);
+        stop_bodies(x, dt, v, bodies, impulse);
+        if (!(card_.motion.mass > 0.0)) driving_work_ -= impulse.dot(velocity_);
     }
     force_ = impulse / dt;
     if (curve_ == nullptr) next_shift_ = shift_ + dt * velocity_;
@@ -90,9 +92,10 @@ std::optional<RigidWall::Plane> RigidWall::plane_before(std::size_t i, const Vec
     return Plane{in->normal, -in->share * in->normal.dot(way)};
 }
 
-void RigidWall::find_stops(const Points& x, double dt, const Points& v) {
+void RigidWall::find_stops(const Points& x, double dt, const Points& v, const WallBodies& bodies) {
     for (std::size_t i = 0; i < card_.nodes.size(); ++i) {
         const Index node = card_.nodes[i];
+        if (bodies.has(node)) continue;
         const auto plane = plane_before(i, x[node] - shift_, dt * (v[node] - velocity_));
         if (!plane) continue;
         const double spare = plane->normal.dot(v[node]) + plane->gap / dt;
@@ -141,7 +144,6 @@ void RigidWall::stop(std::span<const double> mass, Points& v, Vec3& impulse) {
         touching_.push_back(stop.node);
         now = after + velocity_;
     }
-    if (!(card_.motion.mass > 0.0)) driving_work_ -= impulse.dot(velocity_);
 }
 
 /// Velocity after friction, `stop` being the normal velocity that the wall took away.

@@ -7,10 +7,20 @@
 #include <span>
 #include <vector>
 
+#include "contact/movers.hpp"
 #include "contact/wall_card.hpp"
 #include "solver/base/curve.hpp"
 
 namespace corpuscle::contact {
+
+/// Rigid bodies that walls may meet.
+struct WallBodies {
+    std::span<const Index> of_node;  ///< by node row: number of its body, or -1; empty: no bodies
+    std::span<RigidMover> movers;    ///< by number
+
+    [[nodiscard]] bool has(Index node) const { return !of_node.empty() && of_node[node] >= 0; }
+    [[nodiscard]] RigidMover& of(Index node) const { return movers[of_node[node]]; }
+};
 
 /// *RIGIDWALL: a convex shape that nodes cannot enter, whatever their speed. The impact is
 /// perfectly plastic: a node that would come in during the step ahead arrives at the wall and has
@@ -30,8 +40,9 @@ public:
     /// Stops nodes, between the kick and the drift from t to t + dt, and moves the wall likewise.
     ///
     /// Nodes that are inside (behind a plane) when it is born are let alone until they have come
-    /// out.
-    void hold(const Points& x, std::span<const double> mass, double t, double dt, Points& v);
+    /// out. A node of a rigid body passes its impulse on to the body; v is then left to the body.
+    void hold(const Points& x, std::span<const double> mass, double t, double dt, Points& v,
+              const WallBodies& bodies = {});
 
     /// On the wall in the last step: impulse / dt.                                              [N]
     [[nodiscard]] const Vec3& force() const { return force_; }
@@ -41,6 +52,8 @@ public:
     [[nodiscard]] double friction_energy() const { return friction_energy_; }  ///< so far      [J]
     /// Done so far on nodes by a wall whose motion is given.                                    [J]
     [[nodiscard]] double driving_work() const { return driving_work_; }
+    /// Done so far by what holds or drives bodies that it pushed.                             [J]
+    [[nodiscard]] double held_work() const { return held_work_; }
     [[nodiscard]] double kinetic_energy() const;  ///< of its mass                              [J]
 
     [[nodiscard]] bool moves() const { return !card_.motion.direction.isZero(0.0); }
@@ -57,6 +70,13 @@ private:
         Vec3 normal;
         double spare;  ///< n·v + gap / dt: the wall's speed at which it is just not stopped
     };
+    struct Bump {  ///< of a body's node
+        Index node;
+        Vec3 normal;
+        double gap_rate;             ///< gap / dt                                       [m/s]
+        double taken = 0.0;          ///< along the normal                               [N s]
+        Vec3 rubbed = Vec3::Zero();  ///< by friction                                    [N s]
+    };
     struct Plane {
         Vec3 normal;
         double gap;  ///< from the node to it [m]
@@ -66,9 +86,12 @@ private:
     void note_nodes_behind(const Points& x);
     [[nodiscard]] bool passes(std::size_t i, const Vec3& at, double gap);
     [[nodiscard]] std::optional<Plane> plane_before(std::size_t i, const Vec3& at, const Vec3& way);
-    void find_stops(const Points& x, double dt, const Points& v);
+    void find_stops(const Points& x, double dt, const Points& v, const WallBodies& bodies);
     void slow_down(std::span<const double> mass);
     void stop(std::span<const double> mass, Points& v, Vec3& impulse);
+    double find_bumps(const Points& x, double dt, const Points& v, const WallBodies& bodies);
+    void stop_bodies(const Points& x, double dt, const Points& v, const WallBodies& bodies,
+                     Vec3& impulse);
     [[nodiscard]] Vec3 rubbed(const Vec3& v, const Vec3& normal, double stop) const;
 
     WallCard card_;
@@ -78,9 +101,10 @@ private:
     std::vector<std::uint8_t> is_behind_;  ///< by row in card_.nodes; empty before birth
     Points last_;                          ///< of a plate: where the nodes were, seen from it  [m]
     std::vector<Stop> stops_;
+    std::vector<Bump> bumps_;
     std::vector<Index> touching_;
     Vec3 force_ = Vec3::Zero();
-    double stopping_energy_ = 0.0, friction_energy_ = 0.0, driving_work_ = 0.0;
+    double stopping_energy_ = 0.0, friction_energy_ = 0.0, driving_work_ = 0.0, held_work_ = 0.0;
 };
 
 }  // namespace corpuscle::contact

@@ -206,6 +206,10 @@ void Simulation::build_bodies() {
         }
     if (!faults.empty()) throw InputError(std::move(faults));
     movers_.resize(bodies_.size());
+    if (bodies_.empty()) return;
+    body_of_node_.assign(nodes_.size(), -1);
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        for (const Index n : bodies_[b].nodes()) body_of_node_[n] = static_cast<Index>(b);
 }
 
 /// 1 for nodes that supports, motions or rigid bodies carry in every direction.
@@ -279,13 +283,15 @@ void Simulation::build_walls() {
     const std::vector<std::uint8_t> held = held_nodes();
     for (contact::WallCard card : model_.walls) {
         const std::size_t listed = card.nodes.size();
-        std::erase_if(card.nodes, [&](Index n) { return held[n]; });
+        const auto has_body = [&](Index n) {
+            return !body_of_node_.empty() && body_of_node_[n] >= 0;
+        };
+        std::erase_if(card.nodes, [&](Index n) { return held[n] && !has_body(n); });
         if (card.nodes.size() < listed)
             model_.warnings.push_back(
-                fmt::format("*RIGIDWALL {}: {} of its nodes are held or belong to rigid "
-                            "bodies and pass it freely",
-                            card.id, listed - card.nodes.size()));
-        std::erase_if(card.nodes, [&](Index n) { return !(nodes_.mass[n] > 0.0); });
+                fmt::format("*RIGIDWALL {}: {} of its nodes are held and pass it freely", card.id,
+                            listed - card.nodes.size()));
+        std::erase_if(card.nodes, [&](Index n) { return !(nodes_.mass[n] > 0.0) && !has_body(n); });
         const Index curve = card.motion.curve;
         walls_.emplace_back(card, curve >= 0 ? &model_.curves[curve] : nullptr);
     }

@@ -123,13 +123,14 @@ private:
     std::vector<Index> contact_shell_;               ///< of its triangles: rows of their shells
     std::vector<contact::RigidWall> walls_;
     std::vector<RigidBody> bodies_;
+    std::vector<Index> body_of_node_;          ///< N: row in bodies_ or -1; empty without bodies
     std::vector<contact::RigidMover> movers_;  ///< the same as contact sees them
     Constraints supports_;
     Loads loads_;
 
-    Points v_before_;  ///< v(t - dt/2)                                [m/s]
-    Points v_kicked_;  ///< before obstacles, if there are any         [m/s]
-    Points v_mid_;     ///< mean of v before and after this step's kick   [m/s]
+    Points v_before_;                     ///< v(t - dt/2)                                [m/s]
+    Points v_kicked_;                     ///< before obstacles, if there are any         [m/s]
+    Points v_mid_;                        ///< mean of v before and after this step's kick   [m/s]
     std::vector<std::uint8_t> touching_;  ///< N: nodes in contact, if a bag asks for it
     ForceShare load_force_, damping_force_, contact_force_;
     Ledger ledger_;

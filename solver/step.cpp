@@ -125,10 +125,11 @@ void Simulation::stop_at_obstacles(double dt) {
     if (may_stop) v_kicked_ = nodes_.v;
     const double kinetic = kinetic_energy();
     for (contact::RigidWall& wall : walls_) {
-        const double driven = wall.driving_work();
-        wall.hold(nodes_.x, nodes_.mass, clock_.t, dt, nodes_.v);
-        ledger_.after.external += wall.driving_work() - driven;
-        ledger_.after.contact += wall.driving_work() - driven;
+        const double by_others = wall.driving_work() + wall.held_work();
+        wall.hold(nodes_.x, nodes_.mass, clock_.t, dt, nodes_.v, {body_of_node_, movers_});
+        const double work = wall.driving_work() + wall.held_work() - by_others;
+        ledger_.after.external += work;
+        ledger_.after.contact += work;
     }
     for (contact::SurfaceContact& contact : contacts_) {
         const double by_held = contact.held_work();
