@@ -165,8 +165,8 @@ TEST_CASE("wedges, pyramids and tetrahedra fill a brick as well", "[io]") {
     const Model model = read(SOLID_PART + BRICK_NODES +
                              "*ELEMENT_SOLID\n"
                              "1,50,102,101,105,106,104,104,108,108\n"
-                             "2,50,103,102,106,107,104,104,104,104\n"
-                             "3,50,104,106,107,108,108,108,108,108\n");
+                             "2,50,102,104,108,106,107,107,107,107\n"
+                             "3,50,102,103,104,107,107,107,107,107\n");
     check_closed(model, 2, 24.0);
     const RigidInertia& body = model.rigid_inertia.at(0);
     CHECK(body.mass == Approx(48.0));
