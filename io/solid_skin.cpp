@@ -28,8 +28,9 @@ void add_face(Facets& faces, const std::array<Index, 4>& corners) {
     faces.push_back({left[0], left[1], left[2], left.size() == 4 ? left[3] : left[2]});
 }
 
-/// The nodes of a face by themselves, the same from both sides.
+/// The nodes of a face by themselves, the same from both sides and whichever a triangle repeats.
 std::array<Index, 4> key_of(Facet face) {
+    if (face[2] == face[3]) face[3] = -1;
     std::sort(face.begin(), face.end());
     return face;
 }
