@@ -11,7 +11,7 @@
 
 namespace corpuscle {
 
-/// Of nodes, rigid bodies and walls of mass, at the half step that velocities live at.                   [J]
+/// Of nodes, rigid bodies and walls of mass, at the half step that velocities live at. [J]
 double Simulation::kinetic_energy() const {
     double all = nodes_.kinetic_energy();
     for (const RigidBody& body : bodies_) all += body.kinetic_energy();
