@@ -55,11 +55,17 @@ struct InitialAirCard {
     std::size_t particles = 0;  ///< NPAIR, beside NP; 0: a share of NP
 };
 
-/// Rough fabric: what a bounce takes from the velocity along it.
-struct WallFriction {
-    double factor = 0.0;  ///< FRIC: v_t' = (1 - factor) v_t, beside the fabric         [-]
-    bool pushes_along =
-        true;  ///< IDFRIC = 0: the fabric feels it; 1: it feels only the normal part
+/// Rough fabric: FRIC of card 1, or PFRIC of an NPDATA row.
+struct FrictionCard {
+    std::vector<Index> parts;  ///< part rows; none: all that no other card names
+    double factor = 0.0;       ///< WallFriction::factor                                   [-]
+    Index curve = -1;          ///< in its place: over the part's absolute pressure
+};
+
+/// A closed room of a bag, *DEFINE_CPM_CHAMBER.
+struct ChamberCard {
+    int id = 0;                ///< CHM_ID
+    std::vector<Index> parts;  ///< part rows whose shells close it
 };
 
 /// One *AIRBAG_PARTICLE.
@@ -86,8 +92,11 @@ struct BagCard {
     double mean_free_path = NaN;              ///< of that model; NaN: its default        [m]
     std::vector<VentCard> vents;              ///< NVENT cards
     std::vector<HeatCard> heat;               ///< HCONV of NPDATA cards
+    std::vector<ChamberCard> chambers;        ///< CHM
     BlockCard block;                          ///< BLOCK
-    WallFriction friction;                    ///< FRIC, IDFRIC
+    std::vector<FrictionCard> friction;       ///< FRIC and PFRIC that are not 0
+    bool friction_pushes_along = true;        ///< IDFRIC = 0
+    double normal_damping = 0.0;              ///< VNDAMP                                 [-]
     double smoothing = 1.0;  ///< SFFDC, scales the time over which impulse is released [-]
 };
 

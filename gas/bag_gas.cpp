@@ -84,6 +84,7 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
     : card_(card),
       walls_(std::move(walls)),
       enclosure_(closing(walls_), x, node_id, name_of(card)),
+      chambers_(card.chambers, walls_, enclosure_, node_id, x, name_of(card)),
       inflators_(card, curves, seed, enclosure_.volume(x)),
       mass_(particle_masses(inflators_)),
       lists_(turned(enclosure_, walls_), x),
@@ -94,9 +95,13 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
       collider_(collider_of(card, inflators_, seed)),
       openings_(card, walls_, curves, inflators_.species(), mass_, x, seed),
       heat_loss_(card, walls_, curves),
+      roughness_(card, walls_, curves,
+                 ImpulseStore::PATIENCE * RELEASE_TIME * card.second * card.smoothing),
       area_(x.size(), Vec3::Zero()),
       part_impulse_(walls_.part_ids.size(), 0.0),
-      triangle_impulse_(walls_.triangles.size(), 0.0) {
+      triangle_impulse_(walls_.triangles.size(), 0.0),
+      part_air_(std::max<std::size_t>(1, chambers_.size()), 0.0),
+      triangle_air_(part_air_) {
     volume_ = enclosure_.volume(x);
     if (!(volume_ > 0.0))
         throw InputError(name_of(card) +
@@ -115,6 +120,10 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
             faults.push_back(
                 fmt::format("{}: orifice {} at ({:g}, {:g}, {:g}) lies outside the bag",
                             name_of(card), o + 1, at[0], at[1], at[2]));
+    if (!chambers_.empty() && !card.heat.empty() && card.switch_at < card.all_in)
+        faults.push_back(name_of(card) +
+                         ": HCONV of a bag with chambers (CHM) that goes over to uniform pressure "
+                         "(TSW), expected one of the three to be left out");
     if (!faults.empty()) throw InputError(std::move(faults));
 
     facet_size_ = std::sqrt(2.0 * enclosure_.area(x) / static_cast<double>(walls_.closing));
@@ -150,8 +159,9 @@ void BagGas::add_load(const Points& x, double span, Points& f) {
     volume_ = enclosure_.volume(x);
     enclosure_.node_areas(x, area_);
     store_.release(span, area_, f);
-    if (uniform_) settle(*uniform_, volume_);
-    const double gauge = air_pressure() - card_.p_atm;
+    if (uniform_) settle(x);
+    if (uniform_) uniform_->add_force(f);
+    const double gauge = (uniform_ ? 0.0 : air_pressure()) - card_.p_atm;
     for (const Index n : enclosure_.nodes()) f[n] += gauge * area_[n];
 }
 
@@ -162,10 +172,9 @@ void BagGas::book_load(const Points& v_mid, double span) {
                              return area_[nodes[i]].dot(v_mid[nodes[i]]);
                          });
     ambient_work_ += card_.p_atm * swept;
-    part_air_ += air_pressure() * span;
-    triangle_air_ += (air_pressure() - card_.p_atm) * span;
+    note_air(span);
     if (uniform_)
-        uniform_->add_heat(-uniform_work(v_mid, span));
+        uniform_->work(v_mid, span);
     else if (air_)
         air_->add(-air_pressure() * swept);
 }
@@ -174,7 +183,10 @@ void BagGas::book_load(const Points& v_mid, double span) {
 // -------------------------------------------------------------------------------
 
 void BagGas::prepare(double dt, const Points& x_0, const Points& x_1) {
-    if (uniform_ || lists_.hold_for(x_1)) return;
+    if (uniform_) return;
+    if (card_.normal_damping > 0.0)
+        store_.feel_motion(x_0, x_1, dt, area_, card_.normal_damping / speed_);
+    if (lists_.hold_for(x_1)) return;
     build(lists_, FLIGHT_CELL * facet_size_, REACH * speed_ * dt, x_0, x_1);
 }
 
@@ -195,7 +207,7 @@ void BagGas::build(FacetLists& lists, double edge, double reach, const Points& x
 
 void BagGas::inject(double t, double dt, const Points& x_0, const Points& x_1) {
     time_ = t + dt;
-    if (uniform_) return flow_uniform(t, dt, x_0);
+    if (uniform_) return flow_uniform(t, dt, x_0, x_1);
     entries_.clear();
     born_.clear();
     if (const int passed = orifices_.passed_by_fabric(lists_, x_0, x_1); passed >= 0) {
@@ -237,9 +249,10 @@ void BagGas::fly(double t, double dt, const Points& x_0, const Points& x_1) {
     if (loses && (collisions_ != looked_at_ || collisions_ == 0)) look_inside(x_0);
     if (!openings_.empty()) openings_.set_gates(t, dt, x_0, inside_);
     gas::fly(lists_, x_0, x_1, dt, mass_, born_, particles_, flight_, openings_.gates(),
-             card_.friction);
+             roughness_.now());
     flights_ += particles_.size();
     store_.receive(flight_, lists_.triangles());
+    roughness_.receive(flight_, dt, air_pressure(), x_1);
     record_hits(x_1);
     gone_.clear();
     if (!flight_.lost.empty()) book_lost(t);

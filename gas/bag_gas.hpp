@@ -9,8 +9,8 @@
 
 #include "gas/bag.hpp"
 #include "gas/cell_grid.hpp"
+#include "gas/chambers.hpp"
 #include "gas/collide.hpp"
-#include "gas/control_volume.hpp"
 #include "gas/enclosure.hpp"
 #include "gas/facet_lists.hpp"
 #include "gas/flight.hpp"
@@ -21,7 +21,9 @@
 #include "gas/openings.hpp"
 #include "gas/orifices.hpp"
 #include "gas/particles.hpp"
+#include "gas/roughness.hpp"
 #include "gas/species.hpp"
+#include "gas/uniform_gas.hpp"
 #include "solver/base/curve.hpp"
 
 namespace corpuscle::gas {
@@ -37,6 +39,11 @@ struct GasState {
         double mass = 0, temperature = 0, energy = 0;
     };
     std::vector<Share> species;  ///< initial air first, if any
+};
+
+/// The gas in one chamber of a bag.
+struct ChamberState {
+    double volume = 0, pressure = 0, temperature = 0, mass = 0, energy = 0;
 };
 
 /// What the gas does to each part.
@@ -62,13 +69,16 @@ public:
 
     /// All that the gas and the atmosphere do to a node at t.                                 [N]
     [[nodiscard]] Vec3 force(Index node) const {
-        return store_.force(node) + (air_pressure() - card_.p_atm) * area_[node];
+        const Vec3 push = store_.force(node) - card_.p_atm * area_[node];
+        return uniform_ ? Vec3(push + uniform_->force(node))
+                        : Vec3(push + air_pressure() * area_[node]);
     }
 
     /// Does contact close holes of this bag?
     [[nodiscard]] bool asks_for_contact() const { return card_.block.any() && !openings_.empty(); }
-    /// Nodes that touch something now, N: takes effect in the next flight.
-    void set_touching(std::span<const std::uint8_t> nodes) { openings_.block(nodes); }
+    /// Nodes that touch something now, and what contact does to them, N × 3 [N]: takes effect in
+    /// the next flight (bag_touch.cpp).
+    void set_touching(std::span<const std::uint8_t> nodes, std::span<const Vec3> force);
 
     void prepare(double dt, const Points& x_0, const Points& x_1);  ///< facet lists for the step
     void inject(double t, double dt, const Points& x_0, const Points& x_1);
@@ -85,6 +95,8 @@ public:
     [[nodiscard]] double stable_step() const;
 
     [[nodiscard]] GasState state(const Points& x) const;
+    /// Of each chamber, in the order of the cards (bag_chambers.cpp).
+    [[nodiscard]] std::vector<ChamberState> chamber_states(const Points& x) const;
     [[nodiscard]] double energy() const;  ///< particles and initial air         [J]
     [[nodiscard]] double inflow_energy() const { return inflow_energy_; }
     [[nodiscard]] double lost_energy() const { return lost_energy_; }
@@ -109,6 +121,7 @@ public:
     [[nodiscard]] const BagCard& card() const { return card_; }
     [[nodiscard]] const BagWalls& walls() const { return walls_; }
     [[nodiscard]] const Enclosure& enclosure() const { return enclosure_; }
+    [[nodiscard]] const Chambers& chambers() const { return chambers_; }
     [[nodiscard]] const Openings& openings() const { return openings_; }
     [[nodiscard]] const Particles& particles() const { return particles_; }
     [[nodiscard]] std::span<const double> particle_mass() const { return mass_; }
@@ -156,21 +169,32 @@ private:
     void book_lost(double t);
     /// Pressure that does not come from particles: that of the initial air, or after TSW of all.
     [[nodiscard]] double air_pressure() const {
-        if (uniform_) return uniform_->pressure();
+        if (uniform_) return uniform_->pressure();  // chambers: their mean by volume
         return air_ ? air_->pressure(volume_) : 0.0;
     }
 
     // After TSW (bag_uniform.cpp)
-    void settle(ControlVolume& gas, double volume) const;
-    void flow_uniform(double t, double dt, const Points& x);
+    void sum_up(const Points& x, std::vector<UniformGas::Room>& rooms) const;
+    void settle(const Points& x);
+    void flow_uniform(double t, double dt, const Points& x, const Points& x_1);
+    void thrust(std::size_t inflow, double mass, double t, double dt, const Points& x_0,
+                const Points& x_1);
     void let_out_uniform(double t, double dt, const Points& x);
-    [[nodiscard]] double uniform_work(const Points& v_mid, double span) const;
+    [[nodiscard]] std::vector<Index> rooms_of(std::span<const Vec3> points, const Points& x) const;
+    [[nodiscard]] Inside inside_of(std::size_t room) const;
+    void let_out_of_room(std::size_t room, double dt);
+    void pass_between_rooms(double t, double dt);
+    [[nodiscard]] Index room_of(std::size_t opening) const;
+    /// Pressure that no particles bring, on a facet's inside; and that across an internal one.
+    [[nodiscard]] double air_on(std::size_t facet, std::span<const double> of_room) const;
+    void note_air(double span);
     [[nodiscard]] GasState uniform_state(const Points& x) const;
     [[nodiscard]] double energy_of(std::int32_t species) const;
 
     BagCard card_;
     BagWalls walls_;
     Enclosure enclosure_;
+    Chambers chambers_;
     Inflators inflators_;
     std::vector<double> mass_;  ///< of one particle of each gas                 [kg]
     std::optional<InitialAir> air_;
@@ -189,7 +213,9 @@ private:
     std::vector<std::size_t> gone_;  ///< rows that left in this step
     Openings openings_;
     HeatLoss heat_loss_;
-    Inside inside_;  ///< at collision step looked_at_
+    Roughness roughness_;
+    std::vector<std::uint8_t> pressed_;  ///< N: nodes that contact presses harder than the gas
+    Inside inside_;                      ///< at collision step looked_at_
     std::uint64_t looked_at_ = 0;
     double owed_to_outflow_ = 0.0;           ///< by the gas inside: enthalpy and heat         [J]
     Points area_;                            ///< N × 3, node areas at t                      [m^2]
@@ -202,11 +228,13 @@ private:
     std::size_t counted_ = 0;       ///< particles that held it
     std::size_t unrelaxed_ = 0;     ///< groups whose energy belonged to no temperature
 
-    std::optional<ControlVolume> uniform_;  ///< after TSW; the initial air is its last species
+    std::optional<UniformGas> uniform_;  ///< after TSW; the initial air is its last species
+    std::vector<Index> orifice_room_;    ///< of each orifice, then
+    std::vector<Inside> room_inside_;    ///< of each room, in this step
     double time_ = 0.0;  ///< to which gas has come in                              [s]
 
     std::vector<double> part_impulse_, triangle_impulse_;  ///< since the last look   [N s]
-    double part_air_ = 0.0, triangle_air_ = 0.0;           ///< integral of air pressure [Pa s]
+    std::vector<double> part_air_, triangle_air_;  ///< by room, integral of air pressure [Pa s]
 
     double taken_ = 0.0, given_ = 0.0;  ///< smoothing account                           [J]
     double ambient_work_ = 0.0, inflow_energy_ = 0.0, lost_energy_ = 0.0;  ///<           [J]

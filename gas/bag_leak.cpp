@@ -70,25 +70,6 @@ void BagGas::cool(double t, double dt, const Points& x) {
     if (air_ && particles_.size() == 0) air_->add(pay_outflow(air_->energy()));
 }
 
-/// After TSW gas leaves as a mixture, with its enthalpy.
-void BagGas::let_out_uniform(double t, double dt, const Points& x) {
-    look_inside(x);
-    openings_.set_gates(t, dt, x, inside_);
-    if (const Openings::Air all = openings_.air_leaving(dt); all.mass > 0.0) {
-        const double mass = -uniform_->mass() * std::expm1(-all.mass / uniform_->mass());
-        lost_energy_ += uniform_->remove(mass);
-        openings_.book_air(mass);
-    }
-    if (const double mass = openings_.intake() * dt; mass > 0.0) {
-        const double energy = mass * air_->species().h(card_.T_atm);
-        uniform_->add(mass_.size(), mass / air_->species().molar_mass(), energy);
-        inflow_energy_ += energy;
-        mass_in_ += mass;
-    }
-    owed_to_outflow_ += heat_loss_.lose(t, dt, x, inside_);
-    uniform_->add_heat(pay_outflow(INF));
-}
-
 /// What has left owes, enthalpy that it did not take along and heat: the gas that stays pays, but
 /// no more than `left`. Returns what that is to it.
 double BagGas::pay_outflow(double left) {

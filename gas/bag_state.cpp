@@ -79,20 +79,21 @@ PartState BagGas::part_state(const Points& x, double since) {
                     std::vector<double>(part_impulse_.size(), 0.0),
                     {openings_.part_mass_out().begin(), openings_.part_mass_out().end()},
                     {heat_loss_.part_heat().begin(), heat_loss_.part_heat().end()}};
-    std::vector<char> closes(part_impulse_.size(), 0);
+    if (since == 0.0) part_air_.assign(part_air_.size(), air_pressure());
+    const double time = since > 0.0 ? since : 1.0;
+    std::vector<double> air(part_impulse_.size(), 0.0);
     for (std::size_t t = 0; t < walls_.triangles.size(); ++t) {
         const auto& [a, b, c] = walls_.triangles[t];
-        parts.area[walls_.part[t]] += vector_area(x[a], x[b], x[c]).norm();
-        closes[walls_.part[t]] = t < walls_.closing;
+        const double size = vector_area(x[a], x[b], x[c]).norm();
+        parts.area[walls_.part[t]] += size;
+        air[walls_.part[t]] += size * air_on(t, part_air_) / time;
     }
     for (std::size_t p = 0; p < parts.area.size(); ++p) {
-        // The initial air presses on both sides of an internal part.
-        const double air = closes[p] ? (since > 0.0 ? part_air_ / since : air_pressure()) : 0.0;
-        const double particles = since > 0.0 ? part_impulse_[p] / (parts.area[p] * since) : 0.0;
-        parts.pressure[p] = air + particles;
+        const double particles = since > 0.0 ? part_impulse_[p] / since : 0.0;
+        parts.pressure[p] = (air[p] + particles) / parts.area[p];
         part_impulse_[p] = 0.0;
     }
-    part_air_ = 0.0;
+    std::fill(part_air_.begin(), part_air_.end(), 0.0);
     return parts;
 }
 
@@ -111,17 +112,19 @@ double BagGas::mass_rate_out(double since) {
 
 void BagGas::add_shell_load(const Points& x, double since, std::span<double> force,
                             std::span<double> area) {
-    const double gauge = since > 0.0 ? triangle_air_ / since : air_pressure() - card_.p_atm;
+    if (since == 0.0) triangle_air_.assign(triangle_air_.size(), air_pressure());
+    const double time = since > 0.0 ? since : 1.0;
     for (std::size_t t = 0; t < walls_.triangles.size(); ++t) {
         const auto& [a, b, c] = walls_.triangles[t];
         const double size = vector_area(x[a], x[b], x[c]).norm();
         const Index shell = walls_.shell[t];
         area[shell] += size;
-        if (t < walls_.closing) force[shell] += gauge * size;
+        force[shell] += air_on(t, triangle_air_) / time * size;
+        if (t < walls_.closing) force[shell] -= card_.p_atm * size;
         if (since > 0.0) force[shell] += triangle_impulse_[t] / since;
         triangle_impulse_[t] = 0.0;
     }
-    triangle_air_ = 0.0;
+    std::fill(triangle_air_.begin(), triangle_air_.end(), 0.0);
 }
 
 double BagGas::expected_share_in(double end_time) const {

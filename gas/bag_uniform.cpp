@@ -24,41 +24,77 @@ void BagGas::become_uniform(const Points& x) {
     std::vector<Species> kinds = inflators_.species();
     if (air_) kinds.push_back(air_->species());
     if (kinds.empty()) return;
-    ControlVolume all(std::move(kinds));
-    for (std::size_t s = 0; s < mass_.size(); ++s) {
-        const auto kind = static_cast<std::int32_t>(s);
-        const auto count = static_cast<double>(
-            std::count(particles_.species.begin(), particles_.species.end(), kind));
-        all.add(s, count * inflators_.moles_each(), energy_of(kind));
-    }
-    if (air_) all.add(mass_.size(), air_->moles(), air_->energy());
-    settle(all, enclosure_.volume(x));
+    std::vector<UniformGas::Room> rooms;
+    for (std::size_t r = 0; r < std::max<std::size_t>(1, chambers_.size()); ++r)
+        rooms.push_back(
+            {chambers_.empty() ? enclosure_ : chambers_.surface(r), ControlVolume(kinds)});
+    sum_up(x, rooms);
     store_.end_of_hits();
-    uniform_ = std::move(all);
+    uniform_.emplace(std::move(rooms), x.size());
+    settle(x);
+    std::vector<Vec3> nozzles;
+    for (std::size_t o = 0; o < orifices_.size(); ++o) nozzles.push_back(orifices_.place(o, x));
+    orifice_room_ = rooms_of(nozzles, x);
     for (std::size_t i = 0; i < particles_.size(); ++i) {
         particles_.e[i] += 0.5 * mass_[particles_.species[i]] * particles_.v[i].squaredNorm();
         particles_.v[i].setZero();
     }
 }
 
-void BagGas::settle(ControlVolume& gas, double volume) const {
-    if (!gas.settle(volume))
+/// Puts what each room's particles hold, and its share of the initial air, into the room.
+void BagGas::sum_up(const Points& x, std::vector<UniformGas::Room>& rooms) const {
+    const std::vector<Index> room = rooms_of(particles_.x, x);
+    const std::size_t kinds = mass_.size();
+    std::vector<double> count(rooms.size() * kinds, 0.0), energy(rooms.size() * kinds, 0.0);
+    for (std::size_t i = 0; i < room.size(); ++i) {
+        const std::int32_t s = particles_.species[i];
+        const std::size_t row =
+            static_cast<std::size_t>(room[i]) * kinds + static_cast<std::size_t>(s);
+        count[row] += 1.0;
+        energy[row] += 0.5 * mass_[s] * particles_.v[i].squaredNorm() + particles_.e[i];
+    }
+    const double volume = enclosure_.volume(x);
+    for (std::size_t r = 0; r < rooms.size(); ++r) {
+        ControlVolume& gas = rooms[r].gas;
+        for (std::size_t s = 0; s < kinds; ++s)
+            gas.add(s, count[r * kinds + s] * inflators_.moles_each(), energy[r * kinds + s]);
+        const double share = rooms[r].surface.volume(x) / volume;
+        if (air_) gas.add(kinds, share * air_->moles(), share * air_->energy());
+    }
+}
+
+void BagGas::settle(const Points& x) {
+    if (uniform_->settle(x)) return;
+    for (std::size_t r = 0; r < uniform_->size(); ++r) {
+        const ControlVolume& gas = (*uniform_)[r];
+        if (gas.volume() > 0.0 && gas.temperature() >= 0.0 && gas.pressure() < INF) continue;
         throw PhysicsError(
             time_,
-            fmt::format("*AIRBAG_PARTICLE {}: at uniform pressure the volume is {:g} and the gas "
-                        "holds {:g} of energy",
-                        card_.id, volume, gas.energy()));
+            fmt::format("*AIRBAG_PARTICLE {}{}: at uniform pressure the volume is {:g} and "
+                        "the gas holds {:g} of energy",
+                        card_.id,
+                        chambers_.empty() ? std::string()
+                                          : fmt::format(", chamber {}", card_.chambers[r].id),
+                        gas.volume(), gas.energy()));
+    }
 }
 
 /// Gas flows in by its curve; the smoothing account is paid back as fast as impulse is released.
-void BagGas::flow_uniform(double t, double dt, const Points& x) {
+void BagGas::flow_uniform(double t, double dt, const Points& x, const Points& x_1) {
+    orifices_.axes(x, axes_);
     for (std::size_t s = 0; s < inflators_.inflows(); ++s) {
         const double mass = inflators_.mass_until(s, t + dt) - inflators_.mass_until(s, t);
         if (!(mass > 0.0)) continue;
         const double energy = mass * inflators_.enthalpy(s, t + 0.5 * dt);
-        uniform_->add(s, mass / inflators_.species()[s].molar_mass(), energy);
+        const double moles = mass / inflators_.species()[s].molar_mass();
+        for (std::size_t o = 0; o < orifices_.size(); ++o) {
+            const double share = inflators_.share(s, o);
+            (*uniform_)[static_cast<std::size_t>(orifice_room_[o])].add(s, share * moles,
+                                                                        share * energy);
+        }
         inflow_energy_ += energy;
         mass_in_ += mass;
+        thrust(s, mass, t + 0.5 * dt, dt, x, x_1);
     }
     const double heat = -std::expm1(-dt / store_.time()) * (taken_ - given_);
     uniform_->add_heat(heat);
@@ -66,11 +102,16 @@ void BagGas::flow_uniform(double t, double dt, const Points& x) {
     if (!openings_.empty() || !heat_loss_.empty()) let_out_uniform(t, dt, x);
 }
 
-double BagGas::uniform_work(const Points& v_mid, double span) const {
-    const auto nodes = enclosure_.nodes();
-    return air_pressure() * span * parallel::sum(nodes.size(), 0.0, [&](std::size_t i) {
-               return area_[nodes[i]].dot(v_mid[nodes[i]]);
-           });
+/// The jets of what an inflow brings push their nodes (IMOM = 1) as they do with particles; the gas
+/// at uniform pressure takes nothing of their momentum on.
+void BagGas::thrust(std::size_t inflow, double mass, double t, double dt, const Points& x_0,
+                    const Points& x_1) {
+    for (std::size_t o = 0; o < orifices_.size(); ++o) {
+        const double share = inflators_.share(inflow, o);
+        if (share == 0.0 || orifices_.pushed(o).empty()) continue;
+        const Vec3 moving = (orifices_.place(o, x_1) - orifices_.place(o, x_0)) / dt;
+        push_back(o, share * mass * inflators_.jet(inflow, o, t, axes_[o]), moving);
+    }
 }
 
 GasState BagGas::uniform_state(const Points& x) const {
@@ -88,8 +129,12 @@ GasState BagGas::uniform_state(const Points& x) const {
     now.translational = 1.5 * now.pressure * now.volume;
     const auto include = [&](std::size_t s) {
         const double T = now.temperature;
-        now.species.push_back({uniform_->mass(s), uniform_->moles(s) > 0.0 ? T : 0.0,
-                               uniform_->moles(s) * uniform_->species()[s].molar_energy()(T)});
+        const double moles = uniform_->moles(s), energy = uniform_->energy(s);
+        const Species& gas = (*uniform_)[0].species()[s];
+        // In several rooms a gas has several temperatures: that of what it holds.
+        const double of_gas =
+            uniform_->size() == 1 ? T : (moles * gas.molar_energy()).temperature(energy, T);
+        now.species.push_back({moles * gas.molar_mass(), moles > 0.0 ? of_gas : 0.0, energy});
     };
     if (card_.air) include(inflators_.inflows());
     for (std::size_t s = 0; s < inflators_.inflows(); ++s) include(s);

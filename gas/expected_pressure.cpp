@@ -51,6 +51,24 @@ void ExpectedPressure::update(double span, std::span<const Vec3> arrived,
         field_[i] = {force_[i], size};
     });
     spread();
+    if (less_.empty()) return;
+    parallel::for_each(nodes_.size(), [&](std::size_t i) { pressure_[i] *= 1.0 - less_[i]; });
+}
+
+void ExpectedPressure::feel_motion(std::span<const Vec3> x_0, std::span<const Vec3> x_1, double dt,
+                                   std::span<const Vec3> area, double share_per_speed) {
+    less_.resize(nodes_.size());
+    parallel::for_each(nodes_.size(), [&](std::size_t i) {
+        const Index n = nodes_[i];
+        const double swept = (x_1[n] - x_0[n]).dot(area[n]) / dt;
+        const double size = area[n].norm();
+        less_[i] = size > 0.0 ? swept / size : 0.0;
+        field_[i] = {swept, size};
+    });
+    spread();
+    parallel::for_each(nodes_.size(), [&](std::size_t i) {
+        less_[i] = share_per_speed * (less_[i] - pressure_[i]);
+    });
 }
 
 void ExpectedPressure::spread() {

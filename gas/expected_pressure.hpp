@@ -24,6 +24,14 @@ public:
     /// Takes in the impulses that came during `span`.  arrived, area: N × 3 [N s], [m^2]
     void update(double span, std::span<const Vec3> arrived, std::span<const Vec3> area);
 
+    /// A node that leaves its neighbours at w feels (1 - share_per_speed w) of the pressure that
+    /// update() finds next: with 1 / sqrt(R T / M) that is p - rho sqrt(R T / M) w, what a sound
+    /// wave carries away, which the average over time and neighbours leaves out (VNDAMP).
+    ///
+    ///     w_n = v_n - (W v A)_n / (W A)_n,   v_n = (x_1 - x_0)·A / (|A| dt)
+    void feel_motion(std::span<const Vec3> x_0, std::span<const Vec3> x_1, double dt,
+                     std::span<const Vec3> area, double share_per_speed);
+
     /// Pressure at the i-th of the enclosure's nodes.                                         [Pa]
     [[nodiscard]] double operator[](std::size_t i) const { return pressure_[i]; }
 
@@ -44,6 +52,7 @@ private:
     double time_;                             ///< [s]
     std::vector<double> force_;               ///< R                                           [N]
     std::vector<double> pressure_;            ///< [Pa]
+    std::vector<double> less_;                ///< share of it that motion takes; empty: none
     std::vector<ForceAndArea> field_, next_;  ///< what is spread
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gas/crossing.hpp"
+#include "gas/rough_wall.hpp"
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {
@@ -118,30 +119,23 @@ Vec3 reflect(const Scene& scene, const Meeting& meeting, const Vec3& v) {
     return v - 2.0 * approach / plane.normal.squaredNorm() * plane.normal;
 }
 
-/// What a bounce does to a particle.
-struct Bounce {
-    Vec3 away;                    ///< velocity after it                                     [m/s]
-    Vec3 impulse = Vec3::Zero();  ///< to the facet                                          [N s]
-    double heat = 0.0;            ///< to the particle, from friction                        [J]
-};
+/// Does the velocity lead away from the swept facet, as `v` leads towards it?
+bool leads_away(const Scene& scene, const Meeting& meeting, const Vec3& v, const Vec3& away) {
+    const MovingPlane plane =
+        plane_of(meeting.where.piece, scene.triangles[meeting.facet], scene.x_0, scene.x_1);
+    const double speed = plane.speed / scene.dt;
+    return (plane.normal.dot(v) - speed) * (plane.normal.dot(away) - speed) < 0.0;
+}
 
-/// Specular, but for what friction takes from the velocity u_t along the facet, relative to it.
-///
-///     v'' = v' - f u_t,  heat = m u_t² (1 - (1 - f)²) / 2
+/// Specular, but for friction; never through the facet, not even where it turns within the step.
 Bounce bounce(const Scene& scene, const Meeting& meeting, double mass, const Vec3& v) {
-    Bounce out{reflect(scene, meeting, v)};
-    out.impulse = mass * (v - out.away);
-    const double f = scene.friction.factor;
-    if (f == 0.0) return out;
-    const Vec3 normal = out.impulse.normalized(), wall = velocity_at(scene, meeting);
-    const Vec3 along = (v - wall) - (v - wall).dot(normal) * normal;
-    out.away -= f * along;
-    out.heat = 0.5 * mass * along.squaredNorm() * f * (2.0 - f);
-    if (scene.friction.pushes_along)
-        out.impulse += mass * f * along;
-    else
-        out.heat += mass * f * along.dot(wall);  // work that no one does
-    return out;
+    Bounce mirrored{reflect(scene, meeting, v)};
+    mirrored.impulse = mass * (v - mirrored.away);
+    const double f = scene.friction.on(meeting.facet);
+    if (f == 0.0) return mirrored;
+    const Bounce rough = bounce_off_rough(f, scene.friction.pushes_along, mass, v, mirrored.away,
+                                          velocity_at(scene, meeting));
+    return leads_away(scene, meeting, v, rough.away) ? rough : mirrored;
 }
 
 /// Flies a particle to the end of the step; or until it is caught between facets, or gone through a

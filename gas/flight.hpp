@@ -11,6 +11,7 @@
 #include "gas/facet_lists.hpp"
 #include "gas/gates.hpp"
 #include "gas/particles.hpp"
+#include "gas/rough_wall.hpp"
 
 namespace corpuscle::gas {
 

@@ -43,6 +43,12 @@ public:
 
     /// As if a gas of this pressure had long been there.   area: N × 3 [m^2]
     void begin_with(double pressure, std::span<const Vec3> area);
+    /// Fabric has moved from x_0 to x_1 in dt: the next release is the less the faster a node
+    /// leaves its neighbours outward (ExpectedPressure::feel_motion).
+    void feel_motion(std::span<const Vec3> x_0, std::span<const Vec3> x_1, double dt,
+                     std::span<const Vec3> area, double share_per_speed) {
+        if (expected_.is_on()) expected_.feel_motion(x_0, x_1, dt, area, share_per_speed);
+    }
     /// No more hits will come: what is owed goes on to be released.
     void end_of_hits() { expected_.stop(); }
 

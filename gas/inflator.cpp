@@ -280,6 +280,14 @@ Entry Inflators::make(const Due& due, const Vec3& axis, std::int32_t id) const {
             id};
 }
 
+Vec3 Inflators::jet(std::size_t inflow, std::size_t orifice, double t, const Vec3& axis) const {
+    if (axis.isZero()) return Vec3::Zero();  // into every direction
+    const Species& gas = species_[inflow];
+    const double T = gas.stagnation_temperature(gases_[inflow].temperature(t));
+    const double speed = std::sqrt(3.0 * gas_constant_ * T / gas.molar_mass());
+    return 0.5 * (1.0 + std::cos(cone_[orifice])) * speed * axis.normalized();
+}
+
 Vec3 Inflators::draw_direction(const Vec3& axis, double cone, std::int32_t id) const {
     Random draw(seed_, Stream::INFLOW, 0, static_cast<std::uint64_t>(id));
     const double length = axis.norm();

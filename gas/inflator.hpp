@@ -65,6 +65,14 @@ public:
     [[nodiscard]] double enthalpy(std::size_t inflow, double t) const {
         return species_[inflow].h(gases_[inflow].temperature(t));
     }
+    /// Momentum over mass of what an inflow brings at t through an orifice, relative to it: the
+    /// mean over the jet's cone, sqrt(3 R T_stag / M) (1 + cos(cone)) / 2 along `axis`. [m/s]
+    [[nodiscard]] Vec3 jet(std::size_t inflow, std::size_t orifice, double t,
+                           const Vec3& axis) const;
+    /// Share of an inflow that an orifice gets.                                             [-]
+    [[nodiscard]] double share(std::size_t inflow, std::size_t orifice) const {
+        return gases_[inflow].share[orifice];
+    }
     [[nodiscard]] double ends() const;  ///< when the last curve ends                          [s]
 
     /// Range of temperatures that the gases' heat capacities were checked for.             [K]

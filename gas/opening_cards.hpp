@@ -51,7 +51,11 @@ struct BlockCard {
     bool external_vents = false;  ///< N = 1, 3: and of external vents
     bool internal_vents = false;  ///< N = 1, 2: and of internal ones
 
-    [[nodiscard]] bool any() const { return fabric || external_vents || internal_vents; }
+    bool by_pressure = false;  ///< M = 2: external vents, where contact presses more than the gas
+
+    [[nodiscard]] bool any() const {
+        return fabric || external_vents || internal_vents || by_pressure;
+    }
 };
 
 }  // namespace corpuscle::gas

@@ -102,8 +102,8 @@ void Openings::add_vent(const BagWalls& walls, const VentCard& vent, Index row) 
                         name_, row + 1));
     if (opening.is_internal && vent.is_isentropic)
         throw InputError(
-            fmt::format("{}: vent {} is internal, expected ENH_V = 0 or 2: it passes "
-                        "gas both ways",
+            fmt::format("{}: vent {} is internal, expected a plain one: it passes gas "
+                        "both ways",
                         name_, row + 1));
     if (opening.is_internal && most(vent) > 1.0)
         throw InputError(fmt::format("{}: vent {} is internal and has C23 = {:g}, expected 0 to 1",

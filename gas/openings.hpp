@@ -97,11 +97,19 @@ public:
     [[nodiscard]] const Gates* gates() const { return empty() ? nullptr : &gates_; }
     [[nodiscard]] const std::vector<Opening>& all() const { return openings_; }
 
-    /// Takes what touches out of the open area.                                       N × 1
-    void block(std::span<const std::uint8_t> touching);
+    /// Takes what touches out of the open area, and of external vents where BLOCK says so only
+    /// what contact presses harder than the gas.                                      N × 1
+    void block(std::span<const std::uint8_t> touching, std::span<const std::uint8_t> pressed);
 
     /// Chances for a flight over dt from t, in the bag's state at t.
     void set_gates(double t, double dt, std::span<const Vec3> x, const Inside& inside);
+    /// The same for one opening, with the state of the room that it leads out of.
+    void set_gate(std::size_t row, double t, double dt, std::span<const Vec3> x,
+                  const Inside& inside);
+    /// Flow through an internal opening from gas of one state to where there is p_out, no particles
+    /// on either side.                                                                  [kg/s]
+    [[nodiscard]] double flow_between(std::size_t row, double t, const Inside& from, double p_out);
+    void book(std::size_t row, double mass);  ///< that has left without particles         [kg]
 
     /// What the last flight let out.
     struct Passed {

@@ -83,6 +83,11 @@ void Openings::book_air(double mass) {
     }
 }
 
+void Openings::book(std::size_t row, double mass) {
+    openings_[row].mass_out += mass;
+    part_mass_out_[part_[openings_[row].facets[0]]] += mass;
+}
+
 double Openings::mass_out(bool through_vents) const {
     double mass = 0.0;
     for (const Opening& opening : openings_)

@@ -23,29 +23,45 @@ constexpr double STEPS_KEPT = 4.0;
 
 void Openings::set_gates(double t, double dt, std::span<const Vec3> x, const Inside& inside) {
     ++gates_.step;
-    for (std::size_t o = 0; o < openings_.size(); ++o) {
-        const auto row = static_cast<Index>(o);
-        Opening& opening = openings_[o];
-        close(row);
-        measure(opening, x);
-        if (!inside.holds_gas()) continue;
-        if (opening.leak >= 0) {
-            const double area =
-                opening.law == Opening::Law::ISENTROPIC ? leak_area(opening, inside) : 0.0;
-            if (opening.law == Opening::Law::ISENTROPIC)
-                set_isentropic(row, area, dt, inside);
-            else
-                set_seepage(row, t, dt, inside);
-            set_intake(row, t, area, inside);
-            continue;
-        }
-        const double factor = vent_factor(opening, t, inside);
-        set_intake(row, t, factor * opening.free * opening.area, inside);
-        if (opening.law == Opening::Law::ISENTROPIC || inside.is_uniform)
-            set_isentropic(row, factor * opening.free * opening.area, dt, inside);
+    for (std::size_t o = 0; o < openings_.size(); ++o) set_gate(o, t, dt, x, inside);
+}
+
+void Openings::set_gate(std::size_t o, double t, double dt, std::span<const Vec3> x,
+                        const Inside& inside) {
+    const auto row = static_cast<Index>(o);
+    Opening& opening = openings_[o];
+    close(row);
+    measure(opening, x);
+    if (!inside.holds_gas()) return;
+    if (opening.leak >= 0) {
+        const double area =
+            opening.law == Opening::Law::ISENTROPIC ? leak_area(opening, inside) : 0.0;
+        if (opening.law == Opening::Law::ISENTROPIC)
+            set_isentropic(row, area, dt, inside);
         else
-            set_plain(row, factor, x, inside);
+            set_seepage(row, t, dt, inside);
+        set_intake(row, t, area, inside);
+        return;
     }
+    const double factor = vent_factor(opening, t, inside);
+    set_intake(row, t, factor * opening.free * opening.area, inside);
+    if (opening.law == Opening::Law::ISENTROPIC || inside.is_uniform)
+        set_isentropic(row, factor * opening.free * opening.area, dt, inside);
+    else
+        set_plain(row, factor, x, inside);
+}
+
+double Openings::flow_between(std::size_t row, double t, const Inside& from, double p_out) {
+    Opening& opening = openings_[row];
+    const double area = opening.free * opening.area;
+    if (opening.vent >= 0)
+        return vent_factor(opening, t, from) * area *
+               orifice_flow(from.pressure, p_out, from.temperature, from.gamma,
+                            gas_constant_ / from.molar_mass);
+    const LeakCard& leak = leaks_[opening.leak];
+    const double density = from.pressure * from.molar_mass / (gas_constant_ * from.temperature);
+    return density * area * leak_share(opening, t) *
+           curve_or(leak.velocity_curve, from.pressure, leak.velocity);
 }
 
 void Openings::close(Index row) {

@@ -74,14 +74,22 @@ void add(const BagGas& bag, const Region& where, Sums& sums) {
     }
 }
 
-/// All of a bag is the same: what it holds, if the region's centre lies in it.
+/// All of a bag, or of a chamber, is the same: what it holds, if the region's centre lies in it.
 bool read_uniform(const BagGas& bag, const Region& where, const Points& x, SensorReading& reading) {
     if (!bag.enclosure().contains(where.centre, x)) return false;
+    for (const Vec3& at : bag.particles().x) reading.particles += where.holds(at);
+    for (std::size_t c = 0; c < bag.chambers().size(); ++c) {
+        if (!bag.chambers().surface(c).contains(where.centre, x)) continue;
+        const ChamberState of_chamber = bag.chamber_states(x)[c];
+        reading.pressure = of_chamber.pressure;
+        reading.temperature = of_chamber.temperature;
+        reading.density = of_chamber.mass / of_chamber.volume;
+        return true;
+    }
     const GasState all = bag.state(x);
     reading.pressure = all.pressure;
     reading.temperature = all.temperature;
     reading.density = all.mass / all.volume;
-    for (const Vec3& at : bag.particles().x) reading.particles += where.holds(at);
     return true;
 }
 

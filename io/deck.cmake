@@ -15,6 +15,7 @@ target_sources(corpuscle_io PRIVATE
     keywords/sets.cpp
     keywords/sets_general.cpp
     keywords/airbag_particle.cpp
+    keywords/airbag_chambers.cpp
     keywords/airbag_gas.cpp
     keywords/mole_fraction.cpp
     keywords/airbag_uniform.cpp

@@ -44,7 +44,7 @@ struct Draft {
     Registry node_sets{"*SET_NODE"}, part_sets{"*SET_PART"}, shell_sets{"*SET_SHELL"},
         segment_sets{"*SET_SEGMENT"};
     Registry solids{"*ELEMENT_SOLID"};
-    Registry cpm_vents{"*DEFINE_CPM_VENT"};
+    Registry cpm_vents{"*DEFINE_CPM_VENT"}, cpm_chambers{"*DEFINE_CPM_CHAMBER"};
 
     std::vector<Section> section;
     std::vector<std::uint8_t> part_has_solids;  ///< by part row
@@ -57,7 +57,8 @@ struct Draft {
     std::vector<std::vector<Index>> shell_set;                   ///< shell rows
     std::vector<std::vector<std::array<Index, 4>>> segment_set;  ///< node rows
 
-    std::vector<gas::VentCard> cpm_vent;  ///< without parts
+    std::vector<gas::VentCard> cpm_vent;                     ///< without parts
+    std::vector<std::vector<gas::ChamberCard>> cpm_chamber;  ///< of one bag each
 
     int frame_count = 0;  ///< NPLTC of *DATABASE_BINARY_D3PLOT, which needs the end time
 };

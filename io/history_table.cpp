@@ -20,6 +20,7 @@ Sample blank(const RecordLayout& layout) {
         AirbagSample& of = s.airbags.emplace_back();
         of.species.resize(bag.species.size());
         of.parts.resize(bag.parts.size());
+        of.chambers.resize(bag.chambers.size());
     }
     s.parts.resize(layout.parts.size());
     s.rigid_bodies.resize(layout.rigid_bodies.size());
@@ -43,7 +44,8 @@ Sample blank(const RecordLayout& layout) {
                 s.node_velocity.size() == layout.history_nodes.size();
     for (std::size_t i = 0; same && i < s.airbags.size(); ++i)
         same = s.airbags[i].species.size() == layout.airbags[i].species.size() &&
-               s.airbags[i].parts.size() == layout.airbags[i].parts.size();
+               s.airbags[i].parts.size() == layout.airbags[i].parts.size() &&
+               s.airbags[i].chambers.size() == layout.airbags[i].chambers.size();
     return same;
 }
 
@@ -101,6 +103,16 @@ void airbag(auto&& row, const RecordLayout::Airbag& bag, const AirbagSample& s) 
         row(on + "mass_out", MASS, "gas lost through this part so far", s.parts[k].mass_out);
         row(on + "heat_lost", ENERGY, "heat that this part took from the gas so far",
             s.parts[k].heat_lost);
+    }
+    for (std::size_t k = 0; k < bag.chambers.size(); ++k) {
+        const std::string in = fmt::format("{}chamber/{}/", at, bag.chambers[k]);
+        row(in + "volume", VOLUME, "of the chamber", s.chambers[k].volume);
+        row(in + "pressure", PRESSURE, "absolute: 2/3 of the translational energy per volume",
+            s.chambers[k].pressure);
+        row(in + "temperature", TEMPERATURE, "at which its gas at rest would hold `energy`",
+            s.chambers[k].temperature);
+        row(in + "mass", MASS, "gas in it", s.chambers[k].mass);
+        row(in + "energy", ENERGY, "all that its gas holds", s.chambers[k].energy);
     }
 }
 

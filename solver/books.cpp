@@ -92,15 +92,26 @@ EnergyBooks Simulation::books() const {
 }
 
 /// Tells bags whose holes contact closes which nodes touch fabric or walls.
-void Simulation::find_touching() {
+void Simulation::find_touching(double span) {
     const auto asks = [](const gas::BagGas& bag) { return bag.asks_for_contact(); };
     if (std::none_of(bags_.begin(), bags_.end(), asks)) return;
     touching_.assign(nodes_.size(), 0);
     for (const contact::SurfaceContact& contact : contacts_) contact.mark_touching(touching_);
     for (const contact::RigidWall& wall : walls_)
         for (const Index node : wall.touching()) touching_[node] = 1;
+    const auto weighs = [](const gas::BagGas& bag) { return bag.card().block.by_pressure; };
+    if (std::any_of(bags_.begin(), bags_.end(), weighs)) find_contact_push(span);
     for (gas::BagGas& bag : bags_)
-        if (bag.asks_for_contact()) bag.set_touching(touching_);
+        if (bag.asks_for_contact()) bag.set_touching(touching_, contact_push_);
+}
+
+/// What contact does to each node: its force, and at free nodes the impulse of what stopped them.
+void Simulation::find_contact_push(double span) {
+    if (held_.empty()) held_ = held_nodes();
+    contact_push_ = contact_force_.f;
+    for (std::size_t n = 0; n < nodes_.size(); ++n)
+        if (held_[n] == 0)
+            contact_push_[n] += nodes_.mass[n] / span * (nodes_.v[n] - v_before_[n]) - nodes_.f[n];
 }
 
 Vec3 Simulation::contact_and_gas_force(Index node) const {

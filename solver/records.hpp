@@ -21,6 +21,7 @@ struct RecordLayout {
         bool has_initial_air = false;  ///< species 0 is the initial air
         std::vector<int> species;      ///< numbers K of /species/K, in Sample order
         std::vector<int> parts;        ///< part ids of /part/PID, in Sample order
+        std::vector<int> chambers{};   ///< ids of /chamber/ID, in Sample order
     };
     std::vector<Airbag> airbags;
     std::vector<int> parts;            ///< part ids
@@ -61,8 +62,12 @@ struct AirbagSample {
     struct Part {
         double pressure = 0, area = 0, mass_out = 0, heat_lost = 0;
     };
+    struct Chamber {
+        double volume = 0, pressure = 0, temperature = 0, mass = 0, energy = 0;
+    };
     std::vector<Species> species;
     std::vector<Part> parts;
+    std::vector<Chamber> chambers;
 };
 
 /// One row of every history.

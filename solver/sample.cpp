@@ -31,6 +31,8 @@ AirbagSample row_of(const gas::GasState& state, const gas::PartState& parts) {
 
 AirbagSample sample_of(gas::BagGas& bag, const Points& x, double since) {
     AirbagSample row = row_of(bag.state(x), bag.part_state(x, since));
+    for (const gas::ChamberState& now : bag.chamber_states(x))
+        row.chambers.push_back({now.volume, now.pressure, now.temperature, now.mass, now.energy});
     row.particles = static_cast<double>(bag.particles().size());
     row.mass_rate_in = bag.mass_rate_in(since);
     row.mass_rate_out = bag.mass_rate_out(since);
@@ -57,6 +59,8 @@ RecordLayout Simulation::layout() const {
         for (std::size_t s = 0; s < bag.card().inflow.size(); ++s)
             entry.species.push_back(static_cast<int>(s) + 1);
         entry.parts = bag.walls().part_ids;
+        for (const gas::ChamberCard& chamber : bag.card().chambers)
+            entry.chambers.push_back(chamber.id);
         layout.airbags.push_back(std::move(entry));
     }
     for (const gas::UniformBag& bag : uniform_bags_)

@@ -102,7 +102,8 @@ private:
     void drift(double dt);
     void stop_at_obstacles(double dt);
     void book_forces(double span);
-    void find_touching();
+    void find_touching(double span);
+    void find_contact_push(double span);
     void check_finite() const;
     [[noreturn]] void stop_for(Index broken_shell) const;
     [[nodiscard]] Vec3 contact_and_gas_force(Index node) const;
@@ -131,6 +132,8 @@ private:
     Points v_before_;                     ///< v(t - dt/2)                                [m/s]
     Points v_kicked_;                     ///< before obstacles, if there are any         [m/s]
     Points v_mid_;                        ///< mean of v before and after this step's kick   [m/s]
+    std::vector<std::uint8_t> held_;      ///< N: as held_nodes() says, if contact_push_ is asked for
+    Points contact_push_;                 ///< N × 3: contact and obstacles, if a bag asks    [N]
     std::vector<std::uint8_t> touching_;  ///< N: nodes in contact, if a bag asks for it
     ForceShare load_force_, damping_force_, contact_force_;
     Ledger ledger_;

@@ -33,7 +33,7 @@ StepReport Simulation::step(const Observer& observe) {
     drift(dt);                                                                  lap("motion");
 
     // 4. Gas, t -> t + dt, against the fabric that moves from x to x_1
-    find_touching();
+    find_touching(span);
     for (gas::BagGas& bag : bags_) {
         if (bag.switches(t)) bag.become_uniform(nodes_.x);
         bag.prepare(dt, nodes_.x, nodes_.x_1);                                  lap("facet lists");

@@ -132,6 +132,8 @@ gas::OrificeCard orifice(Cards& cards, const Draft& draft, bool is_first) {
         direction(c, draft, nozzle, vd);
         nozzle.weight = c.real("AN", POSITIVE);
         nozzle.inflator = c.integer("INFO", {1.0});
+        if (draft.dialect == Dialect::TODAY)
+            c.noted("CHM_ID", "a nozzle is in the chamber that it lies in");
         nozzle.cone = cone(c, draft.dialect, is_first);
         nozzle.pushes = draft.dialect == Dialect::TODAY && c.choice("IMOM", {0, 1}) == 1;
         if (nozzle.pushes && c.good() && nozzle.shell < 0 && !has_mass(draft, nozzle.node))

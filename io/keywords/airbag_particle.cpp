@@ -80,7 +80,8 @@ private:
             return;
         }
         part_rows_ = c.integer("NPDATA", COUNT);
-        bag_.friction.factor = c.real("FRIC", within(0.0, 1.0));
+        if (gas::FrictionCard rough; friction(c, "FRIC", draft_, rough))
+            bag_.friction.push_back(rough);
         c.noted("IRDP", "particles have no radius here");
     }
 
@@ -122,7 +123,8 @@ private:
     void front_tracking() {
         Card c = cards_.next_plus("SFIAIR4=1 IDFRIC IAIRSTAT DPWR=1 VNDAMP JETLEN JETEND SHLOFF");
         c.harmless("SFIAIR4 IAIRSTAT DPWR");  // of IAIR = 4
-        bag_.friction.pushes_along = c.choice("IDFRIC", {0, 1}) == 0;
+        bag_.friction_pushes_along = c.choice("IDFRIC", {0, 1}) == 0;
+        bag_.normal_damping = c.real("VNDAMP", within(0.0, 1.0));
     }
 
     void counts() {
@@ -132,6 +134,9 @@ private:
         gases_ = c.integer("NGAS", COUNT);
         nozzles_ = c.integer("NORIF", COUNT);
         frame(c);
+        if (draft_.dialect == Dialect::TODAY)
+            if (const Index row = c.row_or_none("CHM", draft_.cpm_chambers); row >= 0)
+                bag_.chambers = draft_.cpm_chamber[static_cast<std::size_t>(row)];
         if (!c.good()) cards_.abandon();  // nobody can say which row is which
         air_ = c.choice("IAIR", {0, 1, -1, 2}, {4});
         skips_air_ = air_ == 0 && c.integer("IAIR") != 0;

@@ -57,8 +57,11 @@ void vent(Cards& cards, const Draft& draft, gas::BagCard& bag) {
             c.fault("SID3", fmt::format("parts of the bag; part {} is none",
                                         draft.model.parts[static_cast<std::size_t>(part)].id));
     }
-    if (has_internal && vent.is_isentropic && c.good())
-        c.fault("ENH_V", "0 for a vent of internal parts: it passes gas both ways, a plain hole");
+    if (has_internal && has_external && vent.is_isentropic && c.good())
+        c.fault("ENH_V", "0, or a set of only external or only internal parts");
+    if (has_internal && vent.is_isentropic)
+        c.warn("ENH_V", "a vent of internal parts passes gas both ways, as fast as the gas flows");
+    if (has_internal) vent.is_isentropic = false;
     if (has_internal && has_external && type == 2)
         c.fault("SID3", "external parts or internal ones, not both in one vent");
     for (const Index part : parts) {
@@ -93,21 +96,51 @@ void part_data(Cards& cards, const Draft& draft, gas::BagCard& bag) {
     const Index row = c.row("SIDH", type == 0 ? draft.parts : draft.part_sets);
     gas::HeatCard heat;
     value_or_curve(c, "HCONV", draft.curves, heat.coefficient, heat.curve);
+    gas::FrictionCard rough;
+    const bool is_rough = friction(c, "PFRIC", draft, rough);
     if (row < 0) return;
-    heat.parts =
+    heat.parts = rough.parts =
         type == 0 ? std::vector<Index>{row} : draft.part_set[static_cast<std::size_t>(row)];
     for (const Index part : heat.parts)
         if (!holds(bag.external_parts, part) && !holds(bag.internal_parts, part))
             c.fault("SIDH", fmt::format("parts of the bag; part {} is none",
                                         draft.model.parts[static_cast<std::size_t>(part)].id));
     if (heat.coefficient != 0.0 || heat.curve >= 0) bag.heat.push_back(heat);
+    if (is_rough) bag.friction.push_back(rough);
+}
+
+bool friction(Card& c, const char* name, const Draft& draft, gas::FrictionCard& rough) {
+    const double value = c.real(name);
+    if (value == 0.0 || !c.good()) return false;
+    if (value > 1.0) {
+        c.fault(name, "above -1 to 1, or minus the id of a *DEFINE_CURVE: no *DEFINE_FUNCTION");
+        return false;
+    }
+    if (value > -1.0) {
+        rough.factor = value;
+        return true;
+    }
+    double unused = 0.0;
+    value_or_curve(c, name, draft.curves, unused, rough.curve);
+    if (rough.curve < 0) return false;
+    for (const double f : draft.model.curves[static_cast<std::size_t>(rough.curve)].y)
+        if (!(f > -1.0 && f <= 1.0)) {
+            c.fault(name, "a curve of factors above -1 and up to 1");
+            return false;
+        }
+    return true;
 }
 
 void block(Card& c, gas::BagCard& bag) {
-    const int code = c.choice("BLOCK", {0, 1, 2, 3, 4}, {10, 11, 12, 13, 14, 20, 21, 22, 23, 24});
-    bag.block.fabric = code >= 1;
-    bag.block.external_vents = code == 1 || code == 3;
-    bag.block.internal_vents = code == 1 || code == 2;
+    const int code = c.choice("BLOCK", {0, 1, 2, 3, 4, 10, 11, 12, 13, 14, 20, 21, 22, 23, 24});
+    const int by_contact = code % 10, escaped = code / 10;
+    bag.block.fabric = by_contact >= 1;
+    bag.block.external_vents = by_contact == 1 || by_contact == 3;
+    bag.block.internal_vents = by_contact == 1 || by_contact == 2;
+    bag.block.by_pressure = escaped == 2;
+    if (escaped == 1)
+        c.warn("BLOCK",
+               "no particle escapes here: a bag with holes that are not meshed is refused");
 }
 
 void check_leaks(Cards& cards, const Draft& draft, const gas::BagCard& bag) {

@@ -15,6 +15,9 @@ void vent(Cards& cards, const Draft& draft, gas::BagCard& bag);
 /// One NPDATA row.
 void part_data(Cards& cards, const Draft& draft, gas::BagCard& bag);
 
+/// FRIC or PFRIC: a factor, or minus the id of a curve over the part's pressure. False: none.
+bool friction(Card& c, const char* name, const Draft& draft, gas::FrictionCard& rough);
+
 /// BLOCK of card 1.
 void block(Card& c, gas::BagCard& bag);
 

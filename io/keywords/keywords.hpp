@@ -76,6 +76,7 @@ void airbag_wang_nefske(Cards&, Draft&);
 // airbag_particle.cpp, airbag_vents.cpp, reference_geometry.cpp
 void airbag_particle(Cards&, Draft&);
 void define_cpm_vent(Cards&, Draft&);
+void define_cpm_chamber(Cards&, Draft&);  // airbag_chambers.cpp
 void airbag_reference_geometry(Cards&, Draft&);
 void airbag_shell_reference_geometry(Cards&, Draft&);
 // boundary.cpp, motion.cpp, initial_velocity.cpp

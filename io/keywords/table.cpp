@@ -67,6 +67,7 @@ const Keyword KEYWORDS[] = {
     {"AIRBAG_SIMPLE_AIRBAG_MODEL", "ID", "", P::SCENE, airbag_simple},
     {"AIRBAG_WANG_NEFSKE", "ID", "POP MULTIPLE JETTING", P::SCENE, airbag_wang_nefske},
     {"DEFINE_CPM_VENT", "", "", P::SUM_OF_SETS, define_cpm_vent},
+    {"DEFINE_CPM_CHAMBER", "TITLE", "", P::SUM_OF_SETS, define_cpm_chamber},
     {"AIRBAG_REFERENCE_GEOMETRY", "BIRTH RDT ID", "", P::SCENE, airbag_reference_geometry},
     {"AIRBAG_SHELL_REFERENCE_GEOMETRY", "RDT ID", "", P::SCENE, airbag_shell_reference_geometry},
     {"BOUNDARY_SPC_NODE", "ID", "BIRTH DEATH", P::SCENE, boundary_spc_node},

@@ -1,46 +1,46 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 //
-// Run time against error of all collision models, one thread: Sod's tube and the notes' fast
-// piston. Prints one table; `benchmark_collisions FILE.csv` writes it too
-// (tools/figures/collisions.py).
+// Run time against error of all collision models, one thread: Sod's tube, two pistons, mixing.
+// Prints one table; `benchmark_collisions FILE.csv [MODEL ...]` writes it too
+// (tools/figures/collisions.py), of some models only if they are named.
 
 #include <fmt/format.h>
 #include <fmt/os.h>
 
+#include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <string>
 #include <vector>
 
 #include "gas/collision_name.hpp"
 #include "solver/base/parallel.hpp"
-#include "tests/support/fast_piston.hpp"
-#include "tests/support/piston_box.hpp"
+#include "tests/benchmark/collision_cases.hpp"
 #include "tests/support/sod.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::gas;
+using corpuscle::benchmark::Setting;
 
 namespace {
 
-/// How a model does best: cells of Sod's tube at 10^5 particles (smaller as n^(-1/3)), cfl.
-struct Setting {
-    CollisionModel model;
-    double cells;
-    double cfl;
+constexpr Setting SETTINGS[] = {
+    {CollisionModel::LIN, 60.0, 20.0, 0.1},
+    {CollisionModel::PAIRS, 100.0, 10.0, 0.25},
+    {CollisionModel::NTC, 100.0, 10.0, 0.25},
+    {CollisionModel::SPHERES, 60.0, 10.0, 0.1},
 };
 
-constexpr Setting SETTINGS[] = {
-    {CollisionModel::LIN, 60.0, 0.1},
-    {CollisionModel::PAIRS, 100.0, 0.25},
-    {CollisionModel::NTC, 100.0, 0.25},
-    {CollisionModel::SPHERES, 60.0, 0.1},
-};
+constexpr std::size_t SIZES[] = {10000, 100000, 1000000};
+
+/// Spheres take ten minutes and more a case.
+bool is_too_slow(const Setting& setting, std::size_t n) {
+    return setting.model == CollisionModel::SPHERES && n > 100000;
+}
 
 /// Runs in the ensemble: as many as keep the whole below four minutes; fewer of the slow models.
 int runs_of(CollisionModel model, std::size_t n) {
-    if (n > 100000) return 2;
+    if (n > 100000) return model == CollisionModel::LIN ? 8 : 2;
     const int most = n < 100000 ? 40 : 16;
     return model == CollisionModel::NTC       ? most / 2
            : model == CollisionModel::SPHERES ? most / 4
@@ -53,69 +53,49 @@ double edge_of(const Setting& setting, std::size_t n) {
     return 0.1 / std::round(across);
 }
 
-/// Root-mean-square error of the pressure on the notes' fast piston, over that before it moves, in
-/// bins of 0.1 ms from its start to 4 ms after; one run.
-double piston_error(const Setting& setting, std::size_t n) {
-    namespace piston = oracle::fast_piston;
-    constexpr int BINS = 40;
-    constexpr double BIN = 1e-4;
-    const Mixture mixture = mixture_of({{piston::MOLAR_MASS, piston::CP, 0.0, 0.0}},
-                                       piston::MASS / piston::MOLAR_MASS / static_cast<double>(n));
-    const Vec3 size = Vec3::Constant(piston::SIDE);
-    const double scale = setting.model == CollisionModel::LIN ? 20.0 : 10.0;
-    PistonBox box(size, mixture, setting.model, random_gas(n, size, mixture, {piston::TEMPERATURE}),
-                  cell_edge(size.prod(), n, scale));
-    const double c_T = std::sqrt(GAS_CONSTANT * piston::TEMPERATURE / piston::MOLAR_MASS);
-    const int steps = static_cast<int>(std::ceil(BIN / (setting.cfl * box.edge() / c_T)));
-    const double dt = BIN / steps;
-
-    oracle::EulerTube exact = piston::tube(400);
-    double squares = 0.0, time = 0.0;
-    for (int b = 0; b < BINS; ++b) {
-        double wanted = 0.0;
-        box.piston_impulse = 0.0;
-        for (int i = 0; i < steps; ++i, time += dt) {
-            const double middle = piston::START + time + 0.5 * dt;
-            box.step(dt, piston::velocity(middle));
-            exact.advance(time + 0.5 * dt,
-                          [](double t) { return piston::velocity(piston::START + t); });
-            wanted += exact.piston_pressure() / steps;
-        }
-        const double pressure = box.piston_impulse / (BIN * piston::SIDE * piston::SIDE);
-        squares += std::pow(pressure / piston::PRESSURE - wanted / piston::PRESSURE, 2) / BINS;
-    }
-    return std::sqrt(squares);
+bool is_asked_for(const Setting& setting, const std::vector<std::string>& models) {
+    return models.empty() ||
+           std::find(models.begin(), models.end(), name_of(setting.model)) != models.end();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     parallel::set_threads(1);
+    const std::vector<std::string> models(argv + std::min(argc, 2), argv + argc);
     std::string csv =
-        "model,particles,runs,density,pressure,density_noise,pressure_noise,piston,"
-        "cpu_seconds,ns_per_particle_step\n";
+        "model,particles,runs,density,pressure,density_noise,pressure_noise,piston,compression,"
+        "mixing,mixing_steps,cpu_seconds,ns_per_particle_step\n";
     fmt::print(
-        "Sod: L1 of the mean of `runs` (what chance alone would make); piston: RMS / p0\n"
-        "{:8} {:>8} {:>5} {:>16} {:>16} {:>7} {:>9} {:>8}\n",
-        "model", "N", "runs", "density", "pressure", "piston", "s a run", "ns/p/st");
+        "Sod: L1 of the mean of `runs` (what chance alone would make); pistons: RMS / p0; mixing:\n"
+        "error of temperatures, steps to 1 %\n"
+        "{:8} {:>8} {:>5} {:>16} {:>16} {:>7} {:>8} {:>7} {:>6} {:>9} {:>8}\n",
+        "model", "N", "runs", "density", "pressure", "piston", "compress", "mixing", "to 1%",
+        "s a run", "ns/p/st");
     for (const Setting& setting : SETTINGS)
-        for (const std::size_t n :
-             {std::size_t{10000}, std::size_t{100000}, std::size_t{1000000}}) {
-            if (setting.model == CollisionModel::SPHERES && n > 100000) continue;
+        for (const std::size_t n : SIZES) {
+            if (!is_asked_for(setting, models) || is_too_slow(setting, n)) continue;
             const int runs = runs_of(setting.model, n);
             const oracle::SodError sod =
                 oracle::sod_error({setting.model, n, edge_of(setting, n), setting.cfl}, runs);
-            const double piston = n > 100000 ? NaN : piston_error(setting, n);
+            const double piston = benchmark::fast_piston_error(setting, n);
+            const double compression = benchmark::compression_error(setting, n);
+            const benchmark::Mixing mixing = benchmark::mixing_error(setting, n);
             const double each =
                 1e9 * sod.cpu_seconds / (static_cast<double>(n) * static_cast<double>(sod.steps));
-            fmt::print("{:8} {:8} {:5} {:7.4f} ({:.4f}) {:7.4f} ({:.4f}) {:7.4f} {:9.3f} {:8.1f}\n",
-                       name_of(setting.model), n, runs, sod.density, sod.density_noise,
-                       sod.pressure, sod.pressure_noise, piston, sod.cpu_seconds, each);
+            fmt::print(
+                "{:8} {:8} {:5} {:7.4f} ({:.4f}) {:7.4f} ({:.4f}) {:7.4f} {:8.4f} {:7.4f} {:6} "
+                "{:9.3f} {:8.1f}\n",
+                name_of(setting.model), n, runs, sod.density, sod.density_noise, sod.pressure,
+                sod.pressure_noise, piston, compression, mixing.error, mixing.step_to_1,
+                sod.cpu_seconds, each);
             std::fflush(stdout);
-            csv +=
-                fmt::format("{},{},{},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},{:.4f},{:.2f}\n",
-                            name_of(setting.model), n, runs, sod.density, sod.pressure,
-                            sod.density_noise, sod.pressure_noise, piston, sod.cpu_seconds, each);
+            csv += fmt::format(
+                "{},{},{},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},{},"
+                "{:.4f},{:.2f}\n",
+                name_of(setting.model), n, runs, sod.density, sod.pressure, sod.density_noise,
+                sod.pressure_noise, piston, compression, mixing.error, mixing.step_to_1,
+                sod.cpu_seconds, each);
         }
     if (argc > 1) fmt::output_file(argv[1]).print("{}", csv);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
@@ -39,6 +40,53 @@ inline Shape box(const Vec3& size, int n = 1) {
             quad(node(0, i, j), node(0, i, j + 1), node(0, i + 1, j + 1), node(0, i + 1, j));
             quad(node(n, i, j), node(n, i + 1, j), node(n, i + 1, j + 1), node(n, i, j + 1));
         }
+    return shape;
+}
+
+/// A flat bag `gap` thick in z, pleated: `panels` panels of height `height` that rise and fall
+/// along x, `pitch` each, `width` wide in y; each panel across into `rows` and along the width into
+/// `columns` quads. Nowhere do its layers meet: neighbours are some gap · pitch / height apart, and
+/// pitch - that behind them.
+struct Pleats {
+    double pitch, height, gap, width;
+    int panels, rows, columns;
+
+    /// Midway between the layers.
+    [[nodiscard]] double middle(double x) const {
+        const double phase = std::fmod(x / pitch, 2.0);
+        return height * (phase < 1.0 ? phase : 2.0 - phase);
+    }
+};
+inline Shape pleated_bag(const Pleats& pleats) {
+    const int n = pleats.panels * pleats.rows;
+    Shape shape;
+    for (const double side : {-0.5, 0.5})
+        for (int i = 0; i <= n; ++i)
+            for (int j = 0; j <= pleats.columns; ++j) {
+                const double x = pleats.pitch * i / pleats.rows;
+                shape.x.push_back(
+                    {x, pleats.width * j / pleats.columns, pleats.middle(x) + side * pleats.gap});
+            }
+    const int across = pleats.columns + 1, layer = (n + 1) * across;
+    const auto quad = [&](int a, int b, int c, int d) {
+        shape.triangles.push_back({a, b, c});
+        shape.triangles.push_back({a, c, d});
+    };
+    const auto row = [&](int i, int j) { return i * across + j; };
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < pleats.columns; ++j) {
+            const int a = row(i, j), b = row(i + 1, j), c = row(i + 1, j + 1), d = row(i, j + 1);
+            quad(a, d, c, b);
+            quad(a + layer, b + layer, c + layer, d + layer);
+        }
+    for (int i = 0; i < n; ++i)
+        for (const auto& [a, b] : {std::pair(row(i, 0), row(i + 1, 0)),
+                                   std::pair(row(i + 1, pleats.columns), row(i, pleats.columns))})
+            quad(a, b, b + layer, a + layer);
+    for (int j = 0; j < pleats.columns; ++j)
+        for (const auto& [a, b] :
+             {std::pair(row(0, j + 1), row(0, j)), std::pair(row(n, j), row(n, j + 1))})
+            quad(a, b, b + layer, a + layer);
     return shape;
 }
 

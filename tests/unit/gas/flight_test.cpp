@@ -114,8 +114,33 @@ TEST_CASE("rough fabric takes its share of the velocity along it, and turns it i
     CHECK(0.5 * 2.0 * gas.v[0].squaredNorm() + gas.e[0] + total(flight).energy == Approx(before));
 }
 
+TEST_CASE("friction below zero bends the path towards the fabric and keeps its speed",
+          "[gas][flight]") {
+    const double dt = 1e-3, f = -0.4;
+    const Vec3 wall(10, 0, 20);
+    const shapes::Shape shape{{{-1, -1, 0.1}, {1, -1, 0.1}, {0, 2, 0.1}}, {{0, 1, 2}}};
+    Points x_1 = shape.x;
+    for (Vec3& x : x_1) x += dt * wall;
+    const FacetLists lists = lists_for(shape, shape.x, x_1, 0.1);
+    const bool pushes_along = GENERATE(true, false);
+    Particles gas;
+    gas.add({0, 0, 0.09}, {60, 0, 120}, 7.0, 0, 0);
+    FlightResult flight;
+    fly(lists, shape.x, x_1, dt, std::vector<double>{2.0}, {}, gas, flight, nullptr,
+        {f, pushes_along});
+    const Vec3 before(50, 0, 100), after = gas.v[0] - wall;
+    CHECK(after.norm() == Approx(before.norm()));
+    const double theta = std::atan2(50.0, 100.0);
+    CHECK(std::atan2(after.x(), -after.z()) == Approx(theta + 0.4 * (M_PI / 2.0 - theta)));
+    CHECK((total(flight).impulse.x() == 0.0) != pushes_along);
+    CHECK(total(flight).energy == Approx(total(flight).impulse.dot(wall)));
+    const double energy = 0.5 * 2.0 * Vec3(60, 0, 120).squaredNorm() + 7.0;
+    CHECK(0.5 * 2.0 * gas.v[0].squaredNorm() + gas.e[0] + total(flight).energy == Approx(energy));
+}
+
 TEST_CASE("no particle leaves a closed surface that shakes violently", "[gas][flight]") {
     const int levels = GENERATE(0, 2, 3);
+    const double friction = GENERATE(0.0, 0.9, -0.9);
     shapes::Shape shape = shapes::sphere(0.1, levels);
     Enclosure enclosure(shape.triangles, shape.x, ids(shape.x.size()), "bag 1");
     Particles gas = fill(enclosure, shape.x, 0.1, 400);
@@ -124,6 +149,9 @@ TEST_CASE("no particle leaves a closed surface that shakes violently", "[gas][fl
     const std::vector<double> mass{1.0};
     FlightResult flight;
     std::size_t hits = 0;
+    const auto energy = [&] {
+        return kinetic(gas) + std::accumulate(gas.e.begin(), gas.e.end(), 0.0);
+    };
     for (int step = 0; step < 150; ++step) {
         // Nodes jump at random by up to 8 % of the radius a step: facets turn, stretch, nearly
         // invert.
@@ -132,11 +160,11 @@ TEST_CASE("no particle leaves a closed surface that shakes violently", "[gas][fl
             x_1[n] = home[n] * (0.9 + 0.15 * draw.uniform()) + 0.004 * draw.direction();
         }
         const FacetLists lists = lists_for(shape, x_0, x_1, 0.05);
-        const double before = kinetic(gas);
-        fly(lists, x_0, x_1, 2e-5, mass, {}, gas, flight);
+        const double before = energy();
+        fly(lists, x_0, x_1, 2e-5, mass, {}, gas, flight, nullptr, {friction});
         REQUIRE(flight.lost.empty());
         for (const Vec3& x : gas.x) REQUIRE(enclosure.contains(x, x_1));
-        CHECK(before - kinetic(gas) == Approx(total(flight).energy).epsilon(1e-9).margin(1e-6));
+        CHECK(before - energy() == Approx(total(flight).energy).epsilon(1e-9).margin(1e-6));
         hits += total(flight).hits;
         x_0 = x_1;
     }

@@ -159,10 +159,10 @@ TEST_CASE("AIRBAG_PARTICLE: what nothing acts on yet is one fault, its rows are 
     const DeckFolder folder;
     Bag bag;
     SECTION("card 1") {
-        bag.card_1 = "1,0,0,0,21";
-        CHECK(contains(only_fault(folder, bag), "card 1, field 5 (BLOCK) = 21, expected 0 or 1"));
-        bag.card_1 = "1,0,0,0,0,0,-0.1";
-        CHECK(contains(only_fault(folder, bag), "(FRIC) = -0.1, expected 0 to 1"));
+        bag.card_1 = "1,0,0,0,31";
+        CHECK(contains(only_fault(folder, bag), "card 1, field 5 (BLOCK) = 31, expected 0 or 1"));
+        bag.card_1 = "1,0,0,0,0,0,1.5";
+        CHECK(contains(only_fault(folder, bag), "(FRIC) = 1.5, expected above -1 to 1"));
         bag.card_1 = "1,0,2,2";
         bag.rows = "1,0,10.0\n2,0,10.0\n";
         CHECK(contains(only_fault(folder, bag), "(STYPE2) = 2, expected 0 or 1: this choice"));

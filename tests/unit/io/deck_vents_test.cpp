@@ -69,7 +69,35 @@ TEST_CASE("AIRBAG_PARTICLE: vents that make no sense are faults", "[io]") {
     CHECK(contains(fault("2,0,1.0,,,3"), "(ENH_V) = 3, expected 0 or 1 or 2"));
     CHECK(contains(fault("2,0,-5"),
                    "(C23) = -5, expected >= 0, or minus the id of a *DEFINE_CPM_VENT"));
-    CHECK(contains(fault("2,0,1.0,,,1", "2"), "(ENH_V) = 1, expected 0 for a vent of internal"));
+    CHECK(contains(fault("12,1,1.0,,,1", "2"), "(ENH_V) = 1, expected 0, or a set of only"));
+}
+
+TEST_CASE("AIRBAG_PARTICLE: an internal vent is a plain hole whatever ENH_V", "[io]") {
+    const DeckFolder folder;
+    const Model model = folder.read(vented("", "2,0,0.8,,,2\n", 1, 0, 0, "2"));
+    CHECK_FALSE(model.bags.at(0).vents.at(0).is_isentropic);
+    CHECK(any_contains(model.warnings, "(ENH_V) = 2: a vent of internal parts passes gas both"));
+}
+
+TEST_CASE("AIRBAG_PARTICLE: friction by number or curve, for all parts or some", "[io]") {
+    const DeckFolder folder;
+    const std::string curve = "*DEFINE_CURVE\n9\n0.,0.5\n1e5,-0.25\n";
+    const auto with = [&](const std::string& fric, const std::string& pfric) {
+        std::string deck = vented(curve, "1,0,," + pfric + "\n", 0, 1);
+        const std::string card = "12,1,,,0,1\n";
+        deck.replace(deck.find(card), card.size(), "12,1,,,0,1," + fric + "\n");
+        return deck;
+    };
+    const gas::BagCard bag = folder.read(with("-0.1", "-9")).bags.at(0);
+    REQUIRE(bag.friction.size() == 2);
+    CHECK(bag.friction[0].parts.empty());
+    CHECK(bag.friction[0].factor == -0.1);
+    CHECK(bag.friction[1].parts == std::vector<Index>{0});
+    CHECK(bag.friction[1].curve >= 0);
+    CHECK(contains(only(folder.faults(with("2", "0"))), "(FRIC) = 2, expected above -1 to 1"));
+    CHECK(contains(only(folder.faults(with("-8", "0"))), "(FRIC) = -8"));
+    CHECK(contains(only(folder.faults(with("0", "-1.5"))), "(PFRIC) = -1.5"));
+    CHECK(folder.read(with("1", "0")).bags.at(0).friction.size() == 1);
 }
 
 TEST_CASE("DEFINE_CPM_VENT: C23 < 0 of a vent row names one, wherever it stands", "[io]") {
@@ -99,7 +127,7 @@ TEST_CASE("AIRBAG_PARTICLE: NPDATA rows cool the gas", "[io]") {
     const auto fault = [&](const std::string& row) {
         return only(folder.faults(vented("", row + "\n", 0, 1)));
     };
-    CHECK(contains(fault("1,0,25.0,0.1"), "(PFRIC) = 0.1"));
+    CHECK(contains(fault("1,0,25.0,1.1"), "(PFRIC) = 1.1"));
     CHECK(contains(fault("1,0,25.0,,,,1"), "(INIP) = 1"));
     CHECK(contains(fault("1,2,25.0"), "(STYPEH) = 2"));
 }
@@ -114,6 +142,10 @@ TEST_CASE("AIRBAG_PARTICLE: BLOCK says which holes contact closes", "[io]") {
     CHECK((block(2).fabric && !block(2).external_vents && block(2).internal_vents));
     CHECK((block(3).fabric && block(3).external_vents && !block(3).internal_vents));
     CHECK((block(4).fabric && !block(4).external_vents && !block(4).internal_vents));
+    CHECK_FALSE(block(10).any());
+    CHECK((block(20).by_pressure && !block(20).fabric && !block(20).external_vents));
+    CHECK((block(21).by_pressure && block(21).fabric && block(21).external_vents));
+    CHECK_FALSE(block(14).by_pressure);
 }
 
 TEST_CASE("AIRBAG_PARTICLE: fabric that leaks", "[io]") {
@@ -162,4 +194,23 @@ TEST_CASE("AIRBAG_PARTICLE: in the 2007 dialect a leak curve is over the compone
     std::string deck = of_cloth(vented(cloth(",0.1,-7,,,,7"), "", 0));
     const Model model = folder.read(deck, notes);
     CHECK(std::get<fabric::FabricCard>(model.materials.back().card).leak_by_component);
+}
+
+TEST_CASE("DEFINE_CPM_CHAMBER: a chamber closes with its sets and its holes", "[io]") {
+    const DeckFolder folder;
+    const auto deck = [&](const std::string& cards) {
+        std::string text = vented("*DEFINE_CPM_CHAMBER\n" + cards, "", 0);
+        const std::string counts = "\n0,1,1\n";
+        text.replace(text.find(counts), counts.size(), "\n0,1,1,0,0,0,3\n");
+        return text;
+    };
+    const auto chambers =
+        folder.read(deck("3,2\n12,0,0,31\n0,2,1,32\n1,0,31\n")).bags.at(0).chambers;
+    REQUIRE(chambers.size() == 2);
+    CHECK(chambers[0].id == 31);
+    CHECK(chambers[0].parts == std::vector<Index>{0, 1});
+    CHECK(chambers[1].parts == std::vector<Index>{1, 0});
+    CHECK(contains(only(folder.faults(deck("3,1\n2,0,1,31\n1,0,33\n"))), "TOCHM = 33"));
+    CHECK(contains(only(folder.faults(deck("3,2\n2,0,0,31\n2,0,0,31\n"))), "CHM_ID = 31"));
+    CHECK(contains(only(folder.faults(deck("4,1\n2,0,0,31\n"))), "(CHM) = 3"));
 }

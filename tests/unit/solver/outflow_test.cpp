@@ -4,6 +4,7 @@
 // Gas and heat that leave a bag, in whole scenes.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include "gas/orifice_flow.hpp"
@@ -225,7 +226,7 @@ TEST_CASE("a bag of cloth that leaks and vents closes its books, whatever the th
 TEST_CASE("a touching node blocks a third of a triangle's leak and a quarter of a quad's",
           "[gas][block]") {
     gas::BagCard card;
-    card.block = {true, true, true};
+    card.block = {true, true, true, false};
     gas::BagWalls walls;
     walls.triangles = {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}};
     walls.shell = {0, 0, 1};
@@ -243,7 +244,7 @@ TEST_CASE("a touching node blocks a third of a triangle's leak and a quarter of 
     const std::vector<double> mass{1.0};
     gas::Openings openings(card, walls, {}, species, mass, x, 1);
     const auto open = [&](std::vector<std::uint8_t> touching) {
-        openings.block(touching);
+        openings.block(touching, {});
         return openings.gates()->open;
     };
     const double lost = 1.0 - leak.when_blocked;
@@ -254,4 +255,41 @@ TEST_CASE("a touching node blocks a third of a triangle's leak and a quarter of 
     CHECK(one[2] == 1.0);
     CHECK(open({0, 0, 1, 0, 0})[2] == Approx(1.0 - lost / 3.0));
     CHECK(open({1, 1, 1, 1, 1})[2] == Approx(leak.when_blocked));
+}
+
+TEST_CASE(
+    "with BLOCK of 20 a vent shuts where contact presses harder than the gas, not where it "
+    "touches",
+    "[solver][block]") {
+    Model model = tank(500);
+    gas::BagCard& card = model.bags[0];
+    card.vents = {vent(1.0, true)};
+    card.block.by_pressure = true;
+    card.air = gas::InitialAirCard{scenes::air(), 3.0 * P_ATM, 300.0};
+    gas::BagWalls walls;
+    for (const Shell& shell : model.shells) {
+        walls.shell.push_back(static_cast<Index>(walls.triangles.size()));
+        walls.triangles.push_back({shell.nodes[0], shell.nodes[1], shell.nodes[2]});
+        walls.part.push_back(shell.part);
+    }
+    walls.closing = walls.triangles.size();
+    walls.part_ids = {1, 2};
+    walls.part_rows = {0, 1};
+    const std::size_t count = model.x.size();
+    const std::vector<std::uint8_t> all(count, 1);
+    gas::BagGas bag(card, walls, model.curves, model.node_id, all, model.x, 1);
+    Points area(count, Vec3::Zero()), force(count, Vec3::Zero());
+    bag.add_load(model.x, 1e-6, force);
+    bag.prepare(1e-6, model.x, model.x);
+    bag.inject(0.0, 1e-6, model.x, model.x);
+    bag.fly(0.0, 1e-6, model.x, model.x);
+    bag.enclosure().node_areas(model.x, area);
+    for (const double share : {0.5, 1.5}) {
+        std::fill(force.begin(), force.end(), Vec3::Zero());
+        for (const Index n : model.shells.back().nodes) force[n] = -share * 2.0 * P_ATM * area[n];
+        bag.set_touching(all, force);
+        const std::vector<double>& open = bag.openings().gates()->open;
+        CHECK(open.back() == Approx(share > 1.0 ? 0.0 : 1.0));
+        CHECK(open.front() == 1.0);
+    }
 }

@@ -1,0 +1,56 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "gas/control_volume.hpp"
+#include "gas/enclosure.hpp"
+
+namespace corpuscle::gas {
+
+/// A bag's gas after TSW: one room, or one for each chamber, with a pressure of its own each.
+class UniformGas {
+public:
+    struct Room {
+        Enclosure surface;
+        ControlVolume gas;
+        Points area{};  ///< N × 3, node areas at t                                     [m^2]
+    };
+    UniformGas(std::vector<Room> rooms, std::size_t node_count);
+
+    [[nodiscard]] std::size_t size() const { return rooms_.size(); }
+    [[nodiscard]] ControlVolume& operator[](std::size_t room) { return rooms_[room].gas; }
+    [[nodiscard]] const ControlVolume& operator[](std::size_t room) const {
+        return rooms_[room].gas;
+    }
+
+    /// State of every room at t. False when one has none (ControlVolume::settle).
+    [[nodiscard]] bool settle(std::span<const Vec3> x);
+    void add_force(std::span<Vec3> f) const;              ///< p A of all rooms      [N]
+    void work(std::span<const Vec3> v_mid, double span);  ///< books that of the force
+    [[nodiscard]] Vec3 force(Index node) const;           ///< [N]
+    void add_heat(double energy);  ///< shared by what rooms hold                             [J]
+
+    [[nodiscard]] double energy() const;                     ///< [J]
+    [[nodiscard]] double mass() const;                       ///< [kg]
+    [[nodiscard]] double moles(std::size_t species) const;   ///< of all rooms               [mol]
+    [[nodiscard]] double energy(std::size_t species) const;  ///< of all rooms               [J]
+    [[nodiscard]] double pressure() const;                   ///< sum of p V over that of V  [Pa]
+    /// At which all rooms' gas at rest would hold its energy.                                [K]
+    [[nodiscard]] double temperature() const;
+
+    /// Takes a mass from one room to another, with its enthalpy.                            [kg]
+    void pass(std::size_t from, std::size_t to, double mass);
+
+private:
+    std::vector<Room> rooms_;
+};
+
+/// Mass that evens out the pressures of two rooms of ideal gas, to first order.             [kg]
+///
+///     (p_1 - p_2) / (g R T_1 / M (1/V_1 + 1/V_2))
+[[nodiscard]] double evening_mass(const ControlVolume& from, const ControlVolume& to);
+
+}  // namespace corpuscle::gas

@@ -1,0 +1,207 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// Bags of two chambers: states of their own, before and after the switch to uniform pressure.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <map>
+
+#include "gas/orifice_flow.hpp"
+#include "solver/base/error.hpp"
+#include "solver/simulation.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace corpuscle;
+
+namespace {
+
+/// A tank 0.1 x 0.1 x 0.15 m that a wall at z = 0.1 parts: parts 1 and 2 are the hulls of the large
+/// and the small chamber, 3 is the wall and 4 one of its triangles, a hole if it is made one.
+/// Hot gas flows into the large one, cold into the small one, 1 g each until 1 ms.
+Model two_chambers() {
+    constexpr int N = 3;
+    Model model;
+    std::map<std::array<int, 3>, Index> rows;
+    const auto node = [&](int i, int j, int k) {
+        const auto [at, fresh] = rows.try_emplace({i, j, k}, static_cast<Index>(model.x.size()));
+        if (fresh) model.x.push_back(Vec3(0.1 * i / N, 0.1 * j / N, 0.05 * k));
+        return at->second;
+    };
+    const auto quad = [&](Index part, Index a, Index b, Index c, Index d) {
+        const auto id = static_cast<int>(model.shells.size()) + 1;
+        model.shells.push_back({id, part, {a, b, c, c}});
+        model.shells.push_back({id + 1, part, {a, c, d, d}});
+    };
+    for (int i = 0; i < N; ++i)
+        for (int j = 0; j < N; ++j)
+            for (const auto& [k, part] : {std::pair(0, 0), std::pair(3, 1), std::pair(2, 2)})
+                quad(part, node(i, j, k), node(i + 1, j, k), node(i + 1, j + 1, k),
+                     node(i, j + 1, k));
+    for (int i = 0; i < N; ++i)
+        for (int k = 0; k < 3; ++k)
+            for (const int side : {0, N}) {
+                const Index part = k < 2 ? 0 : 1;
+                quad(part, node(i, side, k), node(i + 1, side, k), node(i + 1, side, k + 1),
+                     node(i, side, k + 1));
+                quad(part, node(side, i, k), node(side, i + 1, k), node(side, i + 1, k + 1),
+                     node(side, i, k + 1));
+            }
+    for (Shell& shell : model.shells)
+        if (shell.part == 2) {
+            shell.part = 3;
+            break;
+        }
+    model.unit_system = "SI";
+    model.parts.resize(4);
+    for (int p = 0; p < 4; ++p) {
+        model.parts[static_cast<std::size_t>(p)].id = p + 1;
+        model.parts[static_cast<std::size_t>(p)].material = 0;
+        model.parts[static_cast<std::size_t>(p)].thickness = 1e-3;
+    }
+    model.materials = {{1, "", scenes::null_material()}};
+    model.velocity.assign(model.x.size(), Vec3::Zero());
+    for (std::size_t n = 0; n < model.x.size(); ++n) model.node_id.push_back(static_cast<int>(n));
+    scenes::fill(model, scenes::air(), 1e-3, 1e-3, 600.0, {0.05, 0.05, 0.06}, 4000);
+    scenes::fill(model, scenes::air(), 1e-3, 1e-3, 300.0, {}, 4000);
+    gas::BagCard& bag = model.bags[0];
+    bag.external_parts = {0, 1};
+    bag.internal_parts = {2, 3};
+    bag.chambers = {{21, {0, 2, 3}}, {22, {1, 2, 3}}};
+    bag.inflow[1].inflator = 2;
+    gas::OrificeCard cold;
+    cold.node = static_cast<Index>(model.x.size());
+    cold.inflator = 2;
+    bag.orifices.push_back(cold);
+    model.x.emplace_back(0.05, 0.05, 0.12);
+    model.velocity.push_back(Vec3::Zero());
+    model.node_id.push_back(static_cast<int>(model.x.size()));
+    scenes::fix_all_nodes(model);
+    model.end_time = 2e-3;
+    return model;
+}
+
+std::vector<gas::ChamberState> chambers(const Simulation& simulation) {
+    return simulation.bags()[0].chamber_states(simulation.nodes().x);
+}
+
+void run_until(Simulation& simulation, double t, double& residual) {
+    while (!simulation.is_over() && simulation.time() < t)
+        simulation.step([&](Simulation& now) {
+            residual = std::max(residual, std::abs(now.books().residual));
+        });
+}
+
+}  // namespace
+
+TEST_CASE("each chamber has its own state, and keeps it when the pressure becomes uniform",
+          "[solver][chambers]") {
+    Model model = two_chambers();
+    model.bags[0].switch_at = 1.5e-3;
+    const bool has_air = GENERATE(false, true);
+    if (has_air) model.bags[0].air = gas::InitialAirCard{scenes::air(), 2e4, 300.0};
+    Simulation simulation(model);
+    double residual = 0.0;
+    run_until(simulation, 1.49e-3, residual);
+    REQUIRE_FALSE(simulation.bags()[0].is_uniform());
+    const auto before = chambers(simulation);
+    CHECK(before[0].volume == Approx(1e-3));
+    CHECK(before[1].volume == Approx(0.5e-3));
+    if (!has_air) {
+        CHECK(before[0].temperature == Approx(600.0).epsilon(1e-9));
+        CHECK(before[1].temperature == Approx(300.0).epsilon(1e-9));
+        CHECK(before[0].mass == Approx(1e-3).epsilon(1e-9));
+    }
+    run_until(simulation, 1.6e-3, residual);
+    REQUIRE(simulation.bags()[0].is_uniform());
+    const auto after = chambers(simulation);
+    for (const std::size_t c : {0, 1}) {
+        CHECK(after[c].mass == Approx(before[c].mass).epsilon(1e-12));
+        // Heat goes between particles and the uniform air until the switch.
+        CHECK(after[c].energy == Approx(before[c].energy).epsilon(has_air ? 1e-2 : 1e-9));
+        CHECK(after[c].temperature == Approx(before[c].temperature).epsilon(has_air ? 1e-2 : 1e-9));
+        CHECK(after[c].pressure == Approx(before[c].pressure).epsilon(0.02));
+    }
+    run_until(simulation, 1.0, residual);
+    CHECK(chambers(simulation)[0].energy == Approx(after[0].energy).epsilon(1e-12));
+    CHECK(residual < 1e-9 * simulation.bags()[0].inflow_energy());
+    // The wall is pushed by the difference, the hull by its own chamber.
+    simulation.close([&](Simulation& at_end) {
+        const AirbagSample bag = at_end.sample().airbags[0];
+        REQUIRE(bag.chambers.size() == 2);
+        CHECK(bag.chambers[1].pressure == Approx(after[1].pressure));
+    });
+}
+
+TEST_CASE("a hole between chambers lets gas through as a nozzle does, until pressures are even",
+          "[solver][chambers]") {
+    Model model = two_chambers();
+    model.bags[0].switch_at = 1.2e-3;
+    model.bags[0].all_in = 1e-3;
+    gas::VentCard hole;
+    hole.parts = {3};
+    hole.coefficient = 0.8;
+    model.curves.push_back({9, {0.0, 1.3e-3, 1.300001e-3, 1.0}, {0.0, 0.0, 1.0, 1.0}});
+    hole.time_curve = static_cast<Index>(model.curves.size() - 1);
+    model.bags[0].vents = {hole};
+    model.end_time = 40e-3;
+    Simulation simulation(model);
+    double residual = 0.0;
+    run_until(simulation, 1.35e-3, residual);
+    // From here on by the equations of the two rooms, small steps.
+    auto now = chambers(simulation);
+    double t = simulation.time();
+    const double area = 0.8 * 0.5 * (0.1 / 3.0) * (0.1 / 3.0), gamma = 28.0 / (28.0 - GAS_CONSTANT);
+    const double R = GAS_CONSTANT / 0.028, cv = (28.0 - GAS_CONSTANT) / 0.028;
+    for (const double look : {1.8e-3, 3e-3}) {
+        run_until(simulation, look, residual);
+        constexpr int STEPS = 20000;
+        const double dt = (simulation.time() - t) / STEPS;
+        for (int i = 0; i < STEPS; ++i) {
+            for (auto& room : now) {
+                room.temperature = room.energy / (room.mass * cv);
+                room.pressure = room.mass * R * room.temperature / room.volume;
+            }
+            auto& from = now[0].pressure > now[1].pressure ? now[0] : now[1];
+            auto& to = &from == &now[0] ? now[1] : now[0];
+            const double mass =
+                area * dt *
+                gas::orifice_flow(from.pressure, to.pressure, from.temperature, gamma, R);
+            const double energy = mass * gamma * cv * from.temperature;
+            from.mass -= mass, to.mass += mass;
+            from.energy -= energy, to.energy += energy;
+        }
+        t = simulation.time();
+        const auto found = chambers(simulation);
+        for (const std::size_t c : {0, 1}) {
+            CHECK(found[c].mass == Approx(now[c].mass).epsilon(2e-3));
+            CHECK(found[c].energy == Approx(now[c].energy).epsilon(2e-3));
+        }
+    }
+    run_until(simulation, 1.0, residual);
+    const auto end = chambers(simulation);
+    CHECK(end[0].pressure == Approx(end[1].pressure).epsilon(1e-6));
+    CHECK(end[0].mass + end[1].mass == Approx(2e-3).epsilon(1e-9));
+    CHECK(residual < 1e-9 * simulation.bags()[0].inflow_energy());
+}
+
+TEST_CASE("chambers that are not closed, overlap or leave some of the bag out are refused",
+          "[solver][chambers]") {
+    Model model = two_chambers();
+    const auto fault = [&] {
+        try {
+            Simulation simulation(model);
+        } catch (const InputError& error) {
+            return error.faults.at(0);
+        }
+        return std::string("none");
+    };
+    auto& cards = model.bags[0].chambers;
+    CHECK(fault() == "none");
+    cards = {{21, {0, 2}}, {22, {1, 2, 3}}};
+    CHECK(fault().find("not closed") != std::string::npos);
+    cards = {{21, {0, 2, 3}}};
+    CHECK(fault().find("closes the bag but no chamber") != std::string::npos);
+    cards = {{21, {0, 2, 3}}, {22, {0, 2, 3}}};
+    CHECK(fault().find("another chamber on the same side") != std::string::npos);
+}
