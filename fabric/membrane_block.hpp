@@ -3,6 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -31,6 +34,7 @@ public:
         double rate = 0.0;  ///< largest (2/dt)² met                              [1/s^2]
         Index shell = -1;   ///< whose it is
         double lost = 0.0;  ///< by loops of loading since the last call          [J]
+        double pull = 0.0;  ///< what the stress would do on the strain of the start: ΣV·S:E_0 [J]
     };
     /// Forces of packs begin..end; laws that remember move on. `damping` is written only by damped
     /// blocks.
@@ -53,6 +57,12 @@ public:
     /// β = 2ζ/ω with the frequency of the element alone.                         [s]
     [[nodiscard]] virtual double damping_time(std::size_t element) const = 0;
 
+    using PastVisitor = std::function<void(std::span<std::byte>)>;
+    /// Shows all that depends on what the elements have been through.
+    virtual void visit_past(const PastVisitor& visit) = 0;
+    /// Takes over what the elements of the same block have been through, new shells aside.
+    virtual void inherit(const MembraneBlock& from, const std::vector<std::uint8_t>& is_new) = 0;
+
     [[nodiscard]] std::size_t size() const { return shells.size(); }
     [[nodiscard]] std::size_t packs() const { return (size() + LANES - 1) / LANES; }
     [[nodiscard]] std::size_t doubles() const {
@@ -62,6 +72,7 @@ public:
     Index part = -1;
     int corners = 0;
     bool is_damped = false;
+    double strain_left = 0.0;   ///< r: what is left of the start's strain (TSRFAC)     [-]
     std::vector<Index> shells;  ///< rows, in order
     std::vector<double> mass;   ///< that each corner brings to its node, size × corners  [kg]
     std::vector<CornerMatrix> stiffness;  ///< at rest, given up once the step is known [N/m]
@@ -76,6 +87,7 @@ struct BlockInput {
     std::vector<Index> shells;                ///< rows
     std::vector<ReferenceShape> shapes;       ///< one a shell
     std::vector<std::array<Index, 4>> nodes;  ///< distinct corners' node rows, one a shell
+    std::span<const Vec3> start;  ///< places at the start, or none                    [m]
 };
 
 std::unique_ptr<MembraneBlock> make_triangles(const BlockInput& in);

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <array>
+#include <cassert>
+#include <optional>
 #include <tuple>
 
 #include "fabric/element_frequency.hpp"
 #include "fabric/membrane_block.hpp"
+#include "fabric/point_history.hpp"
 
 namespace corpuscle::fabric {
 
@@ -56,36 +59,6 @@ void store_corners(double* to, const std::array<Vector<Lanes>, CORNERS>& f) {
     }
 }
 
-/// A law that remembers, at the points of one pack.
-template <class Law, class Shape, std::size_t POINTS>
-struct AtPack {
-    using Memories = std::array<typename Law::Memory, POINTS>;
-
-    const Law& law;
-    const Shape& shape;
-    Memories& memories;
-    mutable Lanes lost{};  ///< [J]
-
-    [[nodiscard]] decltype(auto) moduli() const { return law.moduli(); }
-    [[nodiscard]] Stress<Lanes> stress(int k, const Strain<Lanes>& e) const {
-        Lanes density{};
-        const Stress<Lanes> s = law.move(e, memories[static_cast<std::size_t>(k)], density);
-        lost += density * shape.volume_at(k);
-        return s;
-    }
-};
-
-/// What a block keeps for each pack of a law that remembers; nothing for others.
-template <class Law, std::size_t POINTS>
-struct MemoryOf {
-    struct Nothing {};
-    using PerPack = Nothing;
-};
-template <Remembering Law, std::size_t POINTS>
-struct MemoryOf<Law, POINTS> {
-    using PerPack = std::array<typename Law::Memory, POINTS>;
-};
-
 /// The loop over a block; it knows no mechanics. `DAMPED` and the law are settled at construction.
 template <template <class> class Element, class Law, bool DAMPED>
 class BlockOf final : public MembraneBlock {
@@ -93,10 +66,14 @@ public:
     static constexpr int CORNERS = Element<Lanes>::CORNERS;
     static constexpr std::size_t POINTS = Element<Lanes>::POINTS;
     static constexpr std::size_t STRIDE = 3 * LANES * CORNERS;  ///< corner forces of a pack
+    static constexpr bool HAS_PAST = Remembering<Law>;
 
     template <class Make>
     BlockOf(const BlockInput& in, const Law& law, const Make& make)
-        : law_(law), packs_((in.shells.size() + LANES - 1) / LANES) {
+        : law_(law),
+          liner_(in.law.liner),
+          moduli_(liner_ ? law.moduli() + liner_->moduli() : law.moduli()),
+          packs_((in.shells.size() + LANES - 1) / LANES) {
         part = in.part;
         corners = CORNERS;
         is_damped = DAMPED;
@@ -107,18 +84,20 @@ public:
         if constexpr (Remembering<Law>) memory_.resize(packs_.size());
         for (std::size_t e = 0; e < packs_.size() * LANES; ++e)
             place(in, e, make(in.shapes[std::min(e, size() - 1)], in.thickness));
+        if (liner_ || in.law.restoration.any()) history_.resize(packs_.size());
+        if (in.law.restoration.any() && !in.start.empty()) note_start(in.start);
     }
 
     /// Flattened: with so many laws in one file the compiler would call what must be inline.
     [[gnu::flatten]] Result force(std::size_t begin, std::size_t end, const Points& x,
                                   const Points& v, double* elastic, double* damping) override {
-        Lanes energy{}, rate{}, pack_of{}, lost{};
+        Lanes energy{}, rate{}, pack_of{}, lost{}, pull{};
         for (std::size_t p = begin; p < end; ++p) {
             const Pack<Element>& pack = packs_[p];
             const auto motion = pack.shape.motion(corners_of(x.data()->data(), pack.nodes));
             const auto strain = pack.shape.strain(motion);
             Lanes stored;
-            const auto load = respond(p, motion, strain, stored, lost);
+            const auto load = respond(p, motion, strain, stored, lost, pull);
             store_corners(elastic + p * STRIDE, pack.shape.spread(motion, load, Lanes{} + 1.0));
             energy += stored;
             if constexpr (DAMPED) damp(p, motion, v, damping);
@@ -129,6 +108,7 @@ public:
         }
         Result out = summary(energy, rate, pack_of);
         if constexpr (Remembering<Law>) out.lost = sum_of(lost);
+        if (!history_.empty()) out.pull = sum_of(pull);
         return out;
     }
 
@@ -181,6 +161,24 @@ public:
     }
     double damping_time(std::size_t element) const override { return damping_time_[element]; }
 
+    void visit_past(const PastVisitor& visit) override {
+        visit(std::as_writable_bytes(std::span(memory_)));
+        visit(std::as_writable_bytes(std::span(history_)));
+    }
+    void inherit(const MembraneBlock& from, const std::vector<std::uint8_t>& is_new) override {
+        const auto& other = dynamic_cast<const BlockOf&>(from);
+        assert(other.shells == shells);
+        for (std::size_t e = 0; e < size(); ++e) {
+            if (is_new[static_cast<std::size_t>(shells[e])]) continue;
+            const std::size_t p = e / LANES, lane = e % LANES;
+            for (std::size_t k = 0; k < POINTS; ++k) {
+                if constexpr (HAS_PAST) memory_[p][k].lanes[lane] = other.memory_[p][k].lanes[lane];
+                if (!history_.empty())
+                    history_[p][k].was_taut[lane] = other.history_[p][k].was_taut[lane];
+            }
+        }
+    }
+
 private:
     std::size_t row(std::size_t pack, std::size_t lane) const {
         return static_cast<std::size_t>(shells[pack * LANES + lane]);
@@ -194,7 +192,7 @@ private:
             const ReferenceShape& shape = in.shapes[e];
             double* corner = mass.data() + e * CORNERS;
             std::fill_n(corner, CORNERS, in.law.density * in.thickness * shape.area / CORNERS);
-            stiffness[e] = rest_stiffness(one, shape, law_.moduli());
+            stiffness[e] = rest_stiffness(one, shape, moduli_);
             const double frequency = highest_frequency_squared(stiffness[e], corner);
             damping_time_[e] = 2.0 * in.law.damping / std::sqrt(frequency);
             pack.rate[lane] = step_rate(frequency, damping_time_[e]);
@@ -205,45 +203,70 @@ private:
         pack.set(static_cast<int>(lane), one);
     }
 
-    /// Load of a pack; a law that remembers moves on.
-    auto respond(std::size_t p, const auto& motion, const auto& strain, Lanes& stored,
-                 Lanes& lost) {
+    using At = AtPack<Law, Element<Lanes>, POINTS>;
+
+    /// Load of a pack; what depends on its past moves on.
+    auto respond(std::size_t p, const auto& motion, const auto& strain, Lanes& stored, Lanes& lost,
+                 Lanes& pull) {
         const Element<Lanes>& shape = packs_[p].shape;
-        if constexpr (Remembering<Law>) {
-            const AtPack<Law, Element<Lanes>, POINTS> law{law_, shape, memory_[p]};
-            const auto load = shape.elastic(law, motion, strain, stored);
-            lost += law.lost;
-            return load;
-        } else {
-            return shape.elastic(law_, motion, strain, stored);
-        }
+        if (!HAS_PAST && history_.empty()) return shape.elastic(law_, motion, strain, stored);
+        const At law{law_,
+                     shape,
+                     moduli_,
+                     memory_.empty() ? nullptr : &memory_[p],
+                     history_.empty() ? nullptr : &history_[p],
+                     liner_,
+                     strain_left};
+        const auto load = shape.elastic(law, motion, strain, stored);
+        lost += law.lost;
+        pull += law.pull;
+        return load;
     }
 
     /// The energy alone, from what is remembered; nothing moves on.
     void recall(std::size_t p, const auto& motion, const auto& strain, Lanes& stored) const {
-        const Element<Lanes>& shape = packs_[p].shape;
-        if constexpr (Remembering<Law>) {
-            auto memory = memory_[p];
-            shape.elastic(AtPack<Law, Element<Lanes>, POINTS>{law_, shape, memory}, motion, strain,
-                          stored);
-        } else {
-            shape.elastic(law_, motion, strain, stored);
-        }
+        Past past(*this, p);
+        packs_[p].shape.elastic(past.law(*this, p), motion, strain, stored);
     }
     Stress<Lanes> recalled(std::size_t p, std::size_t k, const Strain<Lanes>& e) const {
-        if constexpr (Remembering<Law>) {
-            auto memory = memory_[p][k];
-            Lanes lost{};
-            return law_.move(e, memory, lost);
-        } else {
-            return law_.stress(e);
+        Past past(*this, p);
+        return past.law(*this, p).stress(static_cast<int>(k), e);
+    }
+
+    /// A copy of what one pack remembers, to look without moving on.
+    struct Past {
+        std::vector<typename At::Memories> memory;
+        std::vector<typename At::Histories> history;
+
+        Past(const BlockOf& block, std::size_t p) {
+            if (!block.memory_.empty()) memory.push_back(block.memory_[p]);
+            if (!block.history_.empty()) history.push_back(block.history_[p]);
+        }
+        At law(const BlockOf& block, std::size_t p) {
+            return {block.law_,
+                    block.packs_[p].shape,
+                    block.moduli_,
+                    memory.empty() ? nullptr : memory.data(),
+                    history.empty() ? nullptr : history.data(),
+                    block.liner_,
+                    block.strain_left};
+        }
+    };
+
+    /// E_0 of every point: the strain in tension that the start's places bring.
+    void note_start(std::span<const Vec3> start) {
+        for (std::size_t p = 0; p < packs_.size(); ++p) {
+            const Element<Lanes>& shape = packs_[p].shape;
+            const auto strain =
+                shape.strain(shape.motion(corners_of(start.data()->data(), packs_[p].nodes)));
+            for (std::size_t k = 0; k < POINTS; ++k) history_[p][k].start = tensile_part(strain[k]);
         }
     }
 
     void damp(std::size_t p, const auto& motion, const Points& v, double* damping) const {
         const Pack<Element>& pack = packs_[p];
         const auto rate = pack.shape.motion(corners_of(v.data()->data(), pack.nodes));
-        const auto load = pack.shape.viscous(law_.moduli(), motion, rate);
+        const auto load = pack.shape.viscous(moduli_, motion, rate);
         const Lanes time = load_lanes(damping_time_.data() + p * LANES);
         store_corners(damping + p * STRIDE, pack.shape.spread(motion, load, time));
     }
@@ -253,7 +276,7 @@ private:
         if constexpr (requires { law_.stiffening(strain[0]); }) {
             Lanes most{};
             for (const Strain<Lanes>& e : strain) most = greater(most, law_.stiffening(e));
-            return most;
+            return liner_ ? greater(most, 1.0 + 3.0 * greatest_extension(strain)) : most;
         } else {
             return 1.0 + 3.0 * greatest_extension(strain);
         }
@@ -292,9 +315,12 @@ private:
     }
 
     Law law_;
+    std::optional<WaitingLiner> liner_;
+    PlaneModuli moduli_;  ///< of law and liner
     std::vector<Pack<Element>> packs_;
     std::vector<double> damping_time_;  ///< β, for every lane                     [s]
     std::vector<typename MemoryOf<Law, POINTS>::PerPack> memory_;  ///< empty: nothing to remember
+    std::vector<std::array<PointHistory, POINTS>> history_;  ///< empty: neither TSRFAC nor LNRC
 };
 
 template <template <class> class Element, class Make>

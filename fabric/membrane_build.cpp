@@ -71,6 +71,7 @@ std::vector<BlockInput> sort_into_blocks(const MembraneSetup& setup) {
             block.kind = kind;
             block.thickness = part.thickness;
             block.law = *laws.at(shell.part);
+            block.start = setup.start;
         }
         add_shell(block, setup, row, shape);
     }
@@ -93,6 +94,8 @@ Membranes::Membranes(const MembraneSetup& setup)
         elastic += block.doubles();
         if (block.is_damped) damped += block.doubles();
         element_count_ += block.size();
+        if (in.law.restoration.any())
+            add_restoring(blocks_.size() - 1, in.law.restoration, setup.curves);
         const std::size_t step = TASK_ELEMENTS / LANES;
         for (std::size_t p = 0; p < block.packs(); p += step)
             tasks_.push_back({blocks_.size() - 1, p, std::min(p + step, block.packs())});
@@ -105,7 +108,9 @@ Membranes::Membranes(const MembraneSetup& setup)
     damping_gather_ = gather_of(setup.node_count, /*damped=*/true);
     gather_check_.resize(chunks_of(gather_));
     damping_check_.resize(chunks_of(damping_gather_));
-    find_rest_rates(lumped_mass(setup));
+    find_rest_rates(setup.node_mass.empty()
+                        ? lumped_mass(setup)
+                        : std::vector<double>(setup.node_mass.begin(), setup.node_mass.end()));
 }
 
 Membranes::~Membranes() = default;

@@ -41,7 +41,7 @@ Index Membranes::add_force(const Points& x, const Points& v, Points& f) {
             const MembraneBlock::Result r = blocks_[task.block]->force(
                 task.begin, task.end, x, v, corner_force_.data() + block_start_[task.block],
                 corner_damping_.data() + damped_start_[task.block]);
-            found_[i] = {r.energy, r.rate, r.shell, r.lost};
+            found_[i] = {r.energy, r.rate, r.shell, r.lost, r.pull};
         },
         /*chunk=*/1);
 
@@ -95,7 +95,8 @@ void Membranes::reduce() {
             shell = found_[i].shell;
         }
     }
-    step_ = rate > 0.0 ? Step{2.0 / std::sqrt(rate), shell} : Step{INF, -1};
+    if (rate > 0.0) step_.take(2.0 / std::sqrt(rate), shell);
+    book_restored();
 }
 
 double Membranes::strain_energy() const {

@@ -24,6 +24,8 @@ struct MembraneSetup {
         active;                       ///< E; 0: never strained (all nodes prescribed, rigid, null)
     std::size_t node_count = 0;       ///< N
     std::span<const Curve> curves{};  ///< that the materials' rows mean
+    std::span<const Vec3> start{};    ///< N: places at the start, for TSRFAC; empty: no strain [m]
+    std::span<const double> node_mass{};  ///< N; empty: lumped_mass() of this setup           [kg]
 };
 
 /// Mass of every shell, whatever it is made of, from its reference area: rho·h·A0.     E    [kg]

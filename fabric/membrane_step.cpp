@@ -85,12 +85,12 @@ void Membranes::find_rest_rates(const std::vector<double>& mass) {
 /// The step of the reference shapes, for use before any force is known.
 void Membranes::find_rest_step() {
     double rate = 0.0;
-    step_ = {INF, -1};
+    step_ = {};
     for (const auto& block : blocks_)
         for (std::size_t e = 0; e < block->size(); ++e)
             if (block->rate(e) > rate) {
                 rate = block->rate(e);
-                step_ = {2.0 / std::sqrt(rate), block->shells[e]};
+                step_ = HeldStep(2.0 / std::sqrt(rate), block->shells[e]);
             }
 }
 

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "fabric/held_step.hpp"
 #include "fabric/membrane_setup.hpp"
 
 namespace corpuscle::fabric {
@@ -34,9 +37,9 @@ public:
         Index shell;  ///< row of the shell that sets it, -1 when nothing does
     };
     /// Largest stable step of any element alone, which bounds that of the mesh: from the reference
-    /// shape, law, liner and damping, shortened by the stretch that the last add_force met. No
-    /// TSSFAC.
-    [[nodiscard]] Step stable_step() const { return step_; }
+    /// shape, law, liner and damping, shortened by the stretch that add_force has met, and held as
+    /// HeldStep says. No TSSFAC.
+    [[nodiscard]] Step stable_step() const { return {step_.dt(), step_.shell()}; }
 
     /// f += internal force of positions x at t and, where damped, of velocities v at t - dt/2.
     /// @returns  row of the first shell whose strain or force is not finite, -1 when all are
@@ -56,6 +59,32 @@ public:
     /// What loops of loading and unloading (LCUA, LCUB, LCUAB) have lost up to the last
     /// add_force.                                                                           [J]
     [[nodiscard]] double lost_energy() const { return lost_energy_; }
+
+    /// TSRFAC: one step's share of the start's strains comes back, before add_force at t.
+    void restore_strains(double t);
+    /// Energy that has come with them up to the last add_force.                             [J]
+    [[nodiscard]] double restored_energy() const { return restored_energy_; }
+
+    /// Takes over what yarns and liners have been through from membranes of the same shells; those
+    /// of `is_new` (E) begin anew.
+    void inherit(const Membranes& from, const std::vector<std::uint8_t>& is_new);
+
+    /// Everything that is not a function of the setup, for a checkpoint: archive(number) for one,
+    /// archive(std::span<std::byte>) for many, in the same order for writing and reading.
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        step_.visit_state(archive);
+        archive(lost_energy_);
+        archive(restored_energy_);
+        for (double& energy : part_energy_) archive(energy);
+        for (Restoring& r : restoring_) {
+            archive(r.left);
+            archive(r.before);
+            archive(r.pull);
+            archive(r.steps);
+        }
+        visit_past([&](std::span<std::byte> bytes) { archive(bytes); });
+    }
 
     struct AddedMass {
         std::vector<double> node;  ///< N, to be added to the lumped mass                     [kg]
@@ -82,7 +111,16 @@ private:
         double energy;
         double rate;  ///< (2/dt)² of the element that limits it [1/s^2]
         Index shell;
-        double lost;  ///< [J]
+        double lost, pull;  ///< [J]
+    };
+    struct Restoring {  ///< a block with TSRFAC
+        std::size_t block;
+        StrainRestoration how;
+        Curve curve;
+        double left = 1.0;    ///< r                                              [-]
+        double before = 1.0;  ///< r at the last add_force                        [-]
+        double pull = 0.0;    ///< ΣV·S:E_0 at the last add_force                 [J]
+        std::int64_t steps = 0;
     };
     /// For every node that has active corners: where their forces lie. Node row i's are
     /// places[starts[i]] .. places[starts[i + 1]].
@@ -96,6 +134,10 @@ private:
     void find_rest_rates(const std::vector<double>& mass);
     void find_rest_step();
     void gather_damping(Points& f);
+    void add_restoring(std::size_t block, const StrainRestoration& how,
+                       std::span<const Curve> curves);
+    void book_restored();
+    void visit_past(const std::function<void(std::span<std::byte>)>& visit);
     void reduce();
     [[nodiscard]] bool all_finite() const;
     [[nodiscard]] Index first_broken(const Points& x) const;
@@ -111,9 +153,10 @@ private:
         damping_check_;  ///< sums that are finite when all forces are
     std::vector<double> part_energy_;
     Points damping_force_;
-    double lost_energy_ = 0.0;
+    std::vector<Restoring> restoring_;
+    double lost_energy_ = 0.0, restored_energy_ = 0.0;
     std::size_t element_count_ = 0, node_count_ = 0;
-    Step step_{INF, -1};
+    HeldStep step_;
 };
 
 }  // namespace corpuscle::fabric

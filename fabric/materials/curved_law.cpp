@@ -26,7 +26,7 @@ LoadingLoop loop(const FabricCard& c, std::span<const Curve> curves, std::size_t
 
 template <class Measure>
 Law curved(const FabricCard& c, YarnLoops loops) {
-    const bool has_liner = c.liner_E > 0 && c.liner_ratio > 0;
+    const bool has_liner = c.liner_E > 0 && c.liner_ratio > 0 && !c.liner_waits;
     const PlaneModuli liner =
         has_liner ? c.liner_ratio * isotropic_moduli(c.liner_E, c.liner_nu) : PlaneModuli{};
     if (loops.warp.remembers() || loops.weft.remembers() || loops.shear.remembers())

@@ -26,6 +26,16 @@ struct FabricCurves {
     }
 };
 
+/// TSRFAC: strains in tension that the reference geometry brings at the start bear no stress; they
+/// come back by a share of what is left in every step, or as a curve of time says.
+struct StrainRestoration {
+    double share = 0.0;       ///< 0 < TSRFAC < 1: that comes back in every step              [-]
+    Index share_curve = -1;   ///< TSRFAC < 0: the same over time
+    Index course_curve = -1;  ///< TSRFAC >= 1: what has come back so far over time, 0 to 1
+
+    [[nodiscard]] bool any() const { return share > 0.0 || share_curve >= 0 || course_curve >= 0; }
+};
+
 /// Orthotropic woven fabric, *MAT_FABRIC (034): the card as the user means it, defaults resolved.
 struct FabricCard {
     double density = NaN;  ///< RO                                                    [kg/m^3]
@@ -33,20 +43,23 @@ struct FabricCard {
     double E_weft = NaN;   ///< EB; the reader sets EB = EA, GAB = EA/2(1+PRBA) when EB = 0 [Pa]
     double nu_ba = 0.0;    ///< PRBA: strain along a from stress along b; nu_ab = nu_ba·EA/EB [-]
     double G = NaN;        ///< GAB                                                   [Pa]
-    bool no_compression = false;  ///< CSE = 1: the smaller principal stress is never negative
-    double liner_E = 0.0;         ///< EL                                                    [Pa]
-    double liner_nu = 0.0;        ///< PRL                                                   [-]
-    double liner_ratio = 0.0;     ///< LRATIO: liner thickness / fabric thickness            [-]
-    double damping = 0.0;         ///< DAMP: share of critical, on the strain rate           [-]
-    int axes = 0;                 ///< AOPT: 0 nodes 1-2 (+ BETA), 2 vector A, 3 V × normal
-    Vec3 a = Vec3::UnitX();       ///< A1-A3, for AOPT 2
-    Vec3 v = Vec3::UnitZ();       ///< V1-V3, for AOPT 3
-    double beta = 0.0;            ///< BETA, turns the axes about the normal                 [rad]
-    int form = 0;                 ///< FORM
-    FabricCurves curves;          ///< instead of EA, EB, PRBA, GAB
-    double leak_area = 0.0;       ///< FLC > 0                                               [-]
-    double leak_velocity = 0.0;   ///< FAC > 0 (FVOPT 7/8), coefficient otherwise            [m/s]
-    Index leak_area_curve = -1;   ///< FLC < 0: row in Model::curves
+    bool no_compression = false;    ///< CSE = 1: the smaller principal stress is never negative
+    double liner_E = 0.0;           ///< EL                                                    [Pa]
+    double liner_nu = 0.0;          ///< PRL                                                   [-]
+    double liner_ratio = 0.0;       ///< LRATIO: liner thickness / fabric thickness            [-]
+    bool liner_waits = false;       ///< LNRC = 1: no compression until it has once been taut
+    double damping = 0.0;           ///< DAMP: share of critical, on the strain rate           [-]
+    int axes = 0;                   ///< AOPT: 0 nodes 1-2 (+ BETA), 2 vector A, 3 V × normal
+    Vec3 a = Vec3::UnitX();         ///< A1-A3, for AOPT 2
+    Vec3 v = Vec3::UnitZ();         ///< V1-V3, for AOPT 3
+    double beta = 0.0;              ///< BETA, turns the axes about the normal                 [rad]
+    int form = 0;                   ///< FORM
+    double reference_birth = 0.0;   ///< RGBRTH > 0: the reference shape counts from then on   [s]
+    StrainRestoration restoration;  ///< TSRFAC
+    FabricCurves curves;            ///< instead of EA, EB, PRBA, GAB
+    double leak_area = 0.0;         ///< FLC > 0                                               [-]
+    double leak_velocity = 0.0;     ///< FAC > 0 (FVOPT 7/8), coefficient otherwise            [m/s]
+    Index leak_area_curve = -1;     ///< FLC < 0: row in Model::curves
     Index leak_velocity_curve = -1;  ///< FAC < 0: row in Model::curves
     int leak_option = 0;             ///< FVOPT
     double leak_when_blocked = 0.0;  ///< ELA: share of the leak that blocked fabric keeps   [-]

@@ -40,7 +40,7 @@ void check(Faults& faults, const Material& m, const ElasticCard& c) {
 template <class Fabric>
 Law maybe_lined(const Fabric& fabric, const FabricCard& c) {
     const PlaneModuli liner = c.liner_ratio * isotropic_moduli(c.liner_E, c.liner_nu);
-    if (liner.warp > 0) return Lined<Fabric>(fabric, liner);
+    if (liner.warp > 0 && !c.liner_waits) return Lined<Fabric>(fabric, liner);
     return fabric;
 }
 
@@ -67,11 +67,18 @@ PartLaw make_law(const Material& material, std::span<const Curve> curves) {
         for (const CurveFault& fault : curve_faults(*fabric, curves))
             faults.push_back(fmt::format("material {}: {}, expected {}", material.id, fault.field,
                                          fault.expected));
-        if (faults.empty()) return {fabric_law(*fabric, curves), fabric->density, fabric->damping};
+        if (faults.empty()) {
+            PartLaw law{fabric_law(*fabric, curves), fabric->density, fabric->damping, {}, {}};
+            const double liner = fabric->liner_E * fabric->liner_ratio;
+            if (fabric->liner_waits && liner > 0) law.liner.emplace(liner, fabric->liner_nu);
+            law.restoration = fabric->restoration;
+            return law;
+        }
     } else if (const auto* elastic = std::get_if<ElasticCard>(&material.card)) {
         check(faults, material, *elastic);
         if (faults.empty())
-            return {Linear(isotropic_moduli(elastic->E, elastic->nu)), elastic->density, 0.0};
+            return {
+                Linear(isotropic_moduli(elastic->E, elastic->nu)), elastic->density, 0.0, {}, {}};
     } else {
         faults.push_back(fmt::format("material {} has no stiffness to strain", material.id));
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -13,6 +14,7 @@
 #include "fabric/materials/linear.hpp"
 #include "fabric/materials/lined.hpp"
 #include "fabric/materials/orthotropic_tension_field.hpp"
+#include "fabric/materials/waiting_liner.hpp"
 
 namespace corpuscle::fabric {
 
@@ -26,6 +28,8 @@ struct PartLaw {
     Law law{Linear(PlaneModuli{})};
     double density = NaN;  ///< [kg/m^3]
     double damping = 0.0;  ///< share of critical at the element's highest frequency [-]
+    std::optional<WaitingLiner> liner;  ///< LNRC = 1; any other is part of the law
+    StrainRestoration restoration;
 };
 
 /// The law that a card asks for. *MAT_NULL and *MAT_RIGID have none: InputError, as for moduli that

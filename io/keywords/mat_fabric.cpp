@@ -56,8 +56,32 @@ void elasticity(Cards& cards, Draft& draft, fabric::Material& material, FabricCa
 
 void fabric_form(Card& c, FabricCard& cloth) {
     cloth.form = c.choice("FORM", {0, 1, 2, 3, 4, 12, 13, 14}, {-14, 24});
-    if (cloth.form > 2 && cloth.form != 4 && cloth.form != 14)
-        c.warn("FORM", "taken as form 2, linear in the Green-Lagrange strain of warp and weft");
+    if (cloth.form == 12)
+        c.warn("FORM", "the refined form 2: taken as 2, linear in the Green-Lagrange strain");
+    if (cloth.form == 3 || cloth.form == 13)
+        c.warn("FORM",
+               "yarns that do not stay at right angles: taken as form 2, linear in the "
+               "Green-Lagrange strain along the yarns as they turn");
+}
+
+/// TSRFAC: a share in every step, a curve of it, or a curve of what has come back.
+void restoration(Card& c, Draft& draft, FabricCard& cloth) {
+    const double factor = c.real("TSRFAC");
+    if (!c.good() || factor == 0.0) return;
+    fabric::StrainRestoration& how = cloth.restoration;
+    if (factor > 0.0 && factor < 1.0) {
+        how.share = factor;
+        return;
+    }
+    if (factor > 0.0 && cloth.form < 2)
+        return c.fault("TSRFAC", "below 1 for FORM 0 and 1, which have no course over time");
+    const Registry::Entry* entry =
+        std::abs(factor) < 1e9 ? draft.curves.find(static_cast<int>(std::abs(factor))) : nullptr;
+    if (entry == nullptr || factor != std::floor(factor))
+        return c.fault("TSRFAC", "0 to 1, or the id of a *DEFINE_CURVE of the deck, or minus it");
+    (factor < 0.0 ? how.share_curve : how.course_curve) = entry->row;
+    for (const double y : draft.model.curves[static_cast<std::size_t>(entry->row)].y)
+        if (!(y >= 0.0 && y <= 1.0)) return c.fault("TSRFAC", "a curve of values from 0 to 1");
 }
 
 /// @returns FVOPT < 0: there is another card
@@ -67,6 +91,10 @@ bool axes_and_leakage(Cards& cards, Draft& draft, FabricCard& cloth) {
     value_or_curve(c, "FLC", draft.curves, cloth.leak_area, cloth.leak_area_curve);
     value_or_curve(c, "FAC", draft.curves, cloth.leak_velocity, cloth.leak_velocity_curve);
     fabric_form(c, cloth);
+    restoration(c, draft, cloth);
+    cloth.liner_waits = c.choice("LNRC", {0, 1}, {2}) == 1;
+    if (cloth.liner_waits && !(cloth.liner_E > 0.0 && cloth.liner_ratio > 0.0))
+        c.warn("LNRC", "there is no liner (EL, LRATIO) that could wait");
     cloth.leak_option = c.integer("FVOPT", within(-8, 8));
     cloth.leak_when_blocked = c.real("ELA", within(0.0, 1.0));
     cloth.leak_by_component = draft.dialect == Dialect::NOTES_2007;
@@ -108,6 +136,9 @@ void directions(Cards& cards, FabricCard& cloth) {
     {
         Card c = cards.next("- RGBRTH A0REF A1 A2 A3 X0 X1");
         cloth.a = c.vector("A1", "A2", "A3");
+        cloth.reference_birth = c.real("RGBRTH", NON_NEGATIVE);
+        if (cloth.reference_birth > 0.0 && cloth.restoration.any())
+            c.fault("RGBRTH", "0 or blank: with TSRFAC strains come back from the start on");
         cloth.leak_from_reference = c.choice("A0REF", {0, 1}) == 1;
         leak_growth(c, cloth);
         if (cloth.axes == 2 && c.good() && cloth.a.isZero(0.0))
@@ -117,7 +148,7 @@ void directions(Cards& cards, FabricCard& cloth) {
     cloth.v = c.vector("V1", "V2", "V3");
     if (cloth.axes == 3 && c.good() && cloth.v.isZero(0.0)) c.fault("V1", "a vector for AOPT = 3");
     cloth.beta = c.real("BETA") * std::numbers::pi / 180.0;
-    c.harmless("D1 D2 D3");
+    c.harmless("D1 D2 D3 ISREFG");  // stress counts from the reference shape anyway
 }
 
 }  // namespace

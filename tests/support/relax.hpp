@@ -52,6 +52,7 @@ struct Relaxation {
     std::vector<Vec3> free;     ///< N × 3: 1 free, 0 held
     std::vector<Facet> facets;  ///< under pressure
     double pressure = 0.0;      ///< [Pa]
+    Points load;                ///< N × 3, that does not change, or none                 [N]
     double tolerance = 1e-5;    ///< force that is left, by the greatest at the start or since
     int most_steps = 100000;
 };
@@ -71,6 +72,7 @@ inline Relaxed relax(const Relaxation& at, fabric::Membranes& membranes, Points&
         if (membranes.add_force(x, v, f) >= 0) return {out.steps, NaN};
         inner = f;
         add_pressure(at.facets, at.pressure, x, f);
+        for (std::size_t n = 0; n < at.load.size(); ++n) f[n] += at.load[n];
         // Below 1/sqrt(2) of the limit a reset every other step still descends
         const double dt = 0.65 * membranes.stable_step().dt;
         double kinetic = 0.0, left = 0.0, most = 0.0;

@@ -170,8 +170,17 @@ TEST_CASE("stretching shortens the step, folding does not", "[fabric][step]") {
     const double rest = membranes.stable_step().dt;
     force(membranes, moved(sheet.x, [](const Vec3& p) { return Vec3(1.1 * p); }));
     CHECK(membranes.stable_step().dt == Approx(rest / std::sqrt(1 + 3 * 0.105)).epsilon(1e-6));
-    force(membranes,
-          moved(sheet.x, [](const Vec3& p) { return Vec3(0.5 * p.x(), 0, 0.3 * p.y()); }));
+    const Points folded =
+        moved(sheet.x, [](const Vec3& p) { return Vec3(0.5 * p.x(), 0, 0.3 * p.y()); });
+    Membranes other = sheet.membranes();
+    force(other, folded);
+    CHECK(other.stable_step().dt == Approx(rest).epsilon(1e-12));
+    // A step that has fallen is held for a while
+    for (int i = 0; i < HeldStep::HELD; ++i) {
+        CHECK(membranes.stable_step().dt < 0.9 * rest);
+        force(membranes, folded);
+    }
+    for (int i = 0; i < HeldStep::HELD; ++i) force(membranes, folded);
     CHECK(membranes.stable_step().dt == Approx(rest).epsilon(1e-12));
 }
 

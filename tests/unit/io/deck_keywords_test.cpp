@@ -101,15 +101,32 @@ TEST_CASE("MAT_FABRIC: what cannot be, and what is not acted on yet", "[io]") {
     CHECK(contains(one(fabric_deck("-0.4", "0")), "(EA) = -0.4, expected > 0"));
     CHECK(contains(one(fabric_deck("0.4", "0", "0,-9")), "(FLC) = -9, expected"));
     CHECK(contains(one(fabric_deck("0.4", "0", "0,,,,,24")), "(FORM) = 24, expected"));
-    CHECK(contains(one(fabric_deck("0.4", "0", "0,,,,1")),
-                   "(LNRC) = 1, expected 0 or blank: this field is not"));
+    CHECK(contains(one(fabric_deck("0.4", "0", "0,,,,2")), "(LNRC) = 2, expected"));
     CHECK(contains(one(fabric_deck("0.4", "0", "0,,,,,4", "7,0\n")),
                    "(LCA) = 7, expected a curve through (0, 0)"));
     CHECK(contains(one(fabric_deck("0.4", "0", "0,,,,,4", "8\n")), "(LCA) = 8, expected"));
     CHECK(contains(one(fabric_deck("0.4", "0", "0,,,,,2", "7,0\n")),
                    "(LCA) = 7, expected 0 or blank"));
-    CHECK(contains(one(fabric_deck("0.4", "0", "0,,,,,,,1")), "(TSRFAC) = 1, expected 0 or blank"));
+    CHECK(contains(one(fabric_deck("0.4", "0", "0,,,,,,,7")), "(TSRFAC) = 7, expected below 1"));
+    CHECK(contains(one(fabric_deck("0.4", "0", "0,,,,,2,,-9")),
+                   "(TSRFAC) = -9, expected 0 to 1, or the id of a *DEFINE_CURVE"));
+    CHECK(contains(one(fabric_deck("0.4", "0", "0,,,,,2,,7")),
+                   "(TSRFAC) = 7, expected a curve of values from 0 to 1"));
     CHECK(folder.read(fabric_deck("0.4", "0", "0,,,,,14", "0,0\n")).warnings.size() == 1);
+}
+
+TEST_CASE("MAT_FABRIC: a liner that waits, strains that come back, a birth", "[io]") {
+    const DeckFolder folder;
+    const Model plain =
+        folder.read(fabric_deck("0.4", "0,,,1,0.05,0.3,0.1", "0,,,,1,14,,0.002", ""));
+    CHECK(cloth(plain).liner_waits);
+    CHECK(cloth(plain).restoration.share == 0.002);
+    const std::string curve = "*DEFINE_CURVE\n21\n0,0\n5,1\n";
+    const Model by_share = folder.read(fabric_deck("0.4", "0", "0,,,,,2,,-21", curve));
+    CHECK(cloth(by_share).restoration.share_curve == 1);
+    const Model by_course = folder.read(fabric_deck("0.4", "0", "0,,,,,2,,21", curve));
+    CHECK(cloth(by_course).restoration.course_curve == 1);
+    CHECK(!cloth(folder.read(fabric_deck("0.4", "0"))).restoration.any());
 }
 
 TEST_CASE("MAT_FABRIC: curves of forms 4 and 14, loading and unloading", "[io]") {
@@ -326,9 +343,9 @@ TEST_CASE("the reference geometry may be scaled about a node", "[io]") {
     CHECK(model.references[1].nodes[0].second == Vec3(9, 9, 9));
     CHECK(folder.faults(small_deck("*AIRBAG_REFERENCE_GEOMETRY\n2,9,9,9\n2,9,9,9\n77,1,1,1\n"))
               .size() == 2);
-    CHECK(contains(
-        folder.faults(small_deck("*AIRBAG_REFERENCE_GEOMETRY_BIRTH\n0.1\n2,9,9,9\n")).at(0),
-        "(BIRTH) = 0.1, expected 0"));
+    const Model born = folder.read(small_deck("*AIRBAG_REFERENCE_GEOMETRY_BIRTH\n0.1\n2,9,9,9\n"));
+    CHECK(born.references.at(0).birth == 0.1);
+    CHECK(first.birth == 0.0);
 }
 
 TEST_CASE("shells may have reference corners of their own, scaled about a node", "[io]") {
