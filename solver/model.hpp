@@ -22,6 +22,7 @@ namespace corpuscle {
 /// *AIRBAG_REFERENCE_GEOMETRY: the stress-free place of some nodes.
 struct ReferenceGeometry {
     std::vector<std::pair<Index, Vec3>> nodes;  ///< node row, reference position      [m]
+    double birth = 0.0;  ///< BIRTH: counts from then on; RGBRTH > 0 goes before       [s]
 };
 
 /// *AIRBAG_SHELL_REFERENCE_GEOMETRY: the stress-free corners of one shell, whatever its nodes' are.

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "solver/base/error.hpp"
+#include "solver/reference_geometry.hpp"
 #include "solver/scene_surface.hpp"
 
 namespace corpuscle {
@@ -46,28 +47,6 @@ std::vector<std::uint8_t> strained_shells(const Model& model, const Constraints&
 
 double contact_thickness(const Part& part) {
     return std::isnan(part.contact_thickness) ? part.thickness : part.contact_thickness;
-}
-
-/// Stress-free corners of every shell: its own reference geometry, or that of its nodes where all
-/// of them have one.
-std::vector<std::array<Vec3, 4>> reference_corners(const Model& model) {
-    Points place = model.x;
-    std::vector<bool> listed(model.x.size(), false);
-    for (const ReferenceGeometry& reference : model.references)
-        for (const auto& [node, at] : reference.nodes) {
-            place[node] = at;
-            listed[node] = true;
-        }
-    std::vector<std::array<Vec3, 4>> corners(model.shells.size());
-    for (std::size_t s = 0; s < corners.size(); ++s) {
-        const auto& nodes = model.shells[s].nodes;
-        const bool all =
-            std::all_of(nodes.begin(), nodes.end(), [&](Index n) { return listed[n]; });
-        for (int c = 0; c < 4; ++c) corners[s][c] = all ? place[nodes[c]] : model.x[nodes[c]];
-    }
-    for (const ShellReference& reference : model.shell_references)
-        corners[reference.shell] = reference.corners;
-    return corners;
 }
 
 /// Numbers the parts that the walls' shells belong to.
@@ -157,6 +136,7 @@ Simulation::Simulation(Model model, std::uint64_t seed)
 
     build_fabric();
     build_bodies();
+    if (active_shells_ > 0) growth_ = GrowthMonitor(fabric_nodes(), nodes_.size());
     build_bags(seed);
     build_contacts();
     build_walls();
@@ -169,12 +149,15 @@ Simulation::Simulation(Model model, std::uint64_t seed)
 void Simulation::build_fabric() {
     active_ = strained_shells(model_, supports_);
     reference_ = reference_corners(model_);
-    const fabric::MembraneSetup setup{model_.shells, model_.parts,    model_.materials, reference_,
-                                      active_,       model_.x.size(), model_.curves};
+    births_ = reference_births(model_);
+    next_birth_ = next_birth(0.0, births_);
+    check_births(model_, births_);
+    fabric::MembraneSetup setup{model_.shells, model_.parts,    model_.materials, reference_,
+                                active_,       model_.x.size(), model_.curves,    model_.x};
     nodes_.mass = fabric::lumped_mass(setup);
     shell_mass_ = fabric::shell_mass(setup);
     active_shells_ = static_cast<std::size_t>(std::count(active_.begin(), active_.end(), 1));
-    if (active_shells_ > 0) fabric_.emplace_back(setup);
+    if (active_shells_ > 0) fabric_.push_back(membranes_at(0.0));
     using Scaling = fabric::Membranes::Scaling;
     for (fabric::Membranes& fabric : fabric_) {
         if (model_.step_mass_scaled == 0.0) break;

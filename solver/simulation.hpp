@@ -17,6 +17,7 @@
 #include "solver/base/stopwatch.hpp"
 #include "solver/clock.hpp"
 #include "solver/constraints.hpp"
+#include "solver/growth_monitor.hpp"
 #include "solver/ledger.hpp"
 #include "solver/loads.hpp"
 #include "solver/model.hpp"
@@ -87,6 +88,9 @@ public:
 
 private:
     void build_fabric();
+    [[nodiscard]] fabric::Membranes membranes_at(double t) const;
+    void bear_references();
+    [[nodiscard]] std::vector<Index> fabric_nodes() const;
     void build_bags(std::uint64_t seed);
     void build_bodies();
     void build_contacts();
@@ -102,10 +106,12 @@ private:
     void drift(double dt);
     void stop_at_obstacles(double dt);
     void book_forces(double span);
+    void watch_growth(double span);
     void find_touching(double span);
     void find_contact_push(double span);
     void check_finite() const;
     [[noreturn]] void stop_for(Index broken_shell) const;
+    [[nodiscard]] std::string growing_shell(Index node) const;
     [[nodiscard]] Vec3 contact_and_gas_force(Index node) const;
     [[nodiscard]] Vec3 velocity(Index node) const;  ///< at t                        [m/s]
 
@@ -117,7 +123,11 @@ private:
     double added_mass_ = 0.0;         ///< by DT2MS                                   [kg]
     std::vector<double> shell_mass_;  ///< E                                          [kg]
     std::vector<std::array<Vec3, 4>> reference_;  ///< E × 4, stress-free corners           [m]
-    std::vector<fabric::Membranes> fabric_;       ///< one, or none
+    std::vector<double> births_;  ///< E: when it counts; empty: from the start           [s]
+    double next_birth_ = INF;     ///< [s]
+    std::vector<fabric::Membranes> fabric_;  ///< one, or none
+    double restored_ = 0.0;  ///< by TSRFAC, as booked                                   [J]
+    GrowthMonitor growth_;   ///< of the fabric, where there is any
     std::vector<gas::BagGas> bags_;
     std::vector<gas::UniformBag> uniform_bags_;
     std::vector<contact::SurfaceContact> contacts_;  ///< one for all cards, or none
@@ -135,7 +145,7 @@ private:
     std::vector<std::uint8_t> held_;      ///< N: as held_nodes() says, if contact_push_ is asked for
     Points contact_push_;                 ///< N × 3: contact and obstacles, if a bag asks    [N]
     std::vector<std::uint8_t> touching_;  ///< N: nodes in contact, if a bag asks for it
-    ForceShare load_force_, damping_force_, contact_force_;
+    ForceShare load_force_, damping_force_, contact_force_, fabric_force_;
     Ledger ledger_;
     Timings timings_;
     double last_sample_ = 0.0, last_frame_ = 0.0;  ///< when they were last taken           [s]

@@ -16,6 +16,7 @@ namespace corpuscle {
 /// phase reads only finished data.
 StepReport Simulation::step(const Observer& observe) {
     Stopwatch lap(timings_);
+    bear_references();
     const StepLimit limit = stable_step();
     const double t = clock_.t, dt = limit.dt;
     const double span = clock_.kick_span(dt);  // half the last step, half this one
@@ -59,8 +60,10 @@ void Simulation::find_forces(double dt, double span, Stopwatch& lap) {
         movers_[b] = bodies_[b].mover();
     }
     for (fabric::Membranes& fabric : fabric_) {
+        fabric.restore_strains(clock_.t);
         const Index broken = fabric.add_force(nodes_.x, nodes_.v, nodes_.f);    lap("membranes");
         if (broken >= 0) stop_for(broken);
+        fabric_force_.f = nodes_.f;
     }
     for (gas::BagGas& bag : bags_) {
         bag.add_load(nodes_.x, span, nodes_.f);                                 lap("gas load");

@@ -45,8 +45,7 @@ void airbag_reference_geometry(Cards& cards, Draft& draft) {
     if (cards.has("ID")) scaling = id_card(cards, draft);
     if (cards.has("BIRTH")) {
         Card c = cards.next("BIRTH");
-        const double birth = c.real("BIRTH", NON_NEGATIVE);
-        if (birth > 0.0) c.fault("BIRTH", "0: shells bear stress against it from the start");
+        reference.birth = c.real("BIRTH", NON_NEGATIVE);
     }
     Registry seen("*AIRBAG_REFERENCE_GEOMETRY node");
     while (cards.rows()) {

@@ -1,0 +1,63 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "solver/growth_monitor.hpp"
+
+#include <algorithm>
+
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle {
+
+Index GrowthMonitor::zigzag(const Points& v_0, const Points& v_1) {
+    const auto found = parallel::least(nodes_.size(), 0.0, [&](std::size_t i) {
+        const Index n = nodes_[i];
+        const Vec3 kick = v_1[n] - v_0[n];
+        const double now = kick.squaredNorm();
+        Trace& trace = trace_[n];
+        if (kick.dot(last_[n]) < 0.0 && now > last_[n].squaredNorm()) {
+            if (trace.turns++ == 0) trace.first = now;
+        } else {
+            trace.turns = 0;
+        }
+        last_[n] = kick;
+        return trace.turns >= TURNS && now > GROWN * GROWN * trace.first ? -1.0 : 0.0;
+    });
+    return found.value < 0.0 ? nodes_[found.at] : -1;
+}
+
+bool GrowthMonitor::gains(const Instant& now, const std::vector<double>& mass, const Points& v_0,
+                          const Points& v_1) {
+    const Vec3 kinetic =  // before the kick, of both, after
+        parallel::sum(nodes_.size(), Vec3(Vec3::Zero()), [&](std::size_t i) {
+            const Vec3 &a = v_0[nodes_[i]], &b = v_1[nodes_[i]];
+            return Vec3(0.5 * mass[nodes_[i]] * Vec3(a.squaredNorm(), a.dot(b), b.squaredNorm()));
+        });
+    if (!is_open_) {
+        // The start's velocities live at t and its kick k is half of one: E* with v_0 - k before it
+        start_ = 2.0 * kinetic[1] - kinetic[2] + now.strain;
+        given_ = 2.0 * (kinetic[2] - kinetic[1]) - 2.0 * now.inner_work + now.inner_early;
+        scale_ = kinetic[0] + now.strain;
+        kinetic_ = kinetic[2];
+        open_ = scale_;
+        is_open_ = true;
+        return false;
+    }
+    given_ += kinetic[0] - kinetic_;  // by walls and touching fabric since the last kick
+    kinetic_ = kinetic[2];
+    // The others' work on the way to t is Σ g·v_0 span/2
+    const double given = given_ + kinetic[1] - kinetic[0] - 0.5 * now.inner_early;
+    given_ += kinetic[2] - kinetic[0] - now.inner_work;
+    scale_ = std::max(scale_, open_ + std::max(0.0, given));
+    gained_ = kinetic[1] + now.strain - start_ - given;
+    const double swing = 0.25 * (kinetic[0] + kinetic[2]) - 0.5 * kinetic[1];
+    return gained_ > MOST * scale_ || gained_ + swing > MOST_WITH_SWING * scale_;
+}
+
+Index GrowthMonitor::most_kicked(const std::vector<double>& mass) const {
+    const auto most = parallel::least(nodes_.size(), 0.0, [&](std::size_t i) {
+        return -mass[nodes_[i]] * last_[nodes_[i]].squaredNorm();
+    });
+    return nodes_[std::min(most.at, nodes_.size() - 1)];
+}
+
+}  // namespace corpuscle

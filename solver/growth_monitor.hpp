@@ -1,0 +1,95 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "solver/base/vec.hpp"
+
+namespace corpuscle {
+
+/// Notices that the step is too long for the fabric, in two ways.
+///
+/// *Zigzag.* Beyond its limit a mode turns round in every step and grows by eˣ, cosh x = (ω dt)²/2
+/// - 1: by a tenth at 0.1 % above the limit, by a third at 1 %. A stable mode at 0.9 of its limit
+/// grows for two steps in a row at most. So a node whose kicks turn round and grow TURNS times in a
+/// row, to GROWN times what they were, is part of an unstable mode.
+///
+/// *Energy.* Where fabric goes slack within a step nothing grows by a law; but the fabric then
+/// holds energy that nothing has given to it. Of a linear mode leapfrog keeps, stable or not,
+///
+///     E* = Σ m v(t - dt/2)·v(t + dt/2)/2 + W(t)
+///
+/// and more than E*(0) + work of all but the fabric's own forces has come from nowhere. A run stops
+/// when that is as much as the fabric was ever given (E*(0) and the greatest net work so far), or
+/// when with the swing Σ m |v(t + dt/2) - v(t - dt/2)|²/8 it is five times as much: a mode of at
+/// most 0.9 of its limit swings up to 0.9²/(1 - 0.9²) = 4.3 of its E*.
+class GrowthMonitor {
+public:
+    static constexpr int TURNS = 24;
+    static constexpr double GROWN = 10.0;
+    static constexpr double MOST = 1.0;
+    static constexpr double MOST_WITH_SWING = 5.0;
+
+    GrowthMonitor() = default;
+    /// @param nodes  of the fabric, that are free to move
+    /// @param count  of all nodes
+    GrowthMonitor(std::vector<Index> nodes, std::size_t count)
+        : nodes_(std::move(nodes)), last_(count, Vec3::Zero()), trace_(count) {}
+
+    /// Takes the kicks v_1 - v_0 of this step.
+    /// @returns  row of a node that zigzags, -1 when none does
+    [[nodiscard]] Index zigzag(const Points& v_0, const Points& v_1);
+
+    struct Instant {
+        double strain;       ///< at t, with what loops have lost                        [J]
+        double inner_work;   ///< of the fabric's forces in this kick, on all nodes      [J]
+        double inner_early;  ///< the same if nothing had been kicked: span Σ f·v_0     [J]
+    };
+    /// Takes the energies of this step.
+    /// @returns  has the fabric gained too much from nowhere?
+    [[nodiscard]] bool gains(const Instant& now, const std::vector<double>& mass, const Points& v_0,
+                             const Points& v_1);
+    /// Energy that came otherwise: a reference shape that begins to count.               [J]
+    void give(double energy) { given_ += energy; }
+
+    /// Kick of a node in the last step.                                                [m/s]
+    [[nodiscard]] const Vec3& kick(Index node) const { return last_[node]; }
+    /// The node whose last kick holds most energy.
+    [[nodiscard]] Index most_kicked(const std::vector<double>& mass) const;
+    [[nodiscard]] double gained() const { return gained_; }  ///< [J]
+    [[nodiscard]] double scale() const { return scale_; }    ///< what it is compared with [J]
+
+    /// All of it, for a checkpoint.
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        for (Vec3& kick : last_)
+            for (int i = 0; i < 3; ++i) archive(kick[i]);
+        for (Trace& trace : trace_) {
+            archive(trace.first);
+            archive(trace.turns);
+        }
+        for (double* number : {&start_, &open_, &given_, &scale_, &gained_, &kinetic_})
+            archive(*number);
+        archive(is_open_);
+    }
+
+private:
+    struct Trace {
+        double first = 0.0;      ///< |kick|² when it began to turn and grow  [m²/s²]
+        std::int32_t turns = 0;  ///< since then
+    };
+
+    std::vector<Index> nodes_;
+    Points last_;               ///< kicks                                       N × 3 [m/s]
+    std::vector<Trace> trace_;  ///< N
+    double start_ = 0.0;        ///< E* at the start
+    double open_ = 0.0;         ///< K + W at the start
+    double given_ = 0.0, scale_ = 0.0, gained_ = 0.0;  ///< [J]
+    double kinetic_ = 0.0;  ///< after the last kick                                   [J]
+    bool is_open_ = false;
+};
+
+}  // namespace corpuscle

@@ -1,0 +1,33 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "solver/model.hpp"
+
+namespace corpuscle {
+
+/// Stress-free corners of every shell: its own reference geometry, or that of its nodes where all
+/// of them have one, or where it lies at the start.                                   E × 4 [m]
+std::vector<std::array<Vec3, 4>> reference_corners(const Model& model);
+
+/// When the reference geometry of every shell begins to count: RGBRTH of its material, or the
+/// latest BIRTH of its nodes' geometry. Until then it is without stress as it lies at the start.
+/// Empty when all count from the start. E [s]
+std::vector<double> reference_births(const Model& model);
+
+/// @throws InputError  where births meet what they do not go with: DT2MS, TSRFAC
+void check_births(const Model& model, const std::vector<double>& births);
+
+/// `corners` of the shells that are born by t, the places at the start of those that are not.
+std::vector<std::array<Vec3, 4>> corners_at(double t, const std::vector<double>& births,
+                                            const std::vector<std::array<Vec3, 4>>& corners,
+                                            const Model& model);
+
+/// The first birth after t; infinite when there is none.                                    [s]
+double next_birth(double t, const std::vector<double>& births);
+
+}  // namespace corpuscle

@@ -1,0 +1,180 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "solver/growth_monitor.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include "solver/base/error.hpp"
+#include "solver/simulation.hpp"
+#include "tests/support/scenes.hpp"
+
+using namespace corpuscle;
+
+namespace {
+
+fabric::MaterialCard woven() {
+    fabric::FabricCard card;
+    card.density = 700;
+    card.E_warp = 300e6;
+    card.E_weft = 250e6;
+    card.nu_ba = 0.1;
+    card.G = 3e6;
+    card.no_compression = true;
+    return card;
+}
+
+/// A flat sheet of n × n cells, its rim held, blown up by pressure.
+Model sheet(const fabric::MaterialCard& card, int n, bool triangles) {
+    Model model = scenes::of({}, card, 3e-4);
+    for (int j = 0; j <= n; ++j)
+        for (int i = 0; i <= n; ++i) {
+            if (i == 0 || j == 0 || i == n || j == n)
+                model.supports.push_back({static_cast<Index>(model.x.size()), 7U});
+            model.x.push_back({0.2 * i / n, 0.2 * j / n, 0.0});
+            model.node_id.push_back(static_cast<int>(model.x.size()));
+            model.velocity.push_back(Vec3::Zero());
+        }
+    const auto add = [&](Index a, Index b, Index c, Index d) {
+        model.shells.push_back({static_cast<int>(model.shells.size()) + 1, 0, {a, b, c, d}});
+    };
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            const Index a = j * (n + 1) + i, b = a + 1, c = b + n + 1, d = a + n + 1;
+            if (!triangles) add(a, b, c, d);
+            if (triangles) add(a, b, c, c);
+            if (triangles) add(a, c, d, d);
+        }
+    PressureLoad load;
+    load.scale = -20e3;
+    for (const Shell& shell : model.shells) load.facets.push_back(shell.nodes);
+    model.pressure_loads = {load};
+    return model;
+}
+
+Model sphere(const fabric::MaterialCard& card) {
+    Model model = scenes::of(shapes::sphere(0.1, 2), card, 3e-4);
+    PressureLoad load;
+    load.scale = -20e3;
+    for (const Shell& shell : model.shells) load.facets.push_back(shell.nodes);
+    model.pressure_loads = {load};
+    return model;
+}
+
+/// What stops a scene within `time`; empty when nothing does.
+std::string stop(Model model, double factor, double time) {
+    model.step_factor = factor;
+    model.end_time = time;
+    Simulation simulation(std::move(model));
+    try {
+        while (!simulation.is_over()) simulation.step([](Simulation&) {});
+    } catch (const PhysicsError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("shells at 1.1 of their step are noticed, and who grows is named", "[solver][growth]") {
+    // One shell is its own mesh: its bound is the limit
+    const bool is_woven = GENERATE(false, true);
+    const int which = GENERATE(0, 1, 2);
+    const auto scene = [&] {
+        Model model =
+            sheet(is_woven ? woven() : fabric::MaterialCard(scenes::cloth()), 1, which == 0);
+        model.supports.clear();
+        model.pressure_loads.clear();
+        model.shells.resize(1);
+        if (which == 2) model.parts[0].element_form = 9;
+        // Taut, so that it stays in tension while it swings
+        ReferenceGeometry smaller;
+        for (Index n = 0; n < 4; ++n) {
+            smaller.nodes.emplace_back(n, 0.99 * model.x[n]);
+            model.supports.push_back({n, 4U});
+        }
+        if (is_woven) model.references = {smaller};
+        model.velocity[0] = {1e-3, 2e-3, 0};
+        return model;
+    };
+    CAPTURE(is_woven, which);
+    const std::string what = stop(scene(), 1.1, 20e-3);
+    CAPTURE(what);
+    CHECK(what.find("shell 1 of part 1") != std::string::npos);
+    CHECK(what.find("became unstable") != std::string::npos);
+    CHECK(stop(scene(), 0.9, 20e-3).empty());
+}
+
+TEST_CASE("sheets and balloons beyond their limit are noticed", "[solver][growth]") {
+    // The bound is 0.6 to 0.9 of what these meshes could bear
+    const bool is_woven = GENERATE(false, true);
+    const auto card = is_woven ? woven() : fabric::MaterialCard(scenes::cloth());
+    const int which = GENERATE(0, 1, 2);
+    CAPTURE(is_woven, which);
+    const std::string what =
+        stop(which == 0 ? sphere(card) : sheet(card, 8, which == 1), 1.5, 20e-3);
+    CAPTURE(what);
+    CHECK(what.find("shell ") != std::string::npos);
+    CHECK(what.find("became unstable") != std::string::npos);
+}
+
+TEST_CASE("a step of 0.9 times the stable one raises no alarm", "[solver][growth]") {
+    const bool is_woven = GENERATE(false, true);
+    const auto card = is_woven ? woven() : fabric::MaterialCard(scenes::cloth());
+    const int which = GENERATE(0, 1, 2);
+    CAPTURE(is_woven, which);
+    CHECK(stop(which == 0 ? sphere(card) : sheet(card, 8, which == 1), 0.9, 20e-3).empty());
+}
+
+TEST_CASE("an oscillator zigzags above its limit only", "[solver][growth]") {
+    // x'' = -ω² x, one node; above ω dt = 2 it turns round and grows in every step
+    const double limit = GENERATE(0.5, 0.9, 0.97, 1.001, 1.01, 1.1);
+    GrowthMonitor monitor({0}, 1);
+    Points v(1, Vec3(1e-9, 0, 0)), before(1);
+    double x = 0.0;
+    bool found = false;
+    for (int i = 0; i < 1000 && !found; ++i) {
+        before = v;
+        v[0].x() -= 4.0 * limit * limit * x;
+        x += v[0].x();
+        found = monitor.zigzag(before, v) == 0;
+    }
+    CHECK(found == (limit > 1.0));
+}
+
+TEST_CASE("an oscillator below its limit gains nothing, one that is fed is not blamed",
+          "[solver][growth]") {
+    const double limit = GENERATE(0.3, 0.9);
+    const bool is_fed = GENERATE(false, true);
+    const bool from_rest = GENERATE(false, true);
+    GrowthMonitor monitor({0}, 1);
+    const std::vector<double> mass{1.0};
+    const double k = 4.0 * limit * limit;
+    Points v(1, Vec3(from_rest ? 0.0 : 1.0, 0, 0)), before(1);
+    double x = from_rest ? 1.0 : 0.0;
+    for (int i = 0; i < 10000; ++i) {
+        before = v;
+        const double inner = -k * x;
+        const double feed = is_fed ? 0.01 * std::cos(0.3 * i) : 0.0;
+        v[0].x() += (i == 0 ? 0.5 : 1.0) * (inner + feed);
+        const double work = (i == 0 ? 0.5 : 1.0) * inner * 0.5 * (before[0].x() + v[0].x());
+        const double early = (i == 0 ? 0.5 : 1.0) * inner * before[0].x();
+        REQUIRE_FALSE(monitor.gains({0.5 * k * x * x, work, early}, mass, before, v));
+        REQUIRE(std::abs(monitor.gained()) < 1e-9 * monitor.scale());
+        x += v[0].x();
+    }
+}
+
+TEST_CASE("energy from nowhere is noticed", "[solver][growth]") {
+    GrowthMonitor monitor({0}, 1);
+    const std::vector<double> mass{2.0};
+    const Points v(1, Vec3(1, 0, 0));  // 1 J
+    CHECK_FALSE(monitor.gains({0.0, 0.0, 0.0}, mass, v, v));
+    CHECK_FALSE(monitor.gains({0.9, 0.0, 0.0}, mass, v, v));
+    monitor.give(1.0);  // a reference shape that begins to count
+    CHECK_FALSE(monitor.gains({1.5, 0.0, 0.0}, mass, v, v));
+    CHECK(monitor.gains({3.5, 0.0, 0.0}, mass, v, v));
+    CHECK(monitor.gained() == Approx(2.5));
+    CHECK(monitor.scale() == Approx(2.0));
+}
