@@ -97,6 +97,13 @@ public:
     }
     [[nodiscard]] std::size_t builds() const { return builds_; }
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(motion_, budget_, steps_, life_, list_, watch_, memories_, parted_accounts_,
+                crossing_, close_starts_, was_on_, barred_, builds_);
+    }
+
 private:
     struct Candidate {
         Pair pair;

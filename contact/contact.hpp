@@ -18,13 +18,13 @@ struct Contact {
     int card = 0;          ///< row of the card by which they touch
     int side = 0;       ///< 1: the first place is on SURFA, -1: the second is; 0: a single surface
     double rest = 0.0;  ///< gap below which it pushes                                  [m]
-    double rest_rate = 0.0;    ///< growth of `rest`                                           [m/s]
-    double stiffness = 0.0;    ///< [N/m]
-    double force = 0.0;        ///< repulsion, >= 0                                            [N]
-    double impulse = 0.0;      ///< of the repulsion and of what follows it, normal            [N s]
+    double rest_rate = 0.0;  ///< growth of `rest`                                           [m/s]
+    double stiffness = 0.0;  ///< [N/m]
+    double force = 0.0;      ///< repulsion, >= 0                                            [N]
+    double impulse = 0.0;    ///< of the repulsion and of what follows it, normal            [N s]
     Vec3 rubbed = Vec3::Zero();  ///< by friction, on the first place                          [N s]
     double rate_before = 0.0;    ///< before the kick                                          [m/s]
-    std::size_t pair = 0;      ///< candidate row
+    std::size_t pair = 0;        ///< candidate row
 
     [[nodiscard]] Vec3 relative(const Points& v) const {
         return weight[0] * v[node[0]] + weight[1] * v[node[1]] + weight[2] * v[node[2]] +

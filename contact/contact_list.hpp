@@ -45,6 +45,12 @@ public:
             1);
     }
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(chunk_, used_);
+    }
+
 private:
     std::vector<std::vector<Contact>> chunk_;
     std::size_t used_ = 0;

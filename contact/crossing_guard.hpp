@@ -30,6 +30,12 @@ public:
     /// other.
     [[nodiscard]] std::size_t unstopped() const { return unstopped_; }
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(impacts_, clumps_, unstopped_);
+    }
+
 private:
     struct Impact {
         std::size_t pair;  ///< candidate row

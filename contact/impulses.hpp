@@ -53,6 +53,12 @@ public:
     /// By card.
     [[nodiscard]] const std::vector<ImpulseBooks>& books() const { return books_; }
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(books_, pool_);
+    }
+
 private:
     void settle(double span, Contact& contact, double& account, Movement& motion);
     double repay_debt(double rate, const Contact& contact, double& account);

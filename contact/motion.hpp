@@ -42,6 +42,13 @@ public:
     [[nodiscard]] double fastest() const;              ///< of them  [m/s]
     [[nodiscard]] double age() const { return age_; }  ///< of the prediction                  [s]
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(base_, last_, velocity_, relative_, common_, t_, age_, stray_, way_, ahead_,
+                node_ahead_);
+    }
+
 private:
     const Cloth& cloth_;
     std::vector<Index> nodes_;    ///< of the cloth, ascending

@@ -63,6 +63,13 @@ public:
     /// Rows of nodes that are still behind it; known from the first hold() on.
     [[nodiscard]] std::vector<Index> nodes_behind() const;
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(shift_, next_shift_, velocity_, is_behind_, last_, touching_, force_,
+                stopping_energy_, friction_energy_, driving_work_);
+    }
+
 private:
     /// A node that would come in.
     struct Stop {

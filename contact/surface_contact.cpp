@@ -49,6 +49,11 @@ struct SurfaceContact::State {
           most(setup.cards.size()),
           is_on(setup.cards.size(), 0) {}
 
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(pairs, impulses, guard, contacts, counts, most, is_on, t, dt_last, span,
+                growth_time, is_started);
+    }
     bool look_at_cards(double now);
     void look_at_pairs(const Points& x, const Points& v, std::span<const RigidMover> bodies);
     void set_rest_gap(double thickness, Contact& contact);
@@ -243,6 +248,12 @@ void SurfaceContact::mark_touching(std::span<std::uint8_t> nodes) const {
         for (int i = 0; i < 4; ++i)
             if (std::abs(c.weight[i]) > 0.5) nodes[c.node[i]] = 1;
     });
+}
+void SurfaceContact::visit_state(StateWriter& archive) {
+    archive(*state_);
+}
+void SurfaceContact::visit_state(StateReader& archive) {
+    archive(*state_);
 }
 const ContactCounts& SurfaceContact::counts() const {
     return state_->counts;

@@ -10,6 +10,7 @@
 
 #include "contact/cloth.hpp"
 #include "contact/movers.hpp"
+#include "solver/base/archive.hpp"
 
 namespace corpuscle::contact {
 
@@ -85,6 +86,10 @@ public:
     [[nodiscard]] const ContactCounts& counts() const;
     /// Sets a 1 for every node that carries more than half of its side of a contact that pushes.
     void mark_touching(std::span<std::uint8_t> nodes) const;  // N
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    void visit_state(StateWriter& archive);
+    void visit_state(StateReader& archive);
 
 private:
     struct State;

@@ -142,6 +142,22 @@ public:
     [[nodiscard]] Vec3 owed_impulse() const { return store_.owed(); }  ///< [N s]
     [[nodiscard]] double expected_share_in(double end_time) const;
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        bool is_uniform = uniform_.has_value();
+        archive(is_uniform);
+        if (is_uniform && !uniform_) open_rooms(area_.size());
+        if (uniform_) archive(*uniform_, orifice_room_, room_inside_);
+        archive(inflators_, air_, lists_, side_lists_, store_, particles_, openings_, heat_loss_,
+                roughness_, pressed_, inside_, looked_at_, owed_to_outflow_, area_, volume_, cell_,
+                wanted_cell_, speed_, since_collision_, collisions_, thermal_, counted_, unrelaxed_,
+                time_);
+        archive(part_impulse_, triangle_impulse_, part_air_, triangle_air_, taken_, given_,
+                ambient_work_, inflow_energy_, lost_energy_, mass_in_, mass_in_seen_,
+                mass_out_seen_, lost_, hits_, flights_, losses_);
+    }
+
 private:
     struct Holding;
     [[nodiscard]] Holding holding(std::int32_t species) const;
@@ -174,7 +190,8 @@ private:
     }
 
     // After TSW (bag_uniform.cpp)
-    void sum_up(const Points& x, std::vector<UniformGas::Room>& rooms) const;
+    void open_rooms(std::size_t nodes);
+    void sum_up(const Points& x);
     void settle(const Points& x);
     void flow_uniform(double t, double dt, const Points& x, const Points& x_1);
     void thrust(std::size_t inflow, double mass, double t, double dt, const Points& x_0,

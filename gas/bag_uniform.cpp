@@ -21,16 +21,9 @@ bool BagGas::switches(double t) const {
 /// Uniform pressure takes the place of that which hits made one expect; what they have brought
 /// beyond it is still released.
 void BagGas::become_uniform(const Points& x) {
-    std::vector<Species> kinds = inflators_.species();
-    if (air_) kinds.push_back(air_->species());
-    if (kinds.empty()) return;
-    std::vector<UniformGas::Room> rooms;
-    for (std::size_t r = 0; r < std::max<std::size_t>(1, chambers_.size()); ++r)
-        rooms.push_back(
-            {chambers_.empty() ? enclosure_ : chambers_.surface(r), ControlVolume(kinds)});
-    sum_up(x, rooms);
-    store_.end_of_hits();
-    uniform_.emplace(std::move(rooms), x.size());
+    if (inflators_.species().empty() && !air_) return;
+    open_rooms(x.size());
+    sum_up(x);
     settle(x);
     std::vector<Vec3> nozzles;
     for (std::size_t o = 0; o < orifices_.size(); ++o) nozzles.push_back(orifices_.place(o, x));
@@ -41,8 +34,21 @@ void BagGas::become_uniform(const Points& x) {
     }
 }
 
+/// Rooms at uniform pressure, empty as yet.
+void BagGas::open_rooms(std::size_t nodes) {
+    std::vector<Species> kinds = inflators_.species();
+    if (air_) kinds.push_back(air_->species());
+    std::vector<UniformGas::Room> rooms;
+    for (std::size_t r = 0; r < std::max<std::size_t>(1, chambers_.size()); ++r)
+        rooms.push_back(
+            {chambers_.empty() ? enclosure_ : chambers_.surface(r), ControlVolume(kinds)});
+    store_.end_of_hits();
+    uniform_.emplace(std::move(rooms), nodes);
+}
+
 /// Puts what each room's particles hold, and its share of the initial air, into the room.
-void BagGas::sum_up(const Points& x, std::vector<UniformGas::Room>& rooms) const {
+void BagGas::sum_up(const Points& x) {
+    UniformGas& rooms = *uniform_;
     const std::vector<Index> room = rooms_of(particles_.x, x);
     const std::size_t kinds = mass_.size();
     std::vector<double> count(rooms.size() * kinds, 0.0), energy(rooms.size() * kinds, 0.0);
@@ -55,10 +61,10 @@ void BagGas::sum_up(const Points& x, std::vector<UniformGas::Room>& rooms) const
     }
     const double volume = enclosure_.volume(x);
     for (std::size_t r = 0; r < rooms.size(); ++r) {
-        ControlVolume& gas = rooms[r].gas;
+        ControlVolume& gas = rooms[r];
         for (std::size_t s = 0; s < kinds; ++s)
             gas.add(s, count[r * kinds + s] * inflators_.moles_each(), energy[r * kinds + s]);
-        const double share = rooms[r].surface.volume(x) / volume;
+        const double share = rooms.surface(r).volume(x) / volume;
         if (air_) gas.add(kinds, share * air_->moles(), share * air_->energy());
     }
 }

@@ -60,6 +60,12 @@ public:
     /// R / M of the mixture.                                                       [J/(kg K)]
     [[nodiscard]] double gas_constant() const { return R() * moles() / mass(); }
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(moles_, energy_, energy_at_t_, volume_, temperature_, pressure_);
+    }
+
 private:
     [[nodiscard]] double R() const { return species_[0].gas_constant(); }
     [[nodiscard]] EnergyPolynomial content() const;

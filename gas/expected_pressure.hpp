@@ -41,6 +41,12 @@ public:
     void stop() { force_.clear(); }
     [[nodiscard]] bool is_on() const { return !force_.empty(); }
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(force_, pressure_, less_);
+    }
+
 private:
     struct ForceAndArea {
         double force = 0.0, area = 0.0;

@@ -113,6 +113,13 @@ public:
     [[nodiscard]] std::span<const Index> facets() const { return facet_; }
     [[nodiscard]] std::size_t builds() const { return builds_; }
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(grid_, margin_, reach_, size_, per_edge_, builds_, built_at_, start_, facet_, slab_,
+                slab_row_);
+    }
+
 private:
     void pair_patches_with_blocks();
     void find_slabs(std::span<const Vec3> x_0, std::span<const Vec3> x_1);

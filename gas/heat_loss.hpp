@@ -25,6 +25,12 @@ public:
 
     [[nodiscard]] std::span<const double> part_heat() const { return part_heat_; }  ///< so far [J]
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(part_heat_);
+    }
+
 private:
     struct Cooled {
         double coefficient;  ///< [W/(m^2 K)]

@@ -66,6 +66,12 @@ public:
     [[nodiscard]] Vec3 owed() const;
     [[nodiscard]] double time() const { return time_; }
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(expected_, arrived_, owed_, beyond_, force_);
+    }
+
 private:
     std::vector<Index> nodes_, surface_;  ///< rows: all; those of the enclosure
     std::vector<std::uint8_t> held_;      ///< by place in nodes_

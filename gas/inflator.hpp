@@ -83,6 +83,12 @@ public:
     [[nodiscard]] const std::vector<std::int64_t>& state() const { return given_; }
     void restore(std::vector<std::int64_t> state);
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(given_);
+    }
+
 private:
     struct Gas {
         FlowCurve flow;

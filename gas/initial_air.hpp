@@ -58,6 +58,12 @@ public:
         return energy;
     }
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(moles_, energy_, temperature_);
+    }
+
 private:
     Species species_;
     double moles_;        ///< [mol]

@@ -41,6 +41,13 @@ struct Inside {
     bool is_uniform = false;      ///< after TSW: all gas leaves as the air does
 
     [[nodiscard]] bool holds_gas() const { return pressure > 0.0 && temperature > 0.0; }
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(pressure, temperature, molar_mass, gamma, heat_capacity, density, air_density,
+                air_molar_mass, is_uniform);
+    }
 };
 
 /// One way out of the bag, or between its rooms.
@@ -75,6 +82,13 @@ struct Opening {
     double memory = 0.0;           ///< time over which it is smoothed                [s]
     double short_of = 0.0;         ///< SEEPAGE: beyond what all arrivals could give  [kg]
     double mass_out = 0.0;         ///< so far                                        [kg]
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(has_opened, area, free, flow, air_flow, intake, share, air_heat, due, due_of,
+                arriving, collar_arriving, memory, short_of, mass_out);
+    }
 };
 
 /// Vents and porous fabric of one bag: sets the gates for flight and keeps the books of who passed.
@@ -132,6 +146,12 @@ public:
     [[nodiscard]] std::span<const double> part_mass_out() const { return part_mass_out_; }
     [[nodiscard]] std::size_t particles_out() const { return particles_out_; }
     [[nodiscard]] std::vector<std::string> shortages() const;  ///< in the user's words
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(openings_, gates_.step, part_mass_out_, particles_out_);
+    }
 
 private:
     void add_vent(const BagWalls& walls, const VentCard& vent, Index row);

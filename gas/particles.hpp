@@ -23,6 +23,12 @@ struct Particles {
 
     [[nodiscard]] std::size_t size() const { return x.size(); }
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(x, v, e, species, id);
+    }
+
     void resize(std::size_t n) {
         x.resize(n);
         v.resize(n);

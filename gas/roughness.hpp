@@ -28,6 +28,13 @@ public:
     /// @param air  pressure that no particles bring                                      [Pa]
     void receive(const FlightResult& flight, double dt, double air, std::span<const Vec3> x);
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(of_facet_);
+        for (Rough& rough : rough_) archive(rough.pressure, rough.impulse, rough.area);
+    }
+
 private:
     struct Rough {
         Index part;  ///< row of the bag's parts

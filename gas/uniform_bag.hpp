@@ -60,6 +60,13 @@ public:
     [[nodiscard]] const ControlVolume& gas() const { return gas_; }
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(gas_, area_, is_open_, mass_in_, mass_out_, rate_in_, rate_out_, inflow_energy_,
+                outflow_energy_, ambient_work_, scaling_work_);
+    }
+
 private:
     [[nodiscard]] double volume(const Points& x) const {
         return card_.volume_scale * enclosure_.volume(x) - card_.volume_taken;

@@ -26,6 +26,8 @@ public:
         return rooms_[room].gas;
     }
 
+    [[nodiscard]] const Enclosure& surface(std::size_t room) const { return rooms_[room].surface; }
+
     /// State of every room at t. False when one has none (ControlVolume::settle).
     [[nodiscard]] bool settle(std::span<const Vec3> x);
     void add_force(std::span<Vec3> f) const;              ///< p A of all rooms      [N]
@@ -43,6 +45,12 @@ public:
 
     /// Takes a mass from one room to another, with its enthalpy.                            [kg]
     void pass(std::size_t from, std::size_t to, double mass);
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        for (Room& room : rooms_) archive(room.gas, room.area);
+    }
 
 private:
     std::vector<Room> rooms_;

@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <optional>
 #include <utility>
 
 #include "io/ascii_tables.hpp"
@@ -30,42 +29,65 @@ void AsciiFiles::File::write(std::string_view text) {
     const bool written = out && std::fwrite(text.data(), 1, text.size(), out.get()) == text.size();
     if (!written || std::fflush(out.get()) != 0)
         throw SystemError(fmt::format("cannot write {}: {}", path.string(), std::strerror(errno)));
+    size += text.size();
+}
+
+/// Opens the file as it was when it had `size` bytes.
+void AsciiFiles::File::go_on() {
+    std::error_code why;
+    if (std::filesystem::file_size(path, why) < size || why)
+        throw SystemError(
+            fmt::format("{} is shorter than at the checkpoint; start the run anew", path.string()));
+    std::filesystem::resize_file(path, size, why);
+    if (!why) out.reset(std::fopen(path.c_str(), "ab"));
+    if (!out) throw SystemError(fmt::format("cannot write {}", path.string()));
 }
 
 AsciiFiles::AsciiFiles(const std::filesystem::path& folder, const RecordLayout& layout,
                        const OutputIntervals& intervals, const std::string& title) {
     std::error_code ignored;  // what cannot be made cannot be opened below, and that says why
     std::filesystem::create_directories(folder, ignored);
-    const auto add = [&](const char* name, double interval, State state) {
+    for (const char* name : {"glstat", "abstat", "rcforc", "rwforc", "rbdout", "nodout"})
         std::filesystem::remove(folder / name, ignored);  // of an earlier run
-        if (!(interval > 0.0)) return;                    // NaN or 0: not asked for
+    list_files(folder, layout, intervals);
+    for (File& file : files_) {
+        file.out.reset(std::fopen(file.path.c_str(), "wb"));
+        file.write(fmt::format(" {}\n{:25}corpuscle, in the columns of ls-dyna\n", title, ""));
+    }
+}
+
+AsciiFiles::AsciiFiles(const std::filesystem::path& folder, const RecordLayout& layout,
+                       const OutputIntervals& intervals, const std::string& /*title*/,
+                       StateReader& checkpoint) {
+    list_files(folder, layout, intervals);
+    checkpoint(*this);
+    for (File& file : files_) file.go_on();
+}
+
+void AsciiFiles::list_files(const std::filesystem::path& folder, const RecordLayout& layout,
+                            const OutputIntervals& intervals) {
+    const auto add = [&](const char* name, double interval, State state) {
+        if (!(interval > 0.0)) return;  // NaN or 0: not asked for
         File& file = files_.emplace_back();
         file.path = folder / name;
-        file.out.reset(std::fopen(file.path.c_str(), "wb"));
         file.interval = interval;
         file.state = std::move(state);
-        file.write(fmt::format(" {}\n{:25}corpuscle, in the columns of ls-dyna\n", title, ""));
-    };
-    const auto since_start = [](auto&& text) {
-        return [text, start = std::optional<Sample>()](const Sample& s) mutable {
-            if (!start) start = s;
-            return text(s, *start);
-        };
     };
     const auto who = std::make_shared<const RecordLayout>(layout);
-    add("glstat", intervals.glstat, since_start(glstat_state));
-    add("abstat", intervals.abstat, [who](const Sample& s) { return abstat_state(*who, s); });
-    add("rcforc", intervals.rcforc, [who](const Sample& s) { return rcforc_state(*who, s); });
-    add("rwforc", intervals.rwforc, [who](const Sample& s) { return rwforc_state(*who, s); });
-    add("rbdout", intervals.rbdout, since_start([who](const Sample& s, const Sample& start) {
-            return rbdout_state(*who, s, start);
-        }));
-    add("nodout", intervals.nodout,
-        [who, before = std::optional<Sample>()](const Sample& s) mutable {
-            const std::string text = nodout_state(*who, s, before.value_or(s));
-            before = s;
-            return text;
-        });
+    const auto now = [who](auto&& text) {
+        return [who, text](const Sample& s, const Sample&, const Sample&) { return text(*who, s); };
+    };
+    add("glstat", intervals.glstat,
+        [](const Sample& s, const Sample& start, const Sample&) { return glstat_state(s, start); });
+    add("abstat", intervals.abstat, now(abstat_state));
+    add("rcforc", intervals.rcforc, now(rcforc_state));
+    add("rwforc", intervals.rwforc, now(rwforc_state));
+    add("rbdout", intervals.rbdout, [who](const Sample& s, const Sample& start, const Sample&) {
+        return rbdout_state(*who, s, start);
+    });
+    add("nodout", intervals.nodout, [who](const Sample& s, const Sample&, const Sample& before) {
+        return nodout_state(*who, s, before);
+    });
 }
 
 double AsciiFiles::next_time() const {
@@ -77,7 +99,9 @@ double AsciiFiles::next_time() const {
 void AsciiFiles::append(const Sample& sample) {
     for (File& file : files_) {
         if (sample.time < file.next_time()) continue;
-        file.write(file.state(sample));
+        if (!file.start) file.start = file.before = sample;
+        file.write(file.state(sample, *file.start, *file.before));
+        file.before = sample;
         file.count = std::floor(sample.time / file.interval * (1.0 + 2.0 * ROUNDING)) + 1.0;
     }
 }

@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "solver/base/archive.hpp"
 #include "solver/model.hpp"
 #include "solver/records.hpp"
 
@@ -25,6 +27,16 @@ public:
     AsciiFiles(const std::filesystem::path& folder, const RecordLayout& layout,
                const OutputIntervals& intervals, const std::string& title);
 
+    /// The same files, gone on with from a checkpoint: what was written after it is cut off.
+    AsciiFiles(const std::filesystem::path& folder, const RecordLayout& layout,
+               const OutputIntervals& intervals, const std::string& title, StateReader& checkpoint);
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        for (File& file : files_) archive(file.count, file.size, file.start, file.before);
+    }
+
     /// Does any file want the state at this time?
     [[nodiscard]] bool due(double time) const { return time >= next_time(); }
     /// When the next state is wanted; infinite if never.                                       [s]
@@ -35,7 +47,9 @@ public:
     void append(const Sample& sample);
 
 private:
-    using State = std::function<std::string(const Sample&)>;
+    /// Text of a state, given also the first one and the one before it (of the first: itself).
+    using State =
+        std::function<std::string(const Sample& now, const Sample& start, const Sample& before)>;
     struct Close {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
@@ -44,11 +58,16 @@ private:
         std::unique_ptr<std::FILE, Close> out;
         double interval;  ///< [s]
         State state;
-        double count = 0;  ///< intervals until the next state
+        double count = 0;        ///< intervals until the next state
+        std::uint64_t size = 0;  ///< bytes written
+        std::optional<Sample> start, before;
 
         [[nodiscard]] double next_time() const;
         void write(std::string_view text);
+        void go_on();
     };
+    void list_files(const std::filesystem::path& folder, const RecordLayout& layout,
+                    const OutputIntervals& intervals);
 
     std::vector<File> files_;
 };

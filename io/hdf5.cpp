@@ -195,6 +195,18 @@ void Hdf5Writer::copy(const std::string& path, const std::filesystem::path& othe
     checked(H5Ocopy(other, "/", id_, path.c_str(), H5P_DEFAULT, on_the_way), "write", file_, path);
 }
 
+void Hdf5Writer::take_over(const std::filesystem::path& other_file, const std::string& path) {
+    const Hdf5Reader from(other_file);
+    const Id other(
+        checked(H5Fopen(other_file.c_str(), H5F_ACC_RDONLY, access()), "read", other_file),
+        H5Fclose);
+    const Id on_the_way = make_groups_on_the_way();
+    for (const std::string& name : from.names(path))
+        checked(H5Ocopy(other, (path + "/" + name).c_str(), id_, ("/" + name).c_str(), H5P_DEFAULT,
+                        on_the_way),
+                "write", file_, name);
+}
+
 Hdf5Reader::Hdf5Reader(std::filesystem::path file) : file_(std::move(file)), id_(-1) {
     id_ = checked(H5Fopen(file_.c_str(), H5F_ACC_RDONLY, access()), "read", file_);
 }

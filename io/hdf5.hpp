@@ -51,6 +51,8 @@ public:
     void link(const std::string& path, const std::string& other_file);
     /// `path` here becomes a copy of all of another file.
     void copy(const std::string& path, const std::filesystem::path& other_file);
+    /// All that lies in a group of another file becomes this one's.
+    void take_over(const std::filesystem::path& other_file, const std::string& path);
 
     /// Everything is in the file, or this throws. A file that was not closed is removed.
     void close();

@@ -28,6 +28,13 @@ public:
 
     [[nodiscard]] std::size_t rows() const { return rows_; }
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(rows_);
+        for (Column& column : columns_) archive(column.values);
+    }
+
 private:
     struct Column {
         std::string path;

@@ -3,6 +3,7 @@ target_sources(corpuscle_io PRIVATE
     ascii_files.cpp
     ascii_tables.cpp
     atomic_file.cpp
+    checkpoint.cpp
     deck_writer.cpp
     hdf5.cpp
     history_table.cpp

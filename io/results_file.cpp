@@ -129,6 +129,31 @@ ResultsFile::ResultsFile(fs::path folder, RunInfo info, const RecordLayout& layo
     replace_text(folder_ / "results.xdmf", xdmf_text(xdmf_));
 }
 
+ResultsFile::ResultsFile(fs::path folder, RunInfo info, const RecordLayout& layout,
+                         StateReader& checkpoint)
+    : folder_(std::move(folder)), info_(std::move(info)), layout_(layout), history_(layout) {
+    checkpoint(*this);
+    find_parts();
+    flush();
+    replace_text(folder_ / "results.xdmf", xdmf_text(xdmf_));
+}
+
+/// Makes sure that mesh and frames lie in results.parts, also when an end has gathered them.
+void ResultsFile::find_parts() const {
+    std::error_code ignored;
+    fs::create_directories(folder_ / "results.parts", ignored);
+    const auto find = [&](const std::string& path, std::string_view name) {
+        const fs::path part = part_file(name);
+        if (fs::exists(part)) return;
+        write_whole(part, [&](Hdf5Writer& file) { file.take_over(folder_ / "results.h5", path); });
+    };
+    find("/mesh", "mesh");
+    for (std::size_t i = 0; i < frame_times_.size(); ++i)
+        find(fmt::format("/frames/{}", frame_name(i)), frame_name(i));
+    for (std::size_t i = frame_times_.size(); fs::remove(part_file(frame_name(i)), ignored); ++i) {
+    }
+}
+
 fs::path ResultsFile::part_file(std::string_view name) const {
     return folder_ / "results.parts" / fmt::format("{}.h5", name);
 }

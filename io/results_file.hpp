@@ -11,6 +11,7 @@
 
 #include "io/history_table.hpp"
 #include "io/xdmf.hpp"
+#include "solver/base/archive.hpp"
 #include "solver/records.hpp"
 
 namespace corpuscle::io {
@@ -36,6 +37,18 @@ public:
     /// @throws SystemError if that cannot be written, InputError if ids of one kind collide
     ResultsFile(std::filesystem::path folder, RunInfo info, const RecordLayout& layout);
 
+    /// Goes on from a checkpoint: what was written after it is taken back.
+    /// @throws SystemError if what was written before it is not there any more
+    ResultsFile(std::filesystem::path folder, RunInfo info, const RecordLayout& layout,
+                StateReader& checkpoint);
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(history_, frame_times_, xdmf_.nodes, xdmf_.shells, xdmf_.topology_size,
+                xdmf_.states);
+    }
+
     /// One row in every history. On the disk within a second, or 50 times what a version costs.
     void append(const Sample& sample);
     /// One state for pictures, on the disk on return.
@@ -49,6 +62,7 @@ private:
     enum class Parts { LINKED, COPIED };
 
     void clear_away() const;
+    void find_parts() const;
     void write_mesh();
     void write_version(Parts parts);
     [[nodiscard]] std::filesystem::path part_file(std::string_view name) const;

@@ -21,6 +21,12 @@ public:
     /// `span` is the kick span at t, over which a prescribed acceleration acts.
     double velocity(double t, double dt, double span);
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(velocity_);
+    }
+
 private:
     Curve curve_;
     MotionKind kind_;
@@ -40,6 +46,12 @@ public:
     [[nodiscard]] const std::vector<std::uint8_t>& held() const { return held_; }
     /// Rows of the nodes that something holds.
     [[nodiscard]] const std::vector<Index>& nodes() const { return nodes_; }
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        for (Motion& motion : motions_) archive(motion.curve);
+    }
 
 private:
     struct Motion {

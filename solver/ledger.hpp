@@ -41,6 +41,12 @@ public:
     /// The next step's kick begins where the last ended.
     void turn_page() { before = after; }
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(before, after, weight, start_);
+    }
+
 private:
     double start_ = 0.0;
 };

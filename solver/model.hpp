@@ -90,7 +90,8 @@ struct PressureLoad {
 
 /// Output intervals; NaN: not asked for.                                                       [s]
 struct OutputIntervals {
-    double frames = NaN;  ///< *DATABASE_BINARY_D3PLOT
+    double frames = NaN;            ///< *DATABASE_BINARY_D3PLOT
+    double checkpoint_steps = NaN;  ///< *DATABASE_BINARY_D3DUMP; NaN: by the clock            [-]
     double abstat = NaN, glstat = NaN, rcforc = NaN, rwforc = NaN, rbdout = NaN, nodout = NaN;
 };
 

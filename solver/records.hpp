@@ -68,6 +68,13 @@ struct AirbagSample {
     std::vector<Species> species;
     std::vector<Part> parts;
     std::vector<Chamber> chambers;
+
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(volume, pressure, temperature, mass, mass_in, mass_out_vent, mass_out_fabric,
+                particles, particles_out, energy, translational_energy, mass_rate_in, mass_rate_out,
+                surface_area, species, parts, chambers);
+    }
 };
 
 /// One row of every history.
@@ -103,6 +110,12 @@ struct Sample {
     };
     std::vector<Sensor> sensors;
     Points node_coordinates, node_velocity;  ///< of the history nodes
+
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(time, dt, step, energy, airbags, parts, rigid_bodies, wall_force, contacts, sensors,
+                node_coordinates, node_velocity);
+    }
 };
 
 /// One state for pictures.

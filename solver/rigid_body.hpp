@@ -72,6 +72,15 @@ public:
     /// Mean of what contact's impulses gave in the last step.                              [N]
     [[nodiscard]] const Vec3& impulse_force() const { return impulse_force_; }
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        for (Motion& motion : motions_) archive(motion.curve);
+        archive(held_moves_, held_turns_, centre_, next_centre_, turn_, next_turn_, velocity_,
+                acceleration_, angular_momentum_, mid_velocity_, mid_spin_, impulse_force_,
+                held_work_, field_work_, damped_);
+    }
+
 private:
     struct Motion {
         bool rotation;

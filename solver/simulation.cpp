@@ -128,7 +128,7 @@ gas::BagWalls bag_walls(const Model& model, const gas::BagCard& card,
 }  // namespace
 
 Simulation::Simulation(Model model, std::uint64_t seed)
-    : model_(std::move(model)), supports_(model_), loads_(model_) {
+    : model_(std::move(model)), seed_(seed), supports_(model_), loads_(model_) {
     const std::size_t count = model_.x.size();
     if (model_.velocity.empty()) model_.velocity.assign(count, Vec3::Zero());
     nodes_ = {model_.x, model_.x, model_.velocity, Points(count, Vec3::Zero()), {}};

@@ -14,6 +14,7 @@
 #include "fabric/nodes.hpp"
 #include "gas/bag_gas.hpp"
 #include "gas/uniform_bag.hpp"
+#include "solver/base/archive.hpp"
 #include "solver/base/stopwatch.hpp"
 #include "solver/clock.hpp"
 #include "solver/constraints.hpp"
@@ -86,7 +87,16 @@ public:
     [[nodiscard]] Sample sample();  ///< at t, inside an observer
     [[nodiscard]] Frame frame();    ///< at t, inside an observer
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp): a scene built from the same model
+    /// and seed goes on from there in the same bits.
+    void visit_state(StateWriter& archive);
+    void visit_state(StateReader& archive);
+    /// Tells models and seeds apart.
+    [[nodiscard]] std::uint64_t fingerprint() const;
+
 private:
+    template <class Archive>
+    void visit_all(Archive& archive);
     void build_fabric();
     [[nodiscard]] fabric::Membranes membranes_at(double t) const;
     void bear_references();
@@ -116,6 +126,7 @@ private:
     [[nodiscard]] Vec3 velocity(Index node) const;  ///< at t                        [m/s]
 
     Model model_;
+    std::uint64_t seed_;
     Clock clock_;
     fabric::Nodes nodes_;
     std::vector<std::uint8_t> active_;  ///< E: strains are computed

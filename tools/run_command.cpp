@@ -1,16 +1,21 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/core.h>
 
 #include "io/ascii_files.hpp"
+#include "io/checkpoint.hpp"
 #include "io/deck.hpp"
+#include "io/hdf5.hpp"
 #include "io/progress.hpp"
 #include "io/results_file.hpp"
+#include "solver/base/archive.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/simulation.hpp"
@@ -26,6 +31,11 @@ volatile std::sig_atomic_t interrupted = 0;
 class Schedule {
 public:
     explicit Schedule(double interval) : interval_(interval) {}
+
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(next_, count_);
+    }
     /// Is one due at t? Marks it as met.
     bool meets(double t) {
         if (std::isnan(interval_) || t < next_ * (1.0 - 1e-12)) return false;
@@ -75,6 +85,11 @@ public:
         if (frame || at_end) results_.write(simulation.frame());
     }
 
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(residual, brought, worst_residual, histories_, frames_);
+    }
+
     double residual = 0.0, brought = 0.0, worst_residual = 0.0;  ///< [J]
 
 private:
@@ -83,7 +98,50 @@ private:
     Schedule histories_, frames_;
 };
 
-void advance_to_end(Simulation& simulation, Recorder& recorder, io::Progress& progress) {
+/// Keeps the run's checkpoint: after every so many steps if the deck says so (D3DUMP), else by the
+/// clock.
+class Keeper {
+public:
+    Keeper(const std::string& folder, const Simulation& simulation, io::ResultsFile& results,
+           io::AsciiFiles& ascii, Recorder& recorder)
+        : folder_(folder),
+          steps_(simulation.model().output.checkpoint_steps),
+          scene_(simulation.fingerprint()),
+          results_(results),
+          ascii_(ascii),
+          recorder_(recorder) {}
+
+    [[nodiscard]] bool is_due(std::int64_t step) const {
+        if (!std::isnan(steps_)) return std::fmod(static_cast<double>(step), steps_) == 0.0;
+        return Clock::now() - written_at_ >= std::max<Clock::duration>(PATIENCE, PER_COST * cost_);
+    }
+    void write(Simulation& simulation) {
+        const auto begin = Clock::now();
+        StateWriter state;
+        state(simulation, results_, ascii_, recorder_);
+        io::write_checkpoint(folder_,
+                             {scene_, simulation.time(), simulation.steps(), state.bytes()});
+        written_at_ = Clock::now();
+        cost_ = written_at_ - begin;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    static constexpr auto PATIENCE = std::chrono::seconds(2);
+    static constexpr int PER_COST = 50;  ///< 2 % of the run at most
+
+    std::string folder_;
+    double steps_;
+    std::uint64_t scene_;
+    io::ResultsFile& results_;
+    io::AsciiFiles& ascii_;
+    Recorder& recorder_;
+    Clock::time_point written_at_ = Clock::now();
+    Clock::duration cost_{};
+};
+
+void advance_to_end(Simulation& simulation, Recorder& recorder, Keeper& keeper,
+                    io::Progress& progress) {
     const auto observe = [&](Simulation& at_t) { recorder.observe(at_t, false); };
     while (!simulation.is_over()) {
         const StepReport step = simulation.step(observe);
@@ -91,9 +149,33 @@ void advance_to_end(Simulation& simulation, Recorder& recorder, io::Progress& pr
             recorder.brought > 0.0 ? std::abs(recorder.residual) / recorder.brought : 0.0;
         progress.step(simulation.time(), step.dt, step.limit.text(), simulation.particles(), share,
                       simulation.steps());
-        if (interrupted) throw SystemError("interrupted");
+        if (interrupted || keeper.is_due(simulation.steps())) keeper.write(simulation);
+        if (interrupted) throw SystemError("interrupted; --restart goes on from here");
     }
     simulation.close([&](Simulation& at_end) { recorder.observe(at_end, true); });
+}
+
+/// The checkpoint that a restart goes on from; none: from the beginning.
+std::optional<io::Checkpoint> checkpoint_for(const Simulation& simulation,
+                                             const std::string& folder) {
+    auto found = io::read_checkpoint(folder);
+    if (!found) {
+        fmt::print("no checkpoint in {}: the run starts from the beginning\n", folder);
+        return found;
+    }
+    if (found->scene != simulation.fingerprint())
+        throw InputError(
+            fmt::format("--restart: the checkpoint in {} is of another scene; expected "
+                        "the same deck, -D values and seed",
+                        folder));
+    fmt::print("going on from t = {:.6g}, step {}\n", found->t, found->step);
+    return found;
+}
+
+bool is_finished(const std::string& folder) {
+    const std::filesystem::path file = std::filesystem::path(folder) / "results.h5";
+    if (!std::filesystem::exists(file)) return false;
+    return io::Hdf5Reader(file).text("/", "termination") == "normal";
 }
 
 }  // namespace
@@ -117,9 +199,6 @@ Model load(const DeckArguments& arguments) {
 }
 
 int run(const RunArguments& arguments) {
-    if (arguments.restart)
-        throw SystemError(
-            "--restart: runs write no checkpoints yet; start the run anew without it");
     Simulation simulation(load(arguments.deck), arguments.deck.seed);
     const Model& model = simulation.model();
     if (!arguments.quiet)
@@ -127,20 +206,39 @@ int run(const RunArguments& arguments) {
     for (const std::string& warning : model.warnings) fmt::print(stderr, "warning: {}\n", warning);
 
     const std::string folder = folder_of(arguments);
+    std::optional<io::Checkpoint> from;
+    if (arguments.restart) {
+        if (is_finished(folder)) {
+            fmt::print("{}/results.h5 is of a run that came to its end: nothing is left to do\n",
+                       folder);
+            return 0;
+        }
+        from = checkpoint_for(simulation, folder);
+    }
+    if (!from) io::remove_checkpoint(folder);
+
     const RecordLayout layout = simulation.layout();
-    io::ResultsFile results(folder,
-                            {"corpuscle", std::string(VERSION), model.deck, model.unit_system,
-                             arguments.deck.seed, parallel::threads()},
-                            layout);
-    io::AsciiFiles ascii(folder, layout, model.output, model.title);
-    io::Progress progress(model.end_time, arguments.quiet);
+    const io::RunInfo info{"corpuscle",       std::string(VERSION), model.deck,
+                           model.unit_system, arguments.deck.seed,  parallel::threads()};
+    StateReader state(from ? std::span<const char>(from->state) : std::span<const char>());
+    if (from) state(simulation);
+    io::ResultsFile results =
+        from ? io::ResultsFile(folder, info, layout, state) : io::ResultsFile(folder, info, layout);
+    io::AsciiFiles ascii = from ? io::AsciiFiles(folder, layout, model.output, model.title, state)
+                                : io::AsciiFiles(folder, layout, model.output, model.title);
     Recorder recorder(simulation, results, ascii);
+    if (from) state(recorder);
+    if (!state.is_at_end()) throw SystemError("the checkpoint holds more than the scene asks for");
+    from.reset();
+
+    io::Progress progress(model.end_time, arguments.quiet);
+    Keeper keeper(folder, simulation, results, ascii, recorder);
     std::signal(SIGINT, [](int) { interrupted = 1; });
     std::signal(SIGTERM, [](int) { interrupted = 1; });
 
     const Summary summary;
     try {
-        advance_to_end(simulation, recorder, progress);
+        advance_to_end(simulation, recorder, keeper, progress);
     } catch (const std::exception& error) {
         results.write(simulation.frame());
         results.finish(fmt::format("error: {}", error.what()));
@@ -149,6 +247,7 @@ int run(const RunArguments& arguments) {
         throw;
     }
     results.finish("normal");
+    io::remove_checkpoint(folder);
     progress.finish();
     if (!arguments.quiet) summary.print(simulation, folder, recorder.worst_residual);
     return 0;

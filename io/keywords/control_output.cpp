@@ -52,6 +52,13 @@ void database_d3plot(Cards& cards, Draft& draft) {
     if (cards.more()) cards.next("IOOPT RATE CUTOFF WINDOW TYPE PSET").harmless_all();
 }
 
+void database_d3dump(Cards& cards, Draft& draft) {
+    Card c = cards.next("CYCL NR BEAM NPLTC PSETID CID -");
+    const int steps = c.integer("CYCL", {0.0});
+    if (steps > 0) draft.model.output.checkpoint_steps = steps;
+    c.harmless("NR BEAM NPLTC PSETID CID");
+}
+
 void database_abstat(Cards& cards, Draft& draft) {
     interval(cards, draft.model.output.abstat);
 }

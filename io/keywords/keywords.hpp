@@ -113,6 +113,7 @@ void control_termination(Cards&, Draft&);
 void control_timestep(Cards&, Draft&);
 void database_cpm_sensor(Cards&, Draft&);  // database_sensor.cpp
 void database_d3plot(Cards&, Draft&);
+void database_d3dump(Cards&, Draft&);
 void database_abstat(Cards&, Draft&);
 void database_glstat(Cards&, Draft&);
 void database_rcforc(Cards&, Draft&);

@@ -25,6 +25,7 @@ const Keyword KEYWORDS[] = {
     {"CONTROL_TERMINATION", "", "", P::GROUND, control_termination},
     {"CONTROL_TIMESTEP", "", "", P::GROUND, control_timestep},
     {"DATABASE_BINARY_D3PLOT", "", "", P::GROUND, database_d3plot},
+    {"DATABASE_BINARY_D3DUMP DATABASE_BINARY_RUNRSF", "", "", P::GROUND, database_d3dump},
     {"DATABASE_ABSTAT DATABASE_ABSTAT_CPM", "", "", P::GROUND, database_abstat},
     {"DATABASE_GLSTAT", "", "", P::GROUND, database_glstat},
     {"DATABASE_RCFORC", "", "", P::GROUND, database_rcforc},

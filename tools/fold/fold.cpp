@@ -57,17 +57,34 @@ Bag fold_once(const Recipe& recipe, const std::vector<Accordion>& folds, Way way
     return bag;
 }
 
+/// The cover's inner nodes go down, folded and flat alike: a dish with a straight wall of one
+/// element.
+void press_dish(double depth, Bag& bag) {
+    std::vector<char> is_cover(bag.sheet.x.size(), 0), is_other(is_cover.size(), 0);
+    for (std::size_t e = 0; e < bag.sheet.cells.size(); ++e) {
+        const bool covers = bag.parts[static_cast<std::size_t>(bag.sheet.part[e])].title ==
+                            std::string_view("module cover");
+        for (const Index n : bag.sheet.cells[e]) (covers ? is_cover : is_other)[n] = 1;
+    }
+    for (std::size_t n = 0; n < is_cover.size(); ++n)
+        if (is_cover[n] && !is_other[n])
+            for (Points* at : {&bag.sheet.x, &bag.sheet.X}) (*at)[n].z() -= depth;
+}
+
 }  // namespace
 
 Bag fold(const Recipe& recipe) {
     const std::vector<Accordion> folds =
         plan_folds(recipe, make_bag(recipe, {}).sheet.x, recipe.pattern.element);
-    Bag first = fold_once(recipe, folds, WAYS.front());
-    if (crossing_cells(first.sheet).empty()) return first;
-    for (std::size_t i = 1; i < WAYS.size(); ++i)
-        if (Bag other = fold_once(recipe, folds, WAYS[i]); crossing_cells(other.sheet).empty())
-            return other;
-    return first;
+    Bag best;
+    for (const auto& way : WAYS) {
+        Bag bag = fold_once(recipe, folds, way);
+        const bool is_good = crossing_cells(bag.sheet).empty();
+        if (best.sheet.x.empty() || is_good) best = std::move(bag);
+        if (is_good) break;
+    }
+    if (recipe.hole && recipe.hole->depth > 0.0) press_dish(recipe.hole->depth, best);
+    return best;
 }
 
 }  // namespace corpuscle::fold

@@ -55,6 +55,8 @@ Hole read_hole(const toml::table& table, RecipeFaults& faults) {
     if (h.reinforcement > 0.0 && h.reinforcement <= h.diameter)
         at.fault("reinforcement", "a diameter above that of the hole, or 0 for none");
     h.is_open = at.truth_or("open", false);
+    h.depth = at.not_negative_or("depth", 0.0);
+    if (h.is_open && h.depth > 0.0) at.fault("depth", "none for an open hole");
     at.finish();
     return h;
 }

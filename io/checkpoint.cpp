@@ -1,0 +1,68 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "io/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include "io/atomic_file.hpp"
+#include "solver/base/archive.hpp"
+#include "solver/base/error.hpp"
+#include "solver/base/fingerprint.hpp"
+
+namespace corpuscle::io {
+namespace {
+
+/// First words of the file. The number changes whenever a class lists its state in another way.
+constexpr std::string_view MAGIC = "corpuscle checkpoint 1\n";
+
+std::filesystem::path file_in(const std::filesystem::path& folder) {
+    return folder / "checkpoint";
+}
+
+}  // namespace
+
+void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint) {
+    StateWriter head;
+    Checkpoint copy{checkpoint.scene, checkpoint.t, checkpoint.step, {}};
+    std::uint64_t check = fingerprint(checkpoint.state);
+    std::size_t size = checkpoint.state.size();
+    head(copy.scene, copy.t, copy.step, check, size);
+    std::string text(MAGIC);
+    text.append(head.bytes().data(), head.bytes().size());
+    text.append(checkpoint.state.data(), checkpoint.state.size());
+    replace_text(file_in(folder), text);
+}
+
+std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& folder) {
+    const std::filesystem::path file = file_in(folder);
+    std::ifstream in(file, std::ios::binary);
+    if (!in) return std::nullopt;
+    const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
+    const std::string_view text(bytes.data(), bytes.size());
+    if (!text.starts_with(MAGIC))
+        throw SystemError(
+            fmt::format("{} was written by another version of corpuscle; start the run "
+                        "anew, without --restart",
+                        file.string()));
+    StateReader head(std::span<const char>(bytes).subspan(MAGIC.size()));
+    Checkpoint out;
+    std::uint64_t check = 0;
+    std::size_t size = 0;
+    head(out.scene, out.t, out.step, check, size);
+    if (size > bytes.size()) throw SystemError(fmt::format("{} is not whole", file.string()));
+    out.state.assign(bytes.end() - static_cast<std::ptrdiff_t>(size), bytes.end());
+    if (fingerprint(out.state) != check)
+        throw SystemError(fmt::format("{} is damaged", file.string()));
+    return out;
+}
+
+void remove_checkpoint(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    std::filesystem::remove(file_in(folder), ignored);
+}
+
+}  // namespace corpuscle::io

@@ -1,0 +1,128 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "solver/base/error.hpp"
+
+/// State as bytes, for checkpoints. Whoever has state lists it once, for both ways:
+///
+///     template <class Archive>
+///     void visit_state(Archive& archive) { archive(x_, v_, store_); }
+///
+/// Listed is what changes during a run and is not worked out anew from the rest in every step; what
+/// a scene is built with (meshes, cards, tables) is not. Values come back bit by bit.
+namespace corpuscle {
+
+namespace archive_detail {
+template <class T>
+struct IsVector : std::false_type {};
+template <class T>
+struct IsVector<std::vector<T>> : std::true_type {};
+template <class T>
+struct IsOptional : std::false_type {};
+template <class T>
+struct IsOptional<std::optional<T>> : std::true_type {};
+}  // namespace archive_detail
+
+/// Common to both ways: Way has raw(void*, bytes) and count(std::size_t&).
+template <class Way>
+class ArchiveOf {
+public:
+    template <class... T>
+    void operator()(T&... values) {
+        (visit(values), ...);
+    }
+
+private:
+    Way& way() { return static_cast<Way&>(*this); }
+
+    template <class T>
+    void visit(T& value) {
+        if constexpr (requires { value.visit_state(way()); }) {
+            value.visit_state(way());
+        } else if constexpr (archive_detail::IsVector<T>::value) {
+            list(value);
+        } else if constexpr (archive_detail::IsOptional<T>::value) {
+            std::uint8_t is_there = value.has_value();
+            way().raw(&is_there, 1);
+            if constexpr (std::is_default_constructible_v<typename T::value_type>)
+                if (is_there && !value) value.emplace();
+            if (is_there && !value) throw SystemError("the checkpoint does not fit the scene");
+            if (!is_there) value.reset();
+            if (value) visit(*value);
+        } else if constexpr (std::is_same_v<T, std::string>) {
+            std::size_t size = value.size();
+            way().count(size);
+            value.resize(size);
+            way().raw(value.data(), size);
+        } else {
+            static_assert(std::is_trivially_destructible_v<T> && !std::is_pointer_v<T>,
+                          "this type needs a visit_state()");
+            way().raw(&value, sizeof(T));
+        }
+    }
+    template <class T>
+    void list(std::vector<T>& values) {
+        std::size_t size = values.size();
+        way().count(size);
+        if constexpr (std::is_default_constructible_v<T>)
+            values.resize(size);
+        else if (values.size() != size)
+            throw SystemError("the checkpoint does not fit the scene");
+        if constexpr (std::is_trivially_destructible_v<T> &&
+                      !requires(T & v, Way & w) { v.visit_state(w); }) {
+            way().raw(values.data(), size * sizeof(T));
+        } else {
+            for (T& value : values) visit(value);
+        }
+    }
+};
+
+/// Appends state to bytes.
+class StateWriter : public ArchiveOf<StateWriter> {
+public:
+    [[nodiscard]] const std::vector<char>& bytes() const { return bytes_; }
+
+    void raw(const void* from, std::size_t size) {
+        const auto* begin = static_cast<const char*>(from);
+        bytes_.insert(bytes_.end(), begin, begin + size);
+    }
+    void count(std::size_t& size) { raw(&size, sizeof(size)); }
+
+private:
+    std::vector<char> bytes_;
+};
+
+/// Takes state from bytes, in the order in which it was written.
+class StateReader : public ArchiveOf<StateReader> {
+public:
+    explicit StateReader(std::span<const char> bytes) : rest_(bytes) {}
+
+    [[nodiscard]] bool is_at_end() const { return rest_.empty(); }
+
+    /// @throws SystemError where the bytes end too early
+    void raw(void* to, std::size_t size) {
+        if (size > rest_.size()) throw SystemError("the checkpoint ends too early");
+        if (size > 0) std::memcpy(to, rest_.data(), size);
+        rest_ = rest_.subspan(size);
+    }
+    void count(std::size_t& size) {
+        raw(&size, sizeof(size));
+        if (size > rest_.size() && size > (1U << 30))
+            throw SystemError("the checkpoint does not fit the scene");
+    }
+
+private:
+    std::span<const char> rest_;
+};
+
+}  // namespace corpuscle
