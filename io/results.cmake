@@ -2,6 +2,11 @@
 target_sources(corpuscle_io PRIVATE
     ascii_files.cpp
     ascii_tables.cpp
+    rigid_history.cpp
+    responses/body_responses.cpp
+    responses/channel_filter.cpp
+    responses/criteria.cpp
+    responses/response_tables.cpp
     atomic_file.cpp
     checkpoint.cpp
     deck_writer.cpp

@@ -178,6 +178,21 @@ void ResultsFile::write_mesh() {
     xdmf_.topology_size = topology.size();
 }
 
+void ResultsFile::follow(double interval, const std::vector<RigidTrack>& tracks) {
+    rigid_ = RigidHistory(interval, tracks);
+}
+
+void ResultsFile::observe(double t, const std::vector<RigidState>& states, bool at_end) {
+    rigid_.observe(t, states, at_end);
+}
+
+std::vector<BodyTable> ResultsFile::responses() const {
+    std::vector<BodyTable> all;
+    for (const BodyMotion& motion : rigid_.motions())
+        all.push_back({motion.id, body_responses(motion, info_.unit_system)});
+    return all;
+}
+
 void ResultsFile::append(const Sample& sample) {
     history_.append(layout_, sample);
     const auto patience = std::max<Clock::duration>(PATIENCE, PATIENCE_PER_COST * cost_);
@@ -223,6 +238,8 @@ void ResultsFile::write_version(Parts parts) {
         fill_root(file, info_, termination_);
         include("/mesh", "mesh");
         history_.write(file, info_.unit_system);
+        rigid_.write(file, info_.unit_system);
+        if (parts == Parts::COPIED) write_responses(file, responses());
         file.dataset<double>("/frames/time", frame_times_, {frame_times_.size()},
                              {unit_of(Quantity::TIME, info_.unit_system), "time of the frames"});
         for (std::size_t i = 0; i < frame_times_.size(); ++i)

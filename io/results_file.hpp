@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/history_table.hpp"
+#include "io/rigid_history.hpp"
 #include "io/xdmf.hpp"
 #include "solver/base/archive.hpp"
 #include "solver/records.hpp"
@@ -49,6 +50,18 @@ public:
                 xdmf_.states);
     }
 
+    /// From now on these bodies are followed at a rate of their own. Once, before the first step.
+    void follow(double interval, const std::vector<RigidTrack>& tracks);
+    /// Once in every step: the followed bodies at t; `at_end`: the last time.
+    void observe(double t, const std::vector<RigidState>& states, bool at_end);
+    /// Their part of a checkpoint, after follow().
+    template <class Archive>
+    void visit_bodies(Archive& archive) {
+        archive(rigid_);
+    }
+    /// What the followed bodies felt so far.
+    [[nodiscard]] std::vector<BodyTable> responses() const;
+
     /// One row in every history. On the disk within a second, or 50 times what a version costs.
     void append(const Sample& sample);
     /// One state for pictures, on the disk on return.
@@ -72,6 +85,7 @@ private:
     RecordLayout layout_;
     std::string termination_ = "running";
     HistoryTable history_;
+    RigidHistory rigid_;
     std::vector<double> frame_times_;
     XdmfScene xdmf_;
     std::chrono::steady_clock::time_point written_at_;

@@ -50,4 +50,11 @@ std::string unit_of(Quantity quantity, std::string_view unit_system) {
     return fmt::format("deck [{}]", row.name);
 }
 
+std::optional<UnitScale> scale_of(std::string_view unit_system) {
+    if (unit_system == "SI") return UnitScale{};
+    if (unit_system == "kg-mm-ms-K") return UnitScale{1e-3, 1e-3, 1.0};
+    if (unit_system == "ton-mm-s-K") return UnitScale{1.0, 1e-3, 1e3};
+    return std::nullopt;
+}
+
 }  // namespace corpuscle::io

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -30,5 +31,16 @@ enum class Quantity {
 /// @param unit_system  "SI", "kg-mm-ms-K" or "ton-mm-s-K"; any other name is an unknown consistent
 ///                     system, for which the answer is "deck [pressure]"
 [[nodiscard]] std::string unit_of(Quantity quantity, std::string_view unit_system);
+
+/// The base units of a unit system, in SI.
+struct UnitScale {
+    double second = 1.0, metre = 1.0, kilogram = 1.0;  ///< one unit of time, length, mass in them
+
+    /// Standard gravity, in the system's own acceleration.       [ISO 80000-3: 9.80665 m/s^2]
+    [[nodiscard]] double gravity() const { return 9.80665 * second * second / metre; }
+};
+
+/// None for an unknown consistent system.
+[[nodiscard]] std::optional<UnitScale> scale_of(std::string_view unit_system);
 
 }  // namespace corpuscle::io

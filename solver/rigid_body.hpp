@@ -51,6 +51,8 @@ public:
     [[nodiscard]] const Vec3& position() const { return centre_; }    ///< of the mass centre, at t
     [[nodiscard]] const Vec3& velocity() const { return velocity_; }  ///< at t + dt/2
     [[nodiscard]] const Vec3& acceleration() const { return acceleration_; }
+    /// Not all of its translations are fixed.
+    [[nodiscard]] bool can_move() const { return fixed_moves_ != 7U; }
     [[nodiscard]] double mass() const { return mass_; }
     [[nodiscard]] const Vec3& angular_momentum() const { return angular_momentum_; }
     [[nodiscard]] Vec3 spin() const { return spin_of(turn_, angular_momentum_); }  ///< [rad/s]

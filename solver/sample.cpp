@@ -89,6 +89,12 @@ RecordLayout Simulation::layout() const {
     return layout;
 }
 
+Vec3 Simulation::force_on(const RigidBody& body) const {
+    Vec3 force = body.impulse_force();
+    for (const Index n : body.nodes()) force += contact_and_gas_force(n);
+    return force;
+}
+
 Sample Simulation::sample() {
     Sample row;
     row.time = clock_.t;
@@ -117,9 +123,7 @@ Sample Simulation::sample() {
         for (std::size_t p = 0; p < strain.size(); ++p) row.parts[p].strain_energy += strain[p];
     }
     for (const RigidBody& body : bodies_) {
-        Sample::Rigid state{body.position(), body.velocity(), body.acceleration(),
-                            body.impulse_force()};
-        for (const Index n : body.nodes()) state.force += contact_and_gas_force(n);
+        Sample::Rigid state{body.position(), body.velocity(), body.acceleration(), force_on(body)};
         row.rigid_bodies.push_back(state);
         row.parts[body.part()].kinetic_energy = body.kinetic_energy();
         row.parts[body.part()].momentum = body.mass() * body.velocity();

@@ -84,6 +84,8 @@ public:
 
     [[nodiscard]] EnergyBooks books() const;  ///< at t, inside an observer
     [[nodiscard]] RecordLayout layout() const;
+    /// Of contact and gas on a body, in the kick at t.                               [N]
+    [[nodiscard]] Vec3 force_on(const RigidBody& body) const;
     [[nodiscard]] Sample sample();  ///< at t, inside an observer
     [[nodiscard]] Frame frame();    ///< at t, inside an observer
 
@@ -150,11 +152,11 @@ private:
     Constraints supports_;
     Loads loads_;
 
-    Points v_before_;                     ///< v(t - dt/2)                                [m/s]
-    Points v_kicked_;                     ///< before obstacles, if there are any         [m/s]
-    Points v_mid_;                        ///< mean of v before and after this step's kick   [m/s]
-    std::vector<std::uint8_t> held_;      ///< N: as held_nodes() says, if contact_push_ is asked for
-    Points contact_push_;                 ///< N × 3: contact and obstacles, if a bag asks    [N]
+    Points v_before_;                 ///< v(t - dt/2)                                [m/s]
+    Points v_kicked_;                 ///< before obstacles, if there are any         [m/s]
+    Points v_mid_;                    ///< mean of v before and after this step's kick   [m/s]
+    std::vector<std::uint8_t> held_;  ///< N: as held_nodes() says, if contact_push_ is asked for
+    Points contact_push_;             ///< N × 3: contact and obstacles, if a bag asks    [N]
     std::vector<std::uint8_t> touching_;  ///< N: nodes in contact, if a bag asks for it
     ForceShare load_force_, damping_force_, contact_force_, fabric_force_;
     Ledger ledger_;

@@ -38,10 +38,18 @@ struct FoldArguments {
     std::string recipe, output;
 };
 
+struct ResponsesArguments {
+    std::string folder;
+    std::optional<int> body;  ///< part id; none: all
+    std::string units;        ///< empty: those of the results
+    bool json = false;
+};
+
 int run(const RunArguments& arguments);
 int check(const DeckArguments& arguments);
 int mesh(const MeshArguments& arguments);
 int fold(const FoldArguments& arguments);
+int responses(const ResponsesArguments& arguments);
 
 /// Reads the deck with its -D values and --until, and sets the number of threads.
 Model load(const DeckArguments& arguments);

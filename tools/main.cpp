@@ -1,8 +1,8 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 //
-// The command line: corpuscle run | check | fold | mesh. Exit status 0 normal, 2 bad input, 3 the
-// physics broke, 1 anything else.
+// The command line: corpuscle run | check | fold | mesh | responses. Exit status 0 normal, 2 bad
+// input, 3 the physics broke, 1 anything else.
 
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
@@ -75,6 +75,21 @@ int run(int argc, char** argv) {
         "  corpuscle fold models/driver_bag_folded/fold.toml -o mesh.k\n"
         "tools/fold/README.md says what a recipe may hold.");
 
+    tools::ResponsesArguments to_respond;
+    CLI::App* responses = app.add_subcommand(
+        "responses",
+        "what rigid bodies felt: peak force and accelerations by CFC 60 to 1000, 3 ms clip, HIC, "
+        "impulse, rebound, energy, intrusion; also to DIR/responses.json");
+    responses->add_option("DIR", to_respond.folder, "folder of a run's results")->required();
+    responses->add_option("--body", to_respond.body, "part id of one body; default: all");
+    responses->add_option("--units", to_respond.units,
+                          "SI, kg-mm-ms-K or ton-mm-s-K, where the results do not know");
+    responses->add_flag("--json", to_respond.json, "print JSON instead of a table");
+    responses->footer(
+        "Examples:\n"
+        "  corpuscle responses oop_linear.out\n"
+        "  corpuscle responses oop_linear.out --body 100 --json");
+
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -83,6 +98,7 @@ int run(int argc, char** argv) {
     if (*run) return tools::run(to_run);
     if (*check) return tools::check(to_check);
     if (*fold) return tools::fold(to_fold);
+    if (*responses) return tools::responses(to_respond);
     return tools::mesh(to_mesh);
 }
 

@@ -19,6 +19,7 @@
 #include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/simulation.hpp"
+#include "tools/body_tracker.hpp"
 #include "tools/commands.hpp"
 #include "tools/summary.hpp"
 
@@ -67,12 +68,14 @@ public:
     Recorder(const Simulation& simulation, io::ResultsFile& results, io::AsciiFiles& ascii)
         : results_(results),
           ascii_(ascii),
+          bodies_(simulation, results),
           histories_(history_interval(simulation.model())),
           frames_(simulation.model().output.frames) {}
 
     /// `at_end`: the last state of a run, always taken.
     void observe(Simulation& simulation, bool at_end) {
         const double t = simulation.time();
+        bodies_.observe(simulation, at_end);
         const bool history = histories_.meets(t), ascii = ascii_.due(t), frame = frames_.meets(t);
         if (history || ascii || at_end) {
             const Sample sample = simulation.sample();
@@ -87,7 +90,7 @@ public:
 
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(residual, brought, worst_residual, histories_, frames_);
+        archive(residual, brought, worst_residual, bodies_, histories_, frames_);
     }
 
     double residual = 0.0, brought = 0.0, worst_residual = 0.0;  ///< [J]
@@ -95,6 +98,7 @@ public:
 private:
     io::ResultsFile& results_;
     io::AsciiFiles& ascii_;
+    BodyTracker bodies_;
     Schedule histories_, frames_;
 };
 
@@ -249,7 +253,11 @@ int run(const RunArguments& arguments) {
     results.finish("normal");
     io::remove_checkpoint(folder);
     progress.finish();
-    if (!arguments.quiet) summary.print(simulation, folder, recorder.worst_residual);
+    if (!arguments.quiet) {
+        summary.print(simulation, folder, recorder.worst_residual);
+        for (const io::BodyTable& table : results.responses())
+            fmt::print("\n{}", io::responses_text(table));
+    }
     return 0;
 }
 

@@ -1,0 +1,72 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// Responses as text, JSON and HDF5.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "io/responses/body_responses.hpp"
+
+namespace corpuscle::io {
+namespace {
+
+std::string number_json(double value) {
+    return std::isfinite(value) ? fmt::format("{}", value) : "null";
+}
+
+/// Names, units and notes are our own: quotes and line ends are all that could go wrong.
+std::string text_json(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        out += c == '\n' ? ' ' : c;
+    }
+    return out + '"';
+}
+
+}  // namespace
+
+std::string responses_json(const std::vector<BodyTable>& tables) {
+    std::string out = "{\"bodies\": {";
+    for (std::size_t b = 0; b < tables.size(); ++b) {
+        out += fmt::format("{}\n  \"{}\": {{", b == 0 ? "" : ",", tables[b].id);
+        const std::vector<Response>& responses = tables[b].responses;
+        for (std::size_t k = 0; k < responses.size(); ++k) {
+            const Response& r = responses[k];
+            out += fmt::format(
+                "{}\n    {}: {{\"value\": {}, \"unit\": {}, \"filter\": {}, \"note\": {}}}",
+                k == 0 ? "" : ",", text_json(r.name), number_json(r.value), text_json(r.unit),
+                text_json(r.filter), text_json(r.note));
+        }
+        out += "}";
+    }
+    return out + "}}\n";
+}
+
+std::string responses_text(const BodyTable& table) {
+    std::string out = fmt::format("rigid body {}\n  {:<28} {:>12} {:<12} {:<10} {}\n", table.id,
+                                  "response", "value", "unit", "filter", "note");
+    for (const Response& r : table.responses) {
+        const std::string value = std::isfinite(r.value) ? fmt::format("{:.5g}", r.value) : "-";
+        out += fmt::format("  {:<28} {:>12} {:<12} {:<10} {}", r.name, value, r.unit, r.filter,
+                           r.note);
+        out.erase(out.find_last_not_of(' ') + 1);
+        out += '\n';
+    }
+    return out;
+}
+
+void write_responses(Hdf5Writer& file, const std::vector<BodyTable>& tables) {
+    for (const BodyTable& table : tables)
+        for (const Response& r : table.responses) {
+            if (!std::isfinite(r.value)) continue;
+            file.dataset<double>(
+                fmt::format("/responses/{}/{}", table.id, r.name), std::span(&r.value, 1), {},
+                {r.unit, r.note.empty() ? fmt::format("filter: {}", r.filter)
+                                        : fmt::format("filter: {}; {}", r.filter, r.note)});
+        }
+}
+
+}  // namespace corpuscle::io
