@@ -45,11 +45,22 @@ struct ResponsesArguments {
     bool json = false;
 };
 
+struct StudyArguments {
+    std::string file;
+    std::string folder;         ///< empty: as the study says
+    int workers = 0;            ///< 0: as the study says
+    bool retry_failed = false;  ///< failed runs count as missing
+    bool slurm = false;         ///< hand the runs to sbatch
+    bool only_table = false;    ///< make no runs
+    std::string share;          ///< "K/N": only every N-th run from the K-th on, no table
+};
+
 int run(const RunArguments& arguments);
 int check(const DeckArguments& arguments);
 int mesh(const MeshArguments& arguments);
 int fold(const FoldArguments& arguments);
 int responses(const ResponsesArguments& arguments);
+int study(const StudyArguments& arguments);
 
 /// Reads the deck with its -D values and --until, and sets the number of threads.
 Model load(const DeckArguments& arguments);

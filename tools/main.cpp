@@ -1,8 +1,8 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 //
-// The command line: corpuscle run | check | fold | mesh | responses. Exit status 0 normal, 2 bad
-// input, 3 the physics broke, 1 anything else.
+// The command line: corpuscle run | check | fold | mesh | responses | study. Exit status 0 normal,
+// 2 bad input, 3 the physics broke, 1 anything else.
 
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
@@ -90,6 +90,26 @@ int run(int argc, char** argv) {
         "  corpuscle responses oop_linear.out\n"
         "  corpuscle responses oop_linear.out --body 100 --json");
 
+    tools::StudyArguments to_study;
+    CLI::App* study = app.add_subcommand(
+        "study",
+        "run a deck at many points and seeds into one table, study.csv and study.h5; started "
+        "again, it makes only the runs that are missing");
+    study->add_option("STUDY", to_study.file, "study in TOML")->required();
+    study->add_option("-o,--output", to_study.folder, "folder; default: STUDY.study");
+    study->add_option("-w,--workers", to_study.workers, "runs at a time; default: as it says")
+        ->check(CLI::PositiveNumber);
+    study->add_flag("--retry-failed", to_study.retry_failed, "make failed runs again");
+    study->add_flag("--slurm", to_study.slurm, "an array of jobs by sbatch, and a table after it");
+    study->add_flag("--table", to_study.only_table, "only the table of what is there");
+    study->add_option("--share", to_study.share, "K/N: every N-th run from the K-th (0 to N-1)");
+    study->footer(
+        "Examples:\n"
+        "  corpuscle study oop.toml\n"
+        "  corpuscle study oop.toml -w 4 --retry-failed\n"
+        "  corpuscle study oop.toml --slurm\n"
+        "tools/study/README.md says what a study may hold.");
+
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -98,6 +118,7 @@ int run(int argc, char** argv) {
     if (*run) return tools::run(to_run);
     if (*check) return tools::check(to_check);
     if (*fold) return tools::fold(to_fold);
+    if (*study) return tools::study(to_study);
     if (*responses) return tools::responses(to_respond);
     return tools::mesh(to_mesh);
 }

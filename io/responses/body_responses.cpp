@@ -69,7 +69,8 @@ private:
         const auto meets = [&](double f) { return peak_force_ > 0.0 && f > 1e-3 * peak_force_; };
         const auto first = std::find_if(force.begin(), force.end(), meets);
         touches_ = first != force.end();
-        contact_ = first - force.begin();
+        // forces are means since the row before: there contact began
+        contact_ = std::max<std::ptrdiff_t>(first - force.begin() - 1, 0);
     }
 
     /// One that needs units and a rate that serves its filter; else it says why there is none.

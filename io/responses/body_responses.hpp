@@ -35,7 +35,7 @@ struct Response {
 ///
 /// Of the axis along which the body meets the bag: that of its velocity at the start, or, of a body
 /// that starts at rest, against the impulse that it gets.
-/// Contact begins when the force first exceeds 1/1000 of its peak.
+/// Contact begins at the row after which the force first exceeds 1/1000 of its peak.
 [[nodiscard]] std::vector<Response> body_responses(const BodyMotion& motion,
                                                    const std::string& unit_system);
 

@@ -9,7 +9,7 @@ namespace corpuscle::io {
 
 /// A filter needs this many samples in 1/CFC seconds: with fewer, the bilinear transform moves its
 /// -3 dB point by more than 1 %.
-inline constexpr double SAMPLES_PER_CLASS = 20.0;
+inline constexpr double SAMPLES_PER_CLASS = 25.0;
 
 /// Channel frequency class filter: two-pole Butterworth, run forward and then backward, so without
 /// delay.

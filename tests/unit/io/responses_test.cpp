@@ -75,7 +75,7 @@ std::map<std::string, io::Response> by_name(const std::vector<io::Response>& all
 TEST_CASE("a channel filter's gain is -3 dB at CFC/0.6 within 1 % of the frequency",
           "[responses]") {
     const double cfc = GENERATE(60.0, 180.0, 600.0, 1000.0);
-    const double dt = GENERATE(1e-5, 4.9e-5);
+    const double dt = GENERATE(1e-5, 3.9e-5);
     const double corner = cfc / 0.6, level = std::pow(10.0, -3.0 / 20.0);
     CHECK(gain(0.99 * corner, cfc, dt) > level);
     CHECK(gain(1.01 * corner, cfc, dt) < level);
@@ -98,9 +98,9 @@ TEST_CASE("a channel filter passes straight lines, has no delay, and keeps the m
 
 TEST_CASE("a rate too low for a filter is refused, not aliased", "[responses]") {
     const std::vector<double> a(100, 1.0);
-    CHECK_NOTHROW(io::filtered(a, 1.0 / 20000.0, 1000.0));
-    CHECK_THROWS_AS(io::filtered(a, 1.0 / 19900.0, 1000.0), InputError);
-    CHECK_NOTHROW(io::filtered(a, 1.0 / 19900.0, 600.0));
+    CHECK_NOTHROW(io::filtered(a, 1.0 / 25000.0, 1000.0));
+    CHECK_THROWS_AS(io::filtered(a, 1.0 / 24900.0, 1000.0), InputError);
+    CHECK_NOTHROW(io::filtered(a, 1.0 / 24900.0, 600.0));
 }
 
 TEST_CASE("HIC of the check pulses", "[responses]") {
@@ -149,7 +149,7 @@ TEST_CASE("responses of a hand-made impact", "[responses]") {
     CHECK(r.at("rebound_velocity").value == Approx(-v_end).epsilon(1e-9));
     CHECK(r.at("energy_absorbed").value == Approx(25.0 - v_end * v_end).epsilon(1e-9));
     CHECK(r.at("greatest_energy_absorbed").value == Approx(25.0).epsilon(1e-4));
-    CHECK(r.at("time_to_contact").value == Approx(0.004).margin(1.1e-5 + 1e-4));
+    CHECK(r.at("time_to_contact").value == Approx(0.004).margin(1e-12));
     // it stops where 5 = PEAK T / (pi m) (1 - cos(pi s / T)), having gone 5 s - PEAK T / (pi m) (s
     // - T/pi sin)
     const double c = Impact::PEAK * Impact::LONG / std::numbers::pi / 2.0;

@@ -1,0 +1,127 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "tools/study/outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "io/atomic_file.hpp"
+#include "io/hdf5.hpp"
+#include "io/text.hpp"
+#include "solver/base/error.hpp"
+#include "solver/base/vec.hpp"
+
+namespace corpuscle::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::stringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+/// FNV-1a, 64 bits.
+std::uint64_t fingerprint(const std::string& text) {
+    std::uint64_t hash = 14695981039346656037ULL;
+    for (const unsigned char c : text) hash = (hash ^ c) * 1099511628211ULL;
+    return hash;
+}
+
+struct Value {
+    double number;
+    std::string unit;
+};
+
+/// "max:/history/..." or "PID.NAME". @throws SystemError where the results have no such thing
+Value find(const io::Hdf5Reader& results, const std::string& response) {
+    const std::size_t colon = response.find(':');
+    if (colon == std::string::npos) {
+        std::string path = "/responses/" + response;
+        std::replace(path.begin(), path.end(), '.', '/');
+        if (!results.has(path)) throw SystemError(fmt::format("no response {}", response));
+        return {results.read<double>(path).at(0), results.text(path, "unit")};
+    }
+    const std::string how = response.substr(0, colon), path = response.substr(colon + 1);
+    if (!results.has(path) || results.is_group(path))
+        throw SystemError(fmt::format("the results hold no {}", path));
+    const std::vector<double> values = results.read<double>(path);
+    if (values.empty()) throw SystemError(fmt::format("{} is empty", path));
+    const std::string unit = results.text(path, "unit");
+    if (how == "max") return {*std::max_element(values.begin(), values.end()), unit};
+    if (how == "min") return {*std::min_element(values.begin(), values.end()), unit};
+    return {values.back(), unit};
+}
+
+void read_responses(const Study& study, const fs::path& folder, Outcome& outcome) {
+    try {
+        const io::Hdf5Reader results(folder / "results.h5");
+        for (std::size_t r = 0; r < study.responses.size(); ++r) {
+            try {
+                const Value value = find(results, study.responses[r]);
+                outcome.responses[r] = value.number;
+                outcome.units[r] = value.unit;
+            } catch (const SystemError& why) {
+                outcome.reason = why.what();
+            }
+        }
+    } catch (const SystemError& why) {
+        outcome.reason = why.what();
+    }
+    if (!outcome.reason.empty()) outcome.status = 1;
+}
+
+}  // namespace
+
+fs::path folder_of(const Study& study, const Row& row) {
+    return study.folder / fmt::format("run_{:04}", row.number);
+}
+
+std::vector<std::string> definitions_of(const Study& study, const Row& row) {
+    std::vector<std::string> all;
+    for (const auto& [name, value] : study.fixed) all.push_back(fmt::format("{}={}", name, value));
+    for (std::size_t f = 0; f < study.factors.size(); ++f)
+        all.push_back(fmt::format("{}={}", study.factors[f].name, row.values[f]));
+    return all;
+}
+
+std::string key_of(const Study& study, const Row& row) {
+    return fmt::format("deck {} {:016x}, {}, seed {}, until {}", study.deck.filename().string(),
+                       fingerprint(text_of(study.deck)), fmt::join(definitions_of(study, row), " "),
+                       row.seed, study.until ? fmt::format("{}", *study.until) : "its end");
+}
+
+void write_status(const Study& study, const Row& row, int status, double seconds,
+                  const std::string& reason) {
+    io::replace_text(
+        folder_of(study, row) / "status",
+        fmt::format("{}\n{}\n{:.3f}\n{}\n", key_of(study, row), status, seconds, reason));
+}
+
+Outcome read_outcome(const Study& study, const Row& row) {
+    Outcome outcome;
+    outcome.responses.assign(study.responses.size(), NaN);
+    outcome.units.resize(study.responses.size());
+    std::ifstream in(folder_of(study, row) / "status");
+    std::string key, status, seconds;
+    if (!std::getline(in, key) || !std::getline(in, status) || !std::getline(in, seconds) ||
+        key != key_of(study, row))
+        return outcome;
+    std::getline(in, outcome.reason);
+    const auto code = io::parse_integer(status);
+    const auto wall = io::parse_real(seconds);
+    if (!code || !wall) return outcome;
+    outcome.is_finished = true;
+    outcome.status = *code;
+    outcome.seconds = *wall;
+    if (outcome.status == 0) read_responses(study, folder_of(study, row), outcome);
+    return outcome;
+}
+
+}  // namespace corpuscle::study

@@ -1,0 +1,79 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// Study -> points -> runs.
+
+#include <algorithm>
+#include <numeric>
+
+#include "solver/base/random.hpp"
+#include "tools/study/study.hpp"
+
+namespace corpuscle::study {
+namespace {
+
+using Table = std::vector<std::vector<double>>;
+
+/// Of plans, not of the physics.
+constexpr Stream PLANS{64};
+
+Table full(const std::vector<Factor>& factors) {
+    Table table{{}};
+    for (const Factor& factor : factors) {
+        Table next;
+        for (const std::vector<double>& point : table)
+            for (const double value : factor.values) {
+                next.push_back(point);
+                next.back().push_back(value);
+            }
+        table = std::move(next);
+    }
+    return table;
+}
+
+/// u in (0, 1) to the factor's values.
+double value_at(const Factor& factor, double u) {
+    if (factor.is_range) return factor.from + u * (factor.to - factor.from);
+    const auto n = static_cast<double>(factor.values.size());
+    return factor.values[static_cast<std::size_t>(u * n)];
+}
+
+Table latin(const Study& study) {
+    const auto n = static_cast<std::uint32_t>(study.samples);
+    Table table(n);
+    for (std::size_t f = 0; f < study.factors.size(); ++f) {
+        Random draw(study.plan_seed, PLANS, f, 0);
+        std::vector<std::uint32_t> share(n);
+        std::iota(share.begin(), share.end(), 0U);
+        for (std::uint32_t k = n - 1; k > 0; --k) std::swap(share[k], share[draw.below(k + 1)]);
+        for (std::uint32_t k = 0; k < n; ++k)
+            table[k].push_back(value_at(study.factors[f], (share[k] + draw.uniform()) / n));
+    }
+    return table;
+}
+
+}  // namespace
+
+Table points(const Study& study) {
+    switch (study.plan) {
+        case Plan::FULL:
+            return full(study.factors);
+        case Plan::LATIN:
+            return latin(study);
+        case Plan::POINTS:
+            break;
+    }
+    return study.listed;
+}
+
+std::vector<Row> rows(const Study& study) {
+    std::vector<Row> all;
+    const Table table = points(study);
+    for (std::size_t p = 0; p < table.size(); ++p)
+        for (int k = 0; k < study.repeats; ++k)
+            all.push_back(
+                {all.size() + 1, p, table[p], study.first_seed + static_cast<std::uint64_t>(k)});
+    return all;
+}
+
+}  // namespace corpuscle::study

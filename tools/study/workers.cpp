@@ -1,0 +1,165 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "tools/study/workers.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <map>
+
+#include "io/text.hpp"
+#include "solver/base/error.hpp"
+#include "tools/study/outcome.hpp"
+
+namespace corpuscle::study {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+volatile std::sig_atomic_t interrupted = 0;
+
+std::vector<std::string> command_of(const Study& study, const Row& row,
+                                    const std::string& program) {
+    std::vector<std::string> words{program,
+                                   "run",
+                                   study.deck.string(),
+                                   "-o",
+                                   folder_of(study, row).string(),
+                                   "--seed",
+                                   fmt::format("{}", row.seed),
+                                   "-j",
+                                   fmt::format("{}", study.threads)};
+    if (study.until) {
+        words.emplace_back("--until");
+        words.push_back(fmt::format("{}", *study.until));
+    }
+    for (const std::string& definition : definitions_of(study, row)) {
+        words.emplace_back("-D");
+        words.push_back(definition);
+    }
+    return words;
+}
+
+/// Everything the child needs is made before the fork: after it only system calls are safe.
+pid_t start(const std::vector<std::string>& words, const fs::path& log) {
+    std::vector<char*> argv;
+    for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+    argv.push_back(nullptr);
+    const int out = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (out < 0)
+        throw SystemError(fmt::format("cannot write {}: {}", log.string(), std::strerror(errno)));
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::dup2(out, STDOUT_FILENO);
+        ::dup2(out, STDERR_FILENO);
+        ::execv(argv[0], argv.data());
+        ::_exit(127);
+    }
+    ::close(out);
+    if (child < 0) throw SystemError(fmt::format("cannot start a run: {}", std::strerror(errno)));
+    return child;
+}
+
+/// The last thing that a failed run said.
+std::string reason_of(const fs::path& log, int wait_status) {
+    if (WIFSIGNALED(wait_status)) return fmt::format("killed by signal {}", WTERMSIG(wait_status));
+    std::ifstream in(log);
+    std::string line, fault, last;
+    while (std::getline(in, line)) {
+        const std::string_view said = io::trim(line);
+        if (said.empty() || said.starts_with("results so far")) continue;
+        fault = last;
+        last = said;
+    }
+    // "corpuscle: 1 fault in the input" says less than the fault before it
+    return last.find("in the input") != std::string::npos && !fault.empty() ? fault : last;
+}
+
+class Workers {
+public:
+    Workers(const Study& study, const std::string& program, const Ended& ended)
+        : study_(study), program_(program), ended_(ended) {}
+    ~Workers() { stop(); }
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
+
+    [[nodiscard]] bool is_full() const {
+        return at_work_.size() >= static_cast<std::size_t>(study_.workers);
+    }
+    [[nodiscard]] bool is_idle() const { return at_work_.empty(); }
+
+    void begin(const Row& row) {
+        const fs::path folder = folder_of(study_, row);
+        fs::create_directories(folder);
+        fs::remove(folder / "status");
+        const pid_t child = start(command_of(study_, row, program_), folder / "log.txt");
+        at_work_.emplace(child, Job{row, Clock::now()});
+    }
+    /// Waits for the end of one run.
+    void wait() {
+        int status = 0;
+        const pid_t child = ::waitpid(-1, &status, 0);
+        if (interrupted) throw SystemError("interrupted");
+        const auto job = at_work_.find(child);
+        if (job == at_work_.end()) return;
+        const Row row = job->second.row;
+        const double seconds =
+            std::chrono::duration<double>(Clock::now() - job->second.begun).count();
+        at_work_.erase(job);
+        const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+        write_status(study_, row, code, seconds,
+                     code == 0 ? "" : reason_of(folder_of(study_, row) / "log.txt", status));
+        ended_(row, code);
+    }
+
+private:
+    struct Job {
+        Row row;
+        Clock::time_point begun;
+    };
+    void stop() {
+        for (const auto& [child, job] : at_work_) ::kill(child, SIGTERM);
+        for (const auto& [child, job] : at_work_)
+            while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) continue;
+        at_work_.clear();
+    }
+
+    const Study& study_;
+    const std::string& program_;
+    const Ended& ended_;
+    std::map<pid_t, Job> at_work_;
+};
+
+}  // namespace
+
+void make_runs(const Study& study, const std::vector<Row>& rows, const std::string& program,
+               const Ended& ended) {
+    struct sigaction on_stop {};
+    on_stop.sa_handler = [](int) { interrupted = 1; };  // no SA_RESTART: waitpid must return
+    ::sigaction(SIGINT, &on_stop, nullptr);
+    ::sigaction(SIGTERM, &on_stop, nullptr);
+    Workers workers(study, program, ended);
+    for (const Row& row : rows) {
+        while (workers.is_full()) workers.wait();
+        if (interrupted) throw SystemError("interrupted");
+        workers.begin(row);
+    }
+    while (!workers.is_idle()) workers.wait();
+}
+
+std::string this_program() {
+    std::error_code why;
+    const fs::path program = fs::read_symlink("/proc/self/exe", why);
+    if (why) throw SystemError(fmt::format("cannot tell my own path: {}", why.message()));
+    return program.string();
+}
+
+}  // namespace corpuscle::study
