@@ -10,6 +10,9 @@ target_sources(corpuscle_io PRIVATE
     atomic_file.cpp
     checkpoint.cpp
     deck_writer.cpp
+    export/binout.cpp
+    export/history_source.cpp
+    export/lsda.cpp
     hdf5.cpp
     history_table.cpp
     mesh_check.cpp

@@ -55,12 +55,25 @@ struct StudyArguments {
     std::string share;          ///< "K/N": only every N-th run from the K-th on, no table
 };
 
+struct ExportArguments {
+    std::string folder;
+    std::string output;  ///< empty: the same folder
+    bool csv = false, binout = false, d3plot = false, iso_mme = false;
+};
+
+struct ReportArguments {
+    std::vector<std::string> folders;
+    std::string output;  ///< empty: report.html in the first folder
+};
+
 int run(const RunArguments& arguments);
 int check(const DeckArguments& arguments);
 int mesh(const MeshArguments& arguments);
 int fold(const FoldArguments& arguments);
 int responses(const ResponsesArguments& arguments);
 int study(const StudyArguments& arguments);
+int export_results(const ExportArguments& arguments);
+int report(const ReportArguments& arguments);
 
 /// Reads the deck with its -D values and --until, and sets the number of threads.
 Model load(const DeckArguments& arguments);

@@ -1,7 +1,8 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 //
-// The command line: corpuscle run | check | fold | mesh | responses | study. Exit status 0 normal,
+// The command line: corpuscle run | check | fold | mesh | responses | study |
+// export | report. Exit status 0 normal,
 // 2 bad input, 3 the physics broke, 1 anything else.
 
 #include <fmt/core.h>
@@ -110,6 +111,29 @@ int run(int argc, char** argv) {
         "  corpuscle study oop.toml --slurm\n"
         "tools/study/README.md says what a study may hold.");
 
+    tools::ExportArguments to_export;
+    CLI::App* exports =
+        app.add_subcommand("export", "write a run's histories for other tools: CSV, binout (LSDA)");
+    exports->add_option("DIR", to_export.folder, "folder of a run's results")->required();
+    exports->add_option("-o,--output", to_export.output, "folder to write to; default: DIR");
+    exports->add_flag("--csv", to_export.csv, "history.csv and history_fast.csv");
+    exports->add_flag("--binout", to_export.binout, "binout, as LS-PrePost and others read it");
+    exports->add_flag("--d3plot", to_export.d3plot, "not there yet: refused");
+    exports->add_flag("--iso-mme", to_export.iso_mme, "not there yet: refused");
+    exports->footer("Example:\n  corpuscle export driver_bag_flat.out --csv --binout");
+
+    tools::ReportArguments to_report;
+    CLI::App* report = app.add_subcommand(
+        "report",
+        "one page for the browser, whole in itself: the deployment in 3-D with its curves, "
+        "responses, settings and energy books; of a study: its table");
+    report->add_option("DIR", to_report.folders, "folders of runs, or of a study")->required();
+    report->add_option("-o,--output", to_report.output, "page to write; default: DIR/report.html");
+    report->footer(
+        "Examples:\n"
+        "  corpuscle report driver_bag_flat.out\n"
+        "  corpuscle report fine.out coarse.out -o compare.html");
+
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -118,6 +142,8 @@ int run(int argc, char** argv) {
     if (*run) return tools::run(to_run);
     if (*check) return tools::check(to_check);
     if (*fold) return tools::fold(to_fold);
+    if (*exports) return tools::export_results(to_export);
+    if (*report) return tools::report(to_report);
     if (*study) return tools::study(to_study);
     if (*responses) return tools::responses(to_respond);
     return tools::mesh(to_mesh);

@@ -251,6 +251,7 @@ int run(const RunArguments& arguments) {
         throw;
     }
     results.finish("normal");
+    summary.write(simulation, folder);
     io::remove_checkpoint(folder);
     progress.finish();
     if (!arguments.quiet) {

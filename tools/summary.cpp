@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "tools/summary.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <numeric>
+
+#include "io/atomic_file.hpp"
+#include "io/json.hpp"
 
 namespace corpuscle::tools {
 namespace {
@@ -91,8 +95,7 @@ void print_ledger(const EnergyBooks& e, double worst) {
 
 void Summary::print(Simulation& simulation, const std::string& folder,
                     double worst_residual) const {
-    const double wall =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const double wall = this->wall();
     std::size_t flights = 0;
     for (const gas::BagGas& bag : simulation.bags()) flights += bag.flights();
     const double elements =
@@ -111,6 +114,23 @@ void Summary::print(Simulation& simulation, const std::string& folder,
         print_contact(simulation, contact);
     print_ledger(simulation.books(), worst_residual);
     fmt::print("\nresults: {0}/results.h5, {0}/results.xdmf (ParaView)\n", folder);
+}
+
+double Summary::wall() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+void Summary::write(const Simulation& simulation, const std::string& folder) const {
+    std::vector<std::string> warnings, phases;
+    for (const std::string& warning : simulation.model().warnings)
+        warnings.push_back(io::json(warning));
+    for (const auto& [phase, seconds] : simulation.timings().phases())
+        phases.push_back(io::json(phase) + ": " + io::json(seconds));
+    io::replace_text(std::filesystem::path(folder) / "run.json",
+                     fmt::format("{{\"wall\": {}, \"steps\": {},\n\"phases\": {{{}}},\n"
+                                 "\"warnings\": [{}]}}\n",
+                                 io::json(wall()), simulation.steps(), fmt::join(phases, ", "),
+                                 fmt::join(warnings, ", ")));
 }
 
 }  // namespace corpuscle::tools

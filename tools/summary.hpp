@@ -13,8 +13,11 @@ namespace corpuscle::tools {
 class Summary {
 public:
     void print(Simulation& simulation, const std::string& folder, double worst_residual) const;
+    /// FOLDER/run.json: wall time, phases, steps, warnings; for the report.
+    void write(const Simulation& simulation, const std::string& folder) const;
 
 private:
+    [[nodiscard]] double wall() const;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

@@ -7,26 +7,10 @@
 
 #include <cmath>
 
+#include "io/json.hpp"
 #include "io/responses/body_responses.hpp"
 
 namespace corpuscle::io {
-namespace {
-
-std::string number_json(double value) {
-    return std::isfinite(value) ? fmt::format("{}", value) : "null";
-}
-
-/// Names, units and notes are our own: quotes and line ends are all that could go wrong.
-std::string text_json(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') out += '\\';
-        out += c == '\n' ? ' ' : c;
-    }
-    return out + '"';
-}
-
-}  // namespace
 
 std::string responses_json(const std::vector<BodyTable>& tables) {
     std::string out = "{\"bodies\": {";
@@ -37,8 +21,8 @@ std::string responses_json(const std::vector<BodyTable>& tables) {
             const Response& r = responses[k];
             out += fmt::format(
                 "{}\n    {}: {{\"value\": {}, \"unit\": {}, \"filter\": {}, \"note\": {}}}",
-                k == 0 ? "" : ",", text_json(r.name), number_json(r.value), text_json(r.unit),
-                text_json(r.filter), text_json(r.note));
+                k == 0 ? "" : ",", json(r.name), json(r.value), json(r.unit), json(r.filter),
+                json(r.note));
         }
         out += "}";
     }

@@ -1,0 +1,202 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "io/export/binout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <map>
+
+#include "io/export/history_source.hpp"
+#include "io/export/lsda.hpp"
+
+namespace corpuscle::io {
+namespace {
+
+constexpr std::array AXES{"x", "y", "z"};
+
+/// The histories by path.
+class Rows {
+public:
+    explicit Rows(const Hdf5Reader& results) {
+        for (History& history : read_histories(results, "/history"))
+            all_.emplace(history.path, std::move(history));
+    }
+    [[nodiscard]] std::size_t count() const { return all_.at("time").values.size(); }
+    [[nodiscard]] double at(const std::string& path, std::size_t row, std::size_t axis = 0) const {
+        const History& history = all_.at(path);
+        return history.values[row * history.columns + axis];
+    }
+    /// Ids below a group, ascending.
+    [[nodiscard]] std::vector<std::int32_t> ids(const std::string& group) const {
+        std::vector<std::int32_t> found;
+        for (const auto& [path, history] : all_) {
+            if (!path.starts_with(group + "/")) continue;
+            const int id = std::stoi(path.substr(group.size() + 1));
+            if (std::find(found.begin(), found.end(), id) == found.end()) found.push_back(id);
+        }
+        std::sort(found.begin(), found.end());
+        return found;
+    }
+    /// Change per time since the row before; 0 in the first.
+    [[nodiscard]] double rate(const std::string& path, std::size_t row) const {
+        if (row == 0) return 0.0;
+        return (at(path, row) - at(path, row - 1)) / (at("time", row) - at("time", row - 1));
+    }
+
+private:
+    std::map<std::string, History> all_;
+};
+
+class Binout {
+public:
+    explicit Binout(const Hdf5Reader& results)
+        : rows_(results),
+          version_(results.text("/", "version")),
+          deck_(results.text("/", "deck")) {}
+
+    std::string write() {
+        branch("glstat", {}, [&](std::size_t row) { glstat(row); });
+        for_ids("part", "matsum", [&](std::size_t row) { matsum(row); });
+        for_ids("airbag", "abstat", [&](std::size_t row) { abstat(row); });
+        for_ids("rigid_body", "rbdout", [&](std::size_t row) { rbdout(row); });
+        for_ids("contact", "rcforc", [&](std::size_t row) { rcforc(row); });
+        for_ids("rigidwall", "rwforc/forces", [&](std::size_t row) { rwforc(row); });
+        for_ids("node", "nodout", [&](std::size_t row) { nodout(row); });
+        return lsda_.finish();
+    }
+
+private:
+    using State = std::function<void(std::size_t row)>;
+
+    void for_ids(const std::string& group, const std::string& name, const State& state) {
+        group_ = group;
+        ids_ = rows_.ids(group);
+        if (!ids_.empty()) branch(name, ids_, state);
+    }
+    void branch(const std::string& name, const std::vector<std::int32_t>& ids, const State& state) {
+        lsda_.folder(fmt::format("/{}/metadata", name));
+        lsda_.write("title", std::string_view(deck_));
+        lsda_.write("version", std::string_view(version_));
+        lsda_.write("date", std::string_view("-"));
+        if (!ids.empty()) lsda_.write("ids", std::span(ids));
+        for (std::size_t row = 0; row < rows_.count(); ++row) {
+            lsda_.folder(fmt::format("/{}/d{:06}", name, row + 1));
+            lsda_.write("time", rows_.at("time", row));
+            lsda_.write("cycle", static_cast<std::int32_t>(row));
+            if (!ids.empty() && name != "rwforc/forces") lsda_.write("ids", std::span(ids));
+            state(row);
+        }
+    }
+    [[nodiscard]] std::string path(std::int32_t id, const std::string& name) const {
+        return fmt::format("{}/{}/{}", group_, id, name);
+    }
+    /// One value an id.
+    void column(std::string_view name, const std::function<double(std::int32_t)>& value) {
+        std::vector<double> values;
+        for (const std::int32_t id : ids_) values.push_back(value(id));
+        lsda_.write(name, std::span<const double>(values));
+    }
+    /// One history an id.
+    void column(std::string_view name, const std::string& history, std::size_t row,
+                std::size_t axis = 0) {
+        column(name, [&](std::int32_t id) { return rows_.at(path(id, history), row, axis); });
+    }
+
+    void glstat(std::size_t row) {
+        const auto book = [&](const char* name) {
+            return rows_.at(fmt::format("energy/{}", name), row);
+        };
+        const auto outside = [&](std::size_t r) {
+            const auto at = [&](const char* name) {
+                return rows_.at(fmt::format("energy/{}", name), r);
+            };
+            return at("external") + at("inflow") - at("outflow") - at("ambient");
+        };
+        const double inside = book("total") - book("outflow") - book("ambient");
+        const double start = rows_.at("energy/total", 0) - rows_.at("energy/outflow", 0) -
+                             rows_.at("energy/ambient", 0);
+        const double work = outside(row) - outside(0);
+        lsda_.write("kinetic_energy", book("kinetic"));
+        lsda_.write("internal_energy", book("strain") + book("gas") + book("smoothing"));
+        lsda_.write("sliding_interface_energy", book("contact") + book("friction"));
+        lsda_.write("system_damping_energy", book("damping"));
+        lsda_.write("external_work", work);
+        lsda_.write("total_energy", inside);
+        lsda_.write("energy_ratio", start + work == 0.0 ? 1.0 : inside / (start + work));
+    }
+    void matsum(std::size_t row) {
+        column("internal_energy", "strain_energy", row);
+        column("kinetic_energy", "kinetic_energy", row);
+        for (std::size_t a = 0; a < 3; ++a)
+            column(fmt::format("{}_momentum", AXES[a]), "momentum", row, a);
+    }
+    void abstat(std::size_t row) {
+        column("volume", "volume", row);
+        column("pressure", "pressure", row);
+        column("internal_energy", "energy", row);
+        column("dm_dt_in", [&](std::int32_t id) { return rows_.rate(path(id, "mass_in"), row); });
+        column("dm_dt_out", [&](std::int32_t id) {
+            return rows_.rate(path(id, "mass_out_vent"), row) +
+                   rows_.rate(path(id, "mass_out_fabric"), row);
+        });
+        column("density", [&](std::int32_t id) {
+            return rows_.at(path(id, "mass"), row) / rows_.at(path(id, "volume"), row);
+        });
+        column("total_mass", "mass", row);
+        column("gas_temp", "temperature", row);
+        column("surface_area", [&](std::int32_t id) {
+            double area = 0.0;
+            for (const std::int32_t part : rows_.ids(path(id, "part")))
+                area += rows_.at(path(id, fmt::format("part/{}/area", part)), row);
+            return area;
+        });
+        column("reaction", [](std::int32_t) { return 0.0; });
+    }
+    void rbdout(std::size_t row) {
+        for (std::size_t a = 0; a < 3; ++a) {
+            column(fmt::format("global_{}", AXES[a]), "position", row, a);
+            column(fmt::format("global_d{}", AXES[a]), [&](std::int32_t id) {
+                return rows_.at(path(id, "position"), row, a) -
+                       rows_.at(path(id, "position"), 0, a);
+            });
+            column(fmt::format("global_v{}", AXES[a]), "velocity", row, a);
+            column(fmt::format("global_a{}", AXES[a]), "acceleration", row, a);
+        }
+    }
+    void rcforc(std::size_t row) {
+        const std::vector<std::int32_t> side(ids_.size(), 0);
+        lsda_.write("side", std::span(side));
+        for (std::size_t a = 0; a < 3; ++a)
+            column(fmt::format("{}_force", AXES[a]), "force", row, a);
+    }
+    void rwforc(std::size_t row) {
+        for (std::size_t a = 0; a < 3; ++a)
+            column(fmt::format("{}_force", AXES[a]), "force", row, a);
+    }
+    void nodout(std::size_t row) {
+        for (std::size_t a = 0; a < 3; ++a) {
+            column(fmt::format("{}_coordinate", AXES[a]), "coordinates", row, a);
+            column(fmt::format("{}_displacement", AXES[a]), [&](std::int32_t id) {
+                return rows_.at(path(id, "coordinates"), row, a) -
+                       rows_.at(path(id, "coordinates"), 0, a);
+            });
+            column(fmt::format("{}_velocity", AXES[a]), "velocity", row, a);
+        }
+    }
+
+    Rows rows_;
+    std::string version_, deck_, group_;
+    std::vector<std::int32_t> ids_;
+    LsdaWriter lsda_;
+};
+
+}  // namespace
+
+std::string binout(const Hdf5Reader& results) {
+    return Binout(results).write();
+}
+
+}  // namespace corpuscle::io

@@ -1,0 +1,15 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "io/hdf5.hpp"
+
+namespace corpuscle::io {
+
+/// A binout (LSDA) of the results' histories: glstat, matsum, abstat, rbdout, rcforc, rwforc,
+/// nodout, each if there is something in it, as float64, a state for each row of /history.
+[[nodiscard]] std::string binout(const Hdf5Reader& results);
+
+}  // namespace corpuscle::io

@@ -1,0 +1,28 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/hdf5.hpp"
+
+namespace corpuscle::io {
+
+/// A history of results.h5, a column of numbers or three.
+struct History {
+    std::string path;  ///< below the group that was asked for: "airbag/1/pressure"
+    std::string unit;
+    std::size_t columns;         ///< 1 or 3
+    std::vector<double> values;  ///< row by row
+};
+
+/// Every history below a group ("/history"), in alphabetical order, its `time` first.
+/// @throws SystemError if the group is not there
+[[nodiscard]] std::vector<History> read_histories(const Hdf5Reader& results,
+                                                  const std::string& group);
+
+/// "time [ms],airbag/1/pressure [GPa],rigid_body/20/force.x [kN],...", then the rows.
+[[nodiscard]] std::string csv_text(const std::vector<History>& histories);
+
+}  // namespace corpuscle::io

@@ -1,0 +1,57 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "io/atomic_file.hpp"
+#include "io/export/binout.hpp"
+#include "io/export/history_source.hpp"
+#include "solver/base/error.hpp"
+#include "tools/commands.hpp"
+
+namespace corpuscle::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write(const fs::path& file, const std::string& text) {
+    io::replace_text(file, text);
+    fmt::print("{}\n", file.string());
+}
+
+void check(const ExportArguments& arguments) {
+    std::vector<std::string> faults;
+    if (!fs::exists(fs::path(arguments.folder) / "results.h5"))
+        faults.push_back(fmt::format("{}: expected a folder with results.h5", arguments.folder));
+    if (arguments.d3plot)
+        faults.emplace_back(
+            "--d3plot: is not written yet; results.xdmf opens in ParaView, and --csv and --binout "
+            "hold the histories");
+    if (arguments.iso_mme)
+        faults.emplace_back("--iso-mme: is not written yet; --csv holds the same channels");
+    if (!arguments.csv && !arguments.binout && faults.empty())
+        faults.emplace_back("export: expected --csv, --binout or both");
+    if (!faults.empty()) throw InputError(faults);
+}
+
+}  // namespace
+
+int export_results(const ExportArguments& arguments) {
+    check(arguments);
+    const fs::path from = arguments.folder;
+    const fs::path to = arguments.output.empty() ? from : fs::path(arguments.output);
+    fs::create_directories(to);
+    const io::Hdf5Reader results(from / "results.h5");
+    if (arguments.csv) {
+        write(to / "history.csv", io::csv_text(io::read_histories(results, "/history")));
+        if (results.has("/history_fast"))
+            write(to / "history_fast.csv",
+                  io::csv_text(io::read_histories(results, "/history_fast")));
+    }
+    if (arguments.binout) write(to / "binout", io::binout(results));
+    return 0;
+}
+
+}  // namespace corpuscle::tools

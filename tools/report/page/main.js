@@ -1,0 +1,116 @@
+// Puts the page together: one time for all pictures and curves.
+
+const element = (id) => document.getElementById(id);
+const VIEWS = [[-0.9, 1.15], [0, Math.PI / 2], [-Math.PI / 2, Math.PI / 2], [-Math.PI / 2, 0.01]];
+
+class Page {
+    constructor(runs) {
+        this.runs = runs;
+        this.end = Math.max(...runs.map((run) => run.time[run.rows - 1]));
+        this.t = 0;
+        this.is_due = false;
+        this.viewers = runs.map((run) => {
+            const canvas = make("canvas", {tabindex: 0, "aria-label": `${run.name} in 3-D`});
+            element("scene").append(make("figure", {}, canvas, make("figcaption", {}, `${run.name} (${run.termination})`)));
+            return new Viewer(canvas, run, (camera) => this.look(camera));
+        });
+        this.charts = FIRST_CHARTS.filter((first) => runs.some((run) => run.histories.some((h) => first.test(h.name)))).map((first) => new Chart(runs, first, (t) => this.go(t)));
+        element("charts").append(...this.charts.map((chart) => chart.figure));
+        this.listen();
+        this.go(0);
+    }
+
+    look(camera) {
+        for (const viewer of this.viewers) Object.assign(viewer.camera, camera);
+        this.ask();
+    }
+
+    go(t) {
+        this.t = Math.min(Math.max(t, 0), this.end);
+        element("slider").value = 1000 * this.t / this.end;
+        element("clock").textContent = `t = ${show(this.t)} ${this.runs[0].units.time}`;
+        this.is_new = true;
+        this.ask();
+    }
+
+    /** To the next or last frame of the first run. */
+    step(by) {
+        const frames = this.runs[0].frames, k = frameAt(this.runs[0], this.t) + by;
+        this.go(frames[Math.min(Math.max(k, 0), frames.length - 1)].t);
+    }
+
+    ask() {
+        if (this.is_due) return;
+        this.is_due = true;
+        requestAnimationFrame(() => this.draw());
+    }
+
+    draw() {
+        this.is_due = false;
+        const field = element("colour").value;
+        for (const viewer of this.viewers) {
+            if (this.is_new) viewer.take(frameAt(viewer.run, this.t), field, element("dots").value);
+            viewer.draw(element("cut").value / 1000);
+        }
+        if (this.is_new) for (const chart of this.charts) chart.draw(this.t);
+        this.is_new = false;
+        drawLegend(element("legend"), field === "part" ? null : this.runs[0].ranges[field], this.runs[0].units.pressure);
+    }
+
+    play() {
+        const frames = this.runs[0].frames;
+        if (this.timer) {
+            clearInterval(this.timer);
+            this.timer = null;
+        } else {
+            if (this.t >= frames[frames.length - 1].t) this.go(0);
+            this.timer = setInterval(() => {
+                this.step(1);
+                if (this.t >= frames[frames.length - 1].t) this.play();
+            }, 80);
+        }
+        element("play").textContent = this.timer ? "pause" : "play";
+    }
+
+    turn() {
+        const [turn, tilt] = VIEWS[element("view").value];
+        this.look({turn, tilt, x: 0, y: 0, far: 2.6});
+    }
+
+    listen() {
+        const renew = () => { this.is_new = true; this.ask(); };
+        element("slider").addEventListener("input", (event) => this.go(event.target.value / 1000 * this.end));
+        element("play").addEventListener("click", () => this.play());
+        for (const id of ["colour", "dots"]) element(id).addEventListener("change", renew);
+        element("cut").addEventListener("input", () => this.ask());
+        element("view").addEventListener("change", () => this.turn());
+        window.addEventListener("resize", renew);
+        const next = (id) => { element(id).selectedIndex = (element(id).selectedIndex + 1) % element(id).length; };
+        document.addEventListener("keydown", (event) => {
+            if (["INPUT", "SELECT", "BUTTON"].includes(event.target.tagName)) return;
+            const act = {" ": () => this.play(), ArrowRight: () => this.step(1), ArrowLeft: () => this.step(-1), Home: () => this.go(0), End: () => this.go(this.end), c: () => { next("colour"); renew(); }, v: () => { next("view"); this.turn(); }}[event.key];
+            if (!act) return;
+            event.preventDefault();
+            act();
+        });
+    }
+}
+
+async function begin() {
+    const csv = element("study");
+    const count = document.querySelectorAll("script[id^=bytes]").length;
+    const runs = [];
+    for (let k = 0; k < count; ++k) runs.push(await readRun(k));
+    if (csv) {
+        const study = new StudyTable(element("tables"), JSON.parse(csv.textContent));
+        study.draw();
+        window.study = study;
+    }
+    if (runs.length === 0) for (const id of ["scene", "player", "charts"]) element(id).remove();
+    else window.page = new Page(runs);
+    fillTables(element("tables"), runs);
+    element("state").textContent = runs.map((run) => `${run.name}: ${run.termination}`).join("; ");
+    document.body.dataset.ready = "yes";
+}
+
+begin().catch((why) => { element("state").textContent = `the page cannot be shown: ${why.message}`; });

@@ -1,0 +1,240 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "tools/report/run_data.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "io/export/history_source.hpp"
+#include "io/hdf5.hpp"
+#include "io/json.hpp"
+#include "io/responses/body_responses.hpp"
+#include "tools/report/pack.hpp"
+
+namespace corpuscle::report {
+namespace {
+
+namespace fs = std::filesystem;
+using io::json;
+using Lines = std::vector<double>;
+
+/// A frame as it is drawn.
+struct Picture {
+    Lines x;  ///< N × 3
+    Lines pressure, stress;
+    Lines particles;  ///< P × 3
+    std::vector<std::int32_t> species;
+    Lines speed;
+};
+
+/// Every n-th, so that no more than `most` are left.
+std::size_t stride(std::size_t count, std::size_t most) {
+    return count <= most ? 1 : (count + most - 1) / most;
+}
+
+/// Larger principal membrane stress of warp, weft, shear.
+double principal(const double* s) {
+    return 0.5 * (s[0] + s[1]) + std::hypot(0.5 * (s[0] - s[1]), s[2]);
+}
+
+Picture read_picture(const io::Hdf5Reader& file, const std::string& at) {
+    Picture picture;
+    picture.x = file.read<double>(at + "coordinates");
+    picture.pressure = file.read<double>(at + "shell_pressure");
+    const Lines stress = file.read<double>(at + "shell_stress");
+    for (std::size_t k = 0; k + 2 < stress.size(); k += 3)
+        picture.stress.push_back(principal(&stress[k]));
+    if (!file.has(at + "particles")) return picture;
+    // by id, so that a particle that is shown once is always shown
+    const auto id = file.read<std::int64_t>(at + "particles/id");
+    const auto species = file.read<std::int32_t>(at + "particles/species");
+    const Lines x = file.read<double>(at + "particles/position");
+    const Lines v = file.read<double>(at + "particles/velocity");
+    const auto every = static_cast<std::int64_t>(stride(id.size(), MOST_PARTICLES));
+    for (std::size_t p = 0; p < id.size(); ++p) {
+        if (id[p] % every != 0) continue;
+        picture.species.push_back(species[p]);
+        picture.speed.push_back(std::hypot(v[3 * p], v[3 * p + 1], v[3 * p + 2]));
+        picture.particles.insert(picture.particles.end(), &x[3 * p], &x[3 * p] + 3);
+    }
+    return picture;
+}
+
+class Packer {
+public:
+    explicit Packer(const fs::path& folder) : folder_(folder), file_(folder / "results.h5") {}
+
+    RunData pack() {
+        settings();
+        mesh();
+        frames();
+        histories();
+        responses();
+        summary();
+        return {fmt::format("{{{}}}", fmt::join(members_, ",\n")), blob_.bytes()};
+    }
+
+private:
+    void member(const std::string& name, const std::string& value) {
+        members_.push_back(json(name) + ": " + value);
+    }
+
+    void settings() {
+        member("name", json(fs::path(folder_ / ".").parent_path().filename().string()));
+        for (const char* name : {"program", "version", "deck", "unit_system", "termination"})
+            member(name, json(file_.text("/", name)));
+        member("seed", fmt::format("\"{}\"", file_.number<std::uint64_t>("/", "seed")));
+        member("threads", fmt::format("{}", file_.number<std::int32_t>("/", "threads")));
+    }
+
+    void mesh() {
+        const auto nodes = file_.read<std::int32_t>("/mesh/shell_nodes");
+        const auto part = file_.read<std::int32_t>("/mesh/shell_part");
+        std::vector<std::uint32_t> corners, shell;
+        for (std::size_t s = 0; s < part.size(); ++s) {
+            const auto* n = &nodes[4 * s];
+            const auto triangle = [&](int a, int b, int c) {
+                for (const int k : {a, b, c}) corners.push_back(static_cast<std::uint32_t>(n[k]));
+                shell.push_back(static_cast<std::uint32_t>(s));
+            };
+            triangle(0, 1, 2);
+            if (n[3] != n[2]) triangle(0, 2, 3);
+        }
+        member("nodes", fmt::format("{}", file_.shape("/mesh/node_id").at(0)));
+        member("shells", fmt::format("{}", part.size()));
+        member("shell_part", fmt::format("[{}]", fmt::join(part, ",")));
+        member("triangles", fmt::format("{}", shell.size()));
+        member("corners_at", fmt::format("{}", blob_.add(corners)));
+        member("shell_of_at", fmt::format("{}", blob_.add(shell)));
+    }
+
+    /// Twice through the frames: once for ranges, once to pack; never more than one in memory.
+    void frames() {
+        const Lines all = file_.read<double>("/frames/time");
+        const std::size_t every = stride(all.size(), MOST_FRAMES);
+        std::vector<std::size_t> shown;
+        for (std::size_t f = 0; f < all.size(); ++f)
+            if (f % every == 0 || f + 1 == all.size()) shown.push_back(f);
+        const std::vector<std::string> names = frame_names();
+        std::array<Range, 3> box;
+        Range pressure, stress, speed;
+        const auto measure = [&](const Lines& x) {
+            for (std::size_t k = 0; k < x.size(); ++k) box[k % 3].take(x[k]);
+        };
+        for (const std::size_t f : shown) {
+            const Picture picture = read_picture(file_, names.at(f));
+            measure(picture.x);
+            measure(picture.particles);
+            for (const double value : picture.pressure) pressure.take(value);
+            for (const double value : picture.stress) stress.take(value);
+            for (const double value : picture.speed) speed.take(value);
+        }
+        const auto quantised = [&](const Lines& x) {
+            std::vector<std::uint16_t> out(x.size());
+            for (std::size_t k = 0; k < x.size(); ++k) out[k] = box[k % 3].in_16_bits(x[k]);
+            return out;
+        };
+        const auto in_bytes = [](const Lines& values, const Range& range) {
+            std::vector<std::uint8_t> out;
+            for (const double value : values) out.push_back(range.in_8_bits(value));
+            return out;
+        };
+        std::vector<std::uint16_t> before;
+        std::vector<std::string> entries;
+        for (const std::size_t f : shown) {
+            const Picture picture = read_picture(file_, names.at(f));
+            const std::vector<std::uint16_t> x = quantised(picture.x);
+            const std::vector<std::uint8_t> species(picture.species.begin(), picture.species.end());
+            entries.push_back(fmt::format(
+                "{{\"t\":{},\"x\":{},\"pressure\":{},\"stress\":{},\"count\":{},\"particles\":{},"
+                "\"species\":{},\"speed\":{}}}",
+                json(all[f]), blob_.add(change(x, before)),
+                blob_.add(in_bytes(picture.pressure, pressure)),
+                blob_.add(in_bytes(picture.stress, stress)), species.size(),
+                blob_.add(quantised(picture.particles)), blob_.add(species),
+                blob_.add(in_bytes(picture.speed, speed))));
+            before = x;
+        }
+        member("frames", fmt::format("[{}]", fmt::join(entries, ",\n")));
+        member("frames_in_file", fmt::format("{}", all.size()));
+        const auto range = [](const Range& r) {
+            return fmt::format("[{},{}]", json(r.low), json(r.high));
+        };
+        member("box", fmt::format("[{},{},{}]", range(box[0]), range(box[1]), range(box[2])));
+        member("ranges", fmt::format("{{\"pressure\":{},\"stress\":{},\"speed\":{}}}",
+                                     range(pressure), range(stress), range(speed)));
+        units();
+    }
+
+    [[nodiscard]] std::vector<std::string> frame_names() const {
+        std::vector<std::string> names;
+        for (const std::string& name : file_.names("/frames"))
+            if (name != "time") names.push_back("/frames/" + name + "/");
+        return names;
+    }
+
+    void units() {
+        const std::string system = file_.text("/", "unit_system");
+        using enum io::Quantity;
+        member(
+            "units",
+            fmt::format("{{\"time\":{},\"length\":{},\"pressure\":{},\"speed\":{}}}",
+                        json(io::unit_of(TIME, system)), json(io::unit_of(LENGTH, system)),
+                        json(io::unit_of(PRESSURE, system)), json(io::unit_of(VELOCITY, system))));
+    }
+
+    void histories() {
+        std::vector<std::string> entries;
+        std::size_t rows = 0;
+        for (const io::History& history : io::read_histories(file_, "/history")) {
+            rows = history.values.size() / history.columns;
+            for (std::size_t c = 0; c < history.columns; ++c) {
+                std::vector<float> column;
+                for (std::size_t row = 0; row < rows; ++row)
+                    column.push_back(static_cast<float>(history.values[row * history.columns + c]));
+                const std::string name = history.columns == 1
+                                             ? history.path
+                                             : fmt::format("{}.{}", history.path, "xyz"[c]);
+                entries.push_back(fmt::format("{{\"name\":{},\"unit\":{},\"at\":{}}}", json(name),
+                                              json(history.unit), blob_.add(column)));
+            }
+        }
+        member("rows", fmt::format("{}", rows));
+        member("histories", fmt::format("[{}]", fmt::join(entries, ",\n")));
+    }
+
+    void responses() {
+        std::vector<io::BodyTable> tables;
+        const bool is_sampled =
+            file_.has("/history_fast/time") && file_.shape("/history_fast/time").at(0) > 1;
+        if (is_sampled)
+            for (const int id : io::tracked_bodies(file_))
+                tables.push_back({id, io::body_responses(io::read_motion(file_, id),
+                                                         file_.text("/", "unit_system"))});
+        member("responses", io::responses_json(tables));
+    }
+
+    /// Warnings and timings, as the run left them beside its results.
+    void summary() {
+        std::ifstream in(folder_ / "run.json");
+        std::stringstream text;
+        text << in.rdbuf();
+        member("summary", text.str().empty() ? "null" : text.str());
+    }
+
+    fs::path folder_;
+    io::Hdf5Reader file_;
+    Blob blob_;
+    std::vector<std::string> members_;
+};
+
+}  // namespace
+
+RunData run_data(const fs::path& folder) {
+    return Packer(folder).pack();
+}
+
+}  // namespace corpuscle::report
