@@ -70,7 +70,7 @@ void Candidates::meet_gently(double t, std::span<const std::uint8_t> is_on) {
 
 void Candidates::build(const Points& x, const Points& v, double t, double dt) {
     set_budget(dt);
-    motion_.restart(x);
+    motion_.restart(x, budget_);
     motion_.foresee(x, v, dt);
     life_ = steps_ * dt;
     const double fastest = motion_.fastest();
@@ -95,16 +95,19 @@ void Candidates::build(const Points& x, const Points& v, double t, double dt) {
 /// reach.
 void Candidates::set_boxes(const Points& x) {
     parallel::for_each(x.size(), [&](std::size_t n) {
-        const double margin = 0.5 * reach_ * cloth_.node_thickness[n] + budget_;
+        const double margin = 0.5 * reach_ * cloth_.node_thickness[n] +
+                              budget_ * motion_.slack(static_cast<Index>(n));
         const Vec3 sweep = life_ * motion_.velocity(static_cast<Index>(n));
         node_box_[n] = {x[n] + sweep.cwiseMin(0.0), x[n] + sweep.cwiseMax(0.0)};
         node_box_[n].inflate(margin);
     });
+    normal_.resize(triangle_box_.size());
     parallel::for_each(triangle_box_.size(), [&](std::size_t t) {
         const auto& [a, b, c] = cloth_.triangles[t];
         triangle_box_[t] = node_box_[a];
         triangle_box_[t].include(node_box_[b]);
         triangle_box_[t].include(node_box_[c]);
+        normal_[t] = (x[b] - x[a]).cross(x[c] - x[a]).stableNormalized();
     });
 }
 
@@ -116,8 +119,9 @@ void Candidates::list_pairs(const Points& x) {
         chunks_[c].list.clear();
         chunks_[c].watch.clear();
         for (std::size_t i = begin; i < end; ++i)
-            near_triangles_.for_each_in(
-                pairs[i], [&](Index a, Index b) { list_pairs_of(a, b, x, chunks_[c]); });
+            near_triangles_.for_each_in(pairs[i], [&](Index a, Index b) {
+                if (!stay_apart(a, b, x)) list_pairs_of(a, b, x, chunks_[c]);
+            });
     };
     parallel::for_chunks(pairs.size(), search, CHUNK);
 
@@ -127,6 +131,44 @@ void Candidates::list_pairs(const Points& x) {
         list_.insert(list_.end(), chunks_[c].list.begin(), chunks_[c].list.end());
         watch_.insert(watch_.end(), chunks_[c].watch.begin(), chunks_[c].watch.end());
     }
+}
+
+/// Will the two triangles, as they are predicted to fly, stay out of reach of each other while the
+/// lists live? Boxes of layers overlap long before the layers touch; seen along a layer's normal
+/// they are apart.
+bool Candidates::stay_apart(Index a, Index b, const Points& x) const {
+    double thickness = 0.0;
+    for (const auto& of : cloth_.thickness) thickness = std::max(thickness, 0.5 * (of[a] + of[b]));
+    const auto slack = [&](Index t) {
+        double most = 0.0;
+        for (const Index n : cloth_.triangles[t]) most = std::max(most, motion_.slack(n));
+        return most;
+    };
+    const double apart = reach_ * thickness + budget_ * (slack(a) + slack(b));
+    return are_parted_along(normal_[a], apart, a, b, x) ||
+           are_parted_along(normal_[b], apart, a, b, x);
+}
+
+/// Along a fixed axis every node's place is linear in time, and so is each pair's distance: what is
+/// parted by more than `apart`, to the same side, at both ends of the time is so in between.
+bool Candidates::are_parted_along(const Vec3& axis, double apart, Index a, Index b,
+                                  const Points& x) const {
+    const auto span = [&](Index t, double time) {
+        double low = INF, high = -INF;
+        for (const Index n : cloth_.triangles[t]) {
+            const double at = axis.dot(x[n] + time * motion_.velocity(n));
+            low = std::min(low, at);
+            high = std::max(high, at);
+        }
+        return std::pair(low, high);
+    };
+    const auto [low_a, high_a] = span(a, 0.0);
+    const auto [low_b, high_b] = span(b, 0.0);
+    const bool is_above = low_b - high_a > apart;
+    if (!is_above && !(low_a - high_b > apart)) return false;
+    const auto [late_low_a, late_high_a] = span(a, life_);
+    const auto [late_low_b, late_high_b] = span(b, life_);
+    return is_above ? late_low_b - late_high_a > apart : late_low_a - late_high_b > apart;
 }
 
 /// Nodes of a against b, of b against a, edges of a against edges of b, as far as they own them and
@@ -180,12 +222,20 @@ double Candidates::approach_speed(const Pair& pair) const {
                : std::sqrt(square[0]) + std::sqrt(std::max({square[1], square[2], square[3]}));
 }
 
+/// Of both sides together, in budgets.
+double Candidates::slack_of(const Pair& pair) const {
+    std::array<double, 4> of;
+    for (int k = 0; k < 4; ++k) of[k] = motion_.slack(pair.node[k]);
+    return pair.is_edges ? std::max(of[0], of[1]) + std::max(of[2], of[3])
+                         : of[0] + std::max({of[1], of[2], of[3]});
+}
+
 /// Keeps a pair that may come within reach while the lists live.
 void Candidates::consider(const Pair& pair, int card, std::uint64_t key,
                           const Meeting& where) const {
     const double thickness = cloth_.gap(card, where.a, where.b);
     const double gap = nearest(pair, where.x).apart.norm();
-    const double certain = reach_ * thickness + 2.0 * budget_;
+    const double certain = reach_ * thickness + budget_ * slack_of(pair);
     if (gap > certain && gap > certain + life_ * approach_speed(pair)) return;
     if (cloth_.is_held(pair) || std::binary_search(barred_.begin(), barred_.end(), key)) return;
     // only what is near has anything to remember

@@ -133,6 +133,9 @@ private:
     void set_boxes(const Points& x);
     void list_pairs(const Points& x);
     [[nodiscard]] Box edge_box(Index a, Index b) const;
+    [[nodiscard]] bool stay_apart(Index a, Index b, const Points& x) const;
+    [[nodiscard]] bool are_parted_along(const Vec3& axis, double apart, Index a, Index b,
+                                        const Points& x) const;
     void list_pairs_of(Index a, Index b, const Points& x, Chunk& out) const;
     struct Meeting {  ///< of two triangles
         Index a, b;   ///< rows; the pair's first is of a
@@ -141,6 +144,7 @@ private:
     };
     void consider(const Pair& pair, int card, std::uint64_t key, const Meeting& where) const;
     [[nodiscard]] double approach_speed(const Pair& pair) const;
+    [[nodiscard]] double slack_of(const Pair& pair) const;
     [[nodiscard]] double neighbours_thickness(const Pair& pair) const;
     void bar_all_crossing(const Points& x);
     void bar_crossing_pairs(const Points& x);
@@ -159,6 +163,7 @@ private:
     double steps_ = 4.0;  ///< that they are meant to live
     double life_ = 0.0;   ///< age at which they are spent                    [s]
     std::vector<Box> node_box_, triangle_box_;  ///< of what they may reach                     [m]
+    Points normal_;                             ///< of the triangles; zero: without area
     std::vector<Candidate> list_;
     std::vector<Watch> watch_;
     std::vector<Chunk> chunks_;

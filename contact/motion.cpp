@@ -12,6 +12,10 @@ namespace {
 
 constexpr std::size_t CHUNK = 16;  ///< patches
 
+/// A few nodes that flutter would end the lists of all: they get a slack of their own, up to MOST,
+/// which grows while they use more than USED of it and shrinks else.
+constexpr double MOST_SLACK = 32.0, USED = 0.5, MORE_SLACK = 2.0, LESS_SLACK = 0.8;
+
 template <class Value>
 Vec3 mean_over(const std::vector<Index>& nodes, Value&& value) {
     const auto term = [&](std::size_t i) -> Vec3 { return value(nodes[i]); };
@@ -28,7 +32,9 @@ Motion::Motion(const Cloth& cloth)
       relative_(velocity_),
       way_(cloth.patches.size(), 0.0),
       ahead_(way_.size()),
-      node_ahead_(velocity_.size(), 0.0) {
+      node_ahead_(velocity_.size(), 0.0),
+      slack_(velocity_.size(), 1.0),
+      strays_(velocity_.size(), 0.0) {
     std::sort(nodes_.begin(), nodes_.end());
     nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
     chunk_stray_.resize(parallel::chunk_count(nodes_.size()), 0.0);
@@ -65,10 +71,11 @@ void Motion::foresee(const Points& x, const Points& v, double dt) {
             relative_[n] = v[n] - common;
             node_ahead_[n] = dt * relative_[n].norm();
             const Vec3 predicted = base_[n] + moved + (age_ + dt) * velocity_[n];
-            strays[c] = std::max(strays[c], (x[n] + dt * v[n] - predicted).squaredNorm());
+            strays_[n] = (x[n] + dt * v[n] - predicted).norm();
+            strays[c] = std::max(strays[c], strays_[n] / slack_[n]);
         }
     });
-    stray_ = std::sqrt(*std::max_element(strays.begin(), strays.end()));
+    stray_ = *std::max_element(strays.begin(), strays.end());
     const auto measure = [&](std::size_t p) {
         ahead_[p] = 0.0;
         for (const Index n : cloth_.nodes_of_patch(p))
@@ -83,8 +90,11 @@ double Motion::fastest() const {
     return std::sqrt(square);
 }
 
-void Motion::restart(const Points& x) {
+void Motion::restart(const Points& x, double budget) {
     for (const Index n : nodes_) {
+        slack_[n] = strays_[n] > USED * budget * slack_[n]
+                        ? std::min(MOST_SLACK, MORE_SLACK * slack_[n])
+                        : std::max(1.0, LESS_SLACK * slack_[n]);
         base_[n] = x[n];
         velocity_[n] = relative_[n];
     }

@@ -23,8 +23,9 @@ public:
     /// Looks at the step ahead, from x to x + dt v.
     void foresee(const Points& x, const Points& v, double dt);
 
-    /// Predicts from x on: each node keeps the velocity that was foreseen, less that of all.
-    void restart(const Points& x);
+    /// Predicts from x on: each node keeps the velocity that was foreseen, less that of all. Nodes
+    /// that have used much of their part of the budget get more of it, others less.
+    void restart(const Points& x, double budget);
 
     /// Bound of a patch's displacements, summed since the start: two nodes of patches a and b
     /// cannot have come nearer to each other than by what way(a) + way(b) has grown. [m]
@@ -34,8 +35,10 @@ public:
     [[nodiscard]] double node_ahead(Index node) const { return node_ahead_[node]; }
     [[nodiscard]] double ahead(Index patch) const { return ahead_[patch]; }
 
-    /// How far at most a node will be from its prediction after the step ahead.               [m]
+    /// How far at most a node will be from its prediction after the step ahead, over its slack. [m]
     [[nodiscard]] double stray() const { return stray_; }
+    /// Share of the budget that a node has for itself: above 1 where it flutters.             [-]
+    [[nodiscard]] double slack(Index node) const { return slack_[node]; }
     [[nodiscard]] const Vec3& velocity(Index node) const {
         return velocity_[node];
     }                                                  ///< predicted [m/s]
@@ -46,7 +49,7 @@ public:
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(base_, last_, velocity_, relative_, common_, t_, age_, stray_, way_, ahead_,
-                node_ahead_);
+                node_ahead_, slack_, strays_);
     }
 
 private:
@@ -58,6 +61,7 @@ private:
     double t_ = 0.0, age_ = 0.0;  ///< [s]
     double stray_ = 0.0;          ///< [m]
     std::vector<double> way_, ahead_, node_ahead_, chunk_stray_;
+    std::vector<double> slack_, strays_;  ///< by node: share of the budget, and what it uses   [m]
 };
 
 }  // namespace corpuscle::contact
