@@ -68,19 +68,22 @@ pid_t start(const std::vector<std::string>& words, const fs::path& log) {
     return child;
 }
 
-/// The last thing that a failed run said.
+/// Why a run failed, in its own words: what it said as `corpuscle: ...`, or the fault before "1
+/// fault in the input"; else its last line.
 std::string reason_of(const fs::path& log, int wait_status) {
     if (WIFSIGNALED(wait_status)) return fmt::format("killed by signal {}", WTERMSIG(wait_status));
+    constexpr std::string_view MARK = "corpuscle: ";
     std::ifstream in(log);
-    std::string line, fault, last;
+    std::string line, before, verdict;
     while (std::getline(in, line)) {
-        const std::string_view said = io::trim(line);
-        if (said.empty() || said.starts_with("results so far")) continue;
-        fault = last;
-        last = said;
+        const std::string said(io::trim(line));
+        if (said.starts_with(MARK)) {
+            const bool is_count = said.find("in the input") != std::string::npos;
+            verdict = is_count ? before : said.substr(MARK.size());
+        }
+        if (!said.empty()) before = said;
     }
-    // "corpuscle: 1 fault in the input" says less than the fault before it
-    return last.find("in the input") != std::string::npos && !fault.empty() ? fault : last;
+    return verdict.empty() ? before : verdict;
 }
 
 class Workers {

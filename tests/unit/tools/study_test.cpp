@@ -140,16 +140,18 @@ TEST_CASE("workers make runs, keep why they failed, and resume makes what is mis
     // words: run DECK -o DIR --seed 1 -j 1 -D NP=7 -D V=...
     const std::string program = desk.program(
         "echo \"$@\"\ncase \"$*\" in\n*V=2) echo 'bag.k:3: *PART: bad'; echo 'corpuscle: 1 fault "
-        "in the input'; exit 2;;\n*V=4) kill -9 $$;;\nesac\n");
+        "in the input'; exit 2;;\n*V=3) echo 'corpuscle: the physics broke at 3'; echo 'a note'; "
+        "exit 3;;\n*V=4) kill -9 $$;;\nesac\n");
     std::map<std::size_t, int> status;
     study::make_runs(s, study::rows(s), program,
                      [&](const study::Row& row, int code) { status[row.number] = code; });
-    CHECK(status == std::map<std::size_t, int>{{1, 0}, {2, 2}, {3, 0}, {4, 137}, {5, 0}});
-    CHECK(text_of(s.folder / "run_0003" / "log.txt") == "run " + s.deck.string() + " -o " +
-                                                            (s.folder / "run_0003").string() +
-                                                            " --seed 1 -j 1 -D NP=7 -D V=3\n");
+    CHECK(status == std::map<std::size_t, int>{{1, 0}, {2, 2}, {3, 3}, {4, 137}, {5, 0}});
+    CHECK(text_of(s.folder / "run_0005" / "log.txt") == "run " + s.deck.string() + " -o " +
+                                                            (s.folder / "run_0005").string() +
+                                                            " --seed 1 -j 1 -D NP=7 -D V=5\n");
     const study::Table table = study::gather(s);
     CHECK(table.outcomes[1].reason == "bag.k:3: *PART: bad");
+    CHECK(table.outcomes[2].reason == "the physics broke at 3");
     CHECK(table.outcomes[3].reason == "killed by signal 9");
     CHECK(table.outcomes[0].is_finished);
     CHECK(table.outcomes[0].status == 1);  // it left no results
