@@ -9,8 +9,10 @@
 #include <catch2/catch.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <random>
 
 #include "tests/unit/io/results_scene.hpp"
 #include "tools/report/page.hpp"
@@ -33,7 +35,7 @@ constexpr const char* VISITOR = R"(<pre id="seen"></pre><script>
 window.requestAnimationFrame = (draw) => setTimeout(draw, 10);
 const later = () => new Promise((go) => setTimeout(go, 50));
 const ink = () => {
-    const canvas = document.querySelector("#scene canvas"), gl = canvas.getContext("webgl2");
+    const canvas = document.querySelector("#scene canvas.picture"), gl = canvas.getContext("webgl2");
     const pixels = new Uint8Array(4 * canvas.width * canvas.height);
     gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
     let inked = 0, sum = 0;
@@ -140,4 +142,53 @@ TEST_CASE("a run's page works in a browser", "[report]") {
           "airbag/7/pressure: " + shown(static_cast<float>(pressure.back())) + " GPa");
     CHECK(seen(dom, "home") == seen(dom, "start"));
     CHECK(seen(dom, "clock") == "t = 1.5 ms");
+}
+
+TEST_CASE("10 000 nodes, 20 000 particles and 40 frames make a page of 12 MB or less", "[report]") {
+    constexpr int SIDE = 100, FRAMES = 40, PARTICLES = 20000;
+    const scene::Folder folder("large_page");
+    RecordLayout layout;
+    layout.parts = {1};
+    for (int i = 0; i < SIDE * SIDE; ++i) {
+        layout.node_id.push_back(i + 1);
+        layout.coordinates.emplace_back(i % SIDE, i / SIDE, 0.0);
+        if (i % SIDE + 1 == SIDE || i / SIDE + 1 == SIDE) continue;
+        layout.shell_id.push_back(i + 1);
+        layout.shell_part.push_back(1);
+        layout.shell_nodes.push_back({i, i + 1, i + SIDE + 1, i + SIDE});
+    }
+    const std::size_t shells = layout.shell_id.size();
+    Sample sample;
+    sample.parts.resize(1);
+    io::ResultsFile results(folder.path, scene::info(), layout);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> in(0.0, 1.0);
+    for (int k = 0; k < FRAMES; ++k) {
+        sample.time = k;
+        results.append(sample);
+        Frame frame;
+        frame.time = k;
+        frame.velocity = frame.coordinates = layout.coordinates;
+        for (Vec3& x : frame.coordinates)  // waves, with the noise that fabric has
+            x.z() = k * (1.0 + std::sin(0.1 * x.x() + 0.2 * k)) + 0.02 * in(random);
+        for (std::size_t s = 0; s < shells; ++s) {
+            frame.shell_pressure.push_back(static_cast<float>(in(random)));
+            const auto stress = static_cast<float>(in(random));
+            frame.shell_stress.push_back({stress, 0.5F * stress, 0.0F});
+            frame.shell_strain.push_back({0.0F, 0.0F, 0.0F});
+            frame.shell_active.push_back(1);
+        }
+        Frame::Particles& gas = frame.particles.emplace();
+        for (int p = 0; p < PARTICLES; ++p) {
+            gas.id.push_back(p);
+            gas.species.push_back(1);
+            gas.position.emplace_back(100.0 * in(random), 100.0 * in(random), k * in(random));
+            gas.velocity.emplace_back(in(random), in(random), in(random));
+            gas.internal_energy.push_back(1.0);
+            gas.mass.push_back(1.0);
+        }
+        results.write(frame);
+    }
+    results.finish("normal");
+    CHECK(report::page({folder.path}).size() < 12000000);
 }

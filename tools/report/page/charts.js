@@ -51,6 +51,12 @@ function bounds(lists) {
     return low <= high ? [low, high] : [0, 1];
 }
 
+/** Room around points. */
+function widened(list) {
+    const [low, high] = bounds([list]), room = 0.06 * (high - low) || 0.5;
+    return [low - room, high + room];
+}
+
 class Chart {
     constructor(runs, first, pick) {
         this.runs = runs;

@@ -10,8 +10,9 @@ class Page {
         this.t = 0;
         this.is_due = false;
         this.viewers = runs.map((run) => {
-            const canvas = make("canvas", {tabindex: 0, "aria-label": `${run.name} in 3-D`});
-            element("scene").append(make("figure", {}, canvas, make("figcaption", {}, `${run.name} (${run.termination})`)));
+            const canvas = make("canvas", {class: "picture", tabindex: 0, "aria-label": `${run.name} in 3-D`});
+            run.legend = make("canvas", {width: 260, height: 34});
+            element("scene").append(make("figure", {}, canvas, make("figcaption", {}, `${run.name} (${run.termination})`, run.legend)));
             return new Viewer(canvas, run, (camera) => this.look(camera));
         });
         this.charts = FIRST_CHARTS.filter((first) => runs.some((run) => run.histories.some((h) => first.test(h.name)))).map((first) => new Chart(runs, first, (t) => this.go(t)));
@@ -54,7 +55,7 @@ class Page {
         }
         if (this.is_new) for (const chart of this.charts) chart.draw(this.t);
         this.is_new = false;
-        drawLegend(element("legend"), field === "part" ? null : this.runs[0].ranges[field], this.runs[0].units.pressure);
+        for (const run of this.runs) drawLegend(run.legend, field === "part" ? null : run.ranges[field], run.units.pressure);
     }
 
     play() {

@@ -85,7 +85,7 @@ class StudyTable {
                 const [f, r] = [factor, response].map((name) => this.head.indexOf(name));
                 const points = this.rows.filter((row) => row[r] !== null).map((row) => [row[f], row[r]]);
                 if (points.length === 0) continue;
-                const {pen, x, y} = axes(canvas, bounds([points.map((p) => p[0])]), bounds([points.map((p) => p[1])]), factor, response);
+                const {pen, x, y} = axes(canvas, widened(points.map((p) => p[0])), widened(points.map((p) => p[1])), factor, response);
                 pen.fillStyle = LINE_COLOURS[0];
                 for (const [a, b] of points) pen.fillRect(x(a) - 2.5, y(b) - 2.5, 5, 5);
                 const at = new Map();
