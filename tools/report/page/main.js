@@ -75,7 +75,7 @@ class Page {
 
     turn() {
         const [turn, tilt] = VIEWS[element("view").value];
-        this.look({turn, tilt, x: 0, y: 0, far: 2.1});
+        this.look({turn, tilt, x: 0, y: 0, far: 1.6});
     }
 
     listen() {

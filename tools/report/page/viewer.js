@@ -35,7 +35,7 @@ class Viewer {
         this.low = run.box.map((range) => range[0]);
         this.size = run.box.map((range) => range[1] - range[0]);
         this.radius = 0.5 * Math.hypot(...this.size) || 1;
-        this.camera = {turn: -0.9, tilt: 1.15, far: 2.6, x: 0, y: 0};
+        this.camera = {turn: -0.9, tilt: 1.15, far: 1.6, x: 0, y: 0};
         this.follow();
     }
 
