@@ -25,8 +25,8 @@ StepReport Simulation::step(const Observer& observe) {
     find_forces(dt, span, lap);
 
     // 2. v(t - dt/2) -> v(t + dt/2); between the two, at t, the books balance
-    kick(dt, span);
-    stop_at_obstacles(dt);
+    kick(dt, span);                                                             lap("motion");
+    stop_at_obstacles(dt);                                                      lap("obstacles");
     book_forces(span);                                                          lap("motion");
     observe(*this);                                                             lap("output");
 

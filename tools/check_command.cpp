@@ -8,6 +8,7 @@
 #include "solver/base/parallel.hpp"
 #include "solver/simulation.hpp"
 #include "tools/commands.hpp"
+#include "tools/summary.hpp"
 
 namespace corpuscle::tools {
 namespace {
@@ -85,14 +86,25 @@ void print_estimate(const Simulation& simulation) {
         limit.dt, limit.text(), steps, seconds, parallel::threads());
 }
 
+void print_contacts_at_start(Simulation& simulation) {
+    simulation.look_at_contacts();
+    for (const contact::SurfaceContact& contact : simulation.contacts()) {
+        const contact::ContactCounts& counts = contact.counts();
+        fmt::print("contact at the start: {} candidates, {} near, {} touching\n", counts.candidates,
+                   counts.near, counts.touching);
+    }
+    print_bad_starts(simulation);
+}
+
 }  // namespace
 
 int check(const DeckArguments& arguments) {
-    const Simulation simulation(load(arguments), arguments.seed);
+    Simulation simulation(load(arguments), arguments.seed);
     print_scene(simulation);
     print_needs(simulation);
     if (simulation.added_mass() > 0.0)
         fmt::print("mass added by DT2MS: {:.4g}\n", simulation.added_mass());
+    print_contacts_at_start(simulation);
     print_estimate(simulation);
     for (const std::string& note : simulation.model().notes) fmt::print("{}\n", note);
     for (const std::string& warning : simulation.model().warnings)

@@ -70,13 +70,7 @@ void print_contact(const Simulation& simulation, const contact::SurfaceContact& 
     if (counts.unstopped > 0)
         fmt::print("    {} times held surfaces drove others through each other\n",
                    counts.unstopped);
-    const Simulation::BadStarts bad = simulation.bad_starts();
-    if (!bad.close.empty())
-        fmt::print("    {} pairs of shells began nearer than the contact thickness:{}\n",
-                   bad.close.size(), listed(bad.close));
-    if (!bad.crossing.empty())
-        fmt::print("    {} pairs of shells have crossed since the start:{}\n", bad.crossing.size(),
-                   listed(bad.crossing));
+    print_bad_starts(simulation);
 }
 
 void print_ledger(const EnergyBooks& e, double worst) {
@@ -92,6 +86,16 @@ void print_ledger(const EnergyBooks& e, double worst) {
 }
 
 }  // namespace
+
+void print_bad_starts(const Simulation& simulation) {
+    const Simulation::BadStarts bad = simulation.bad_starts();
+    if (!bad.close.empty())
+        fmt::print("    {} pairs of shells began nearer than the contact thickness:{}\n",
+                   bad.close.size(), listed(bad.close));
+    if (!bad.crossing.empty())
+        fmt::print("    {} pairs of shells have crossed since the start:{}\n", bad.crossing.size(),
+                   listed(bad.crossing));
+}
 
 void Summary::print(Simulation& simulation, const std::string& folder,
                     double worst_residual) const {

@@ -9,6 +9,10 @@
 
 namespace corpuscle::tools {
 
+/// Pairs of shells that began crossing, or nearer than contact lets them be, by ids; nothing where
+/// there are none.
+void print_bad_starts(const Simulation& simulation);
+
 /// What a run ends with: wall time by phase, speeds, ledger, what was left out.
 class Summary {
 public:

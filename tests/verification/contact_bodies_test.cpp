@@ -6,118 +6,28 @@
 
 #include <catch2/catch.hpp>
 
-#include "contact/intersections.hpp"
-#include "solver/base/parallel.hpp"
-#include "solver/simulation.hpp"
 #include "tests/support/cloth.hpp"
-#include "tests/support/scenes.hpp"
+#include "tests/support/touching_bodies.hpp"
 
 using namespace corpuscle;
+
+using scenes::add;
+using scenes::pull;
+using scenes::rigid;
+using scenes::run;
+using scenes::totals;
+using scenes::Totals;
+using scenes::touch;
 
 namespace {
 
 constexpr double GRAVITY = 9.81;
 
-fabric::RigidCard rigid(double density) {
-    fabric::RigidCard card;
-    card.density = density;
-    card.E = 1e9;
-    return card;
-}
-
-/// Adds a shape as a part of its own; returns the part's row.
-Index add(Model& model, const Points& x, const std::vector<Triangle>& triangles,
-          const fabric::MaterialCard& material, double thickness, const Vec3& at) {
-    const auto base = static_cast<Index>(model.x.size());
-    const auto part = static_cast<Index>(model.parts.size());
-    for (const Vec3& p : x) {
-        model.x.push_back(p + at);
-        model.velocity.push_back(Vec3::Zero());
-        model.node_id.push_back(static_cast<int>(model.x.size()));
-    }
-    for (const auto& [a, b, c] : triangles)
-        model.shells.push_back({static_cast<int>(model.shells.size()) + 1,
-                                part,
-                                {a + base, b + base, c + base, c + base}});
-    model.parts.push_back({});
-    model.parts.back().id = part + 1;
-    model.parts.back().thickness = thickness;
-    model.parts.back().material = part;
-    model.materials.push_back({part + 1, "", material});
-    return part;
-}
-
-Index add(Model& model, const shapes::Shape& shape, const fabric::MaterialCard& material,
-          double thickness, const Vec3& at) {
-    return add(model, shape.x, shape.triangles, material, thickness, at);
-}
-
-Model scene(double end_time) {
-    Model model;
-    model.title = model.deck = "test";
-    model.unit_system = "SI";
-    model.end_time = end_time;
-    return model;
-}
-
-void touch(Model& model, contact::ContactCard card = {}) {
-    card.id = 1;
-    for (std::size_t p = 0; p < model.parts.size(); ++p)
-        card.parts.push_back(static_cast<Index>(p));
-    model.contacts = {card};
-}
-
-void pull(Model& model, const Vec3& gravity) {
-    for (int axis = 0; axis < 3; ++axis) {
-        model.curves.push_back({axis + 1, {0.0, 100.0}, {-gravity[axis], -gravity[axis]}});
-        model.body_loads.push_back({axis, static_cast<Index>(model.curves.size()) - 1, 1.0});
-    }
-}
-
-struct Totals {
-    Vec3 momentum = Vec3::Zero(), turning = Vec3::Zero();
-    double kinetic = 0.0;
-};
-Totals totals(const Simulation& simulation) {
-    Totals all;
-    const fabric::Nodes& nodes = simulation.nodes();
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-        all.momentum += nodes.mass[n] * nodes.v[n];
-        all.turning += nodes.mass[n] * nodes.x[n].cross(nodes.v[n]);
-    }
-    for (const RigidBody& body : simulation.bodies()) {
-        all.momentum += body.mass() * body.velocity();
-        all.turning +=
-            body.mass() * body.position().cross(body.velocity()) + body.angular_momentum();
-        all.kinetic += body.kinetic_energy();
-    }
-    return all;
-}
-
-/// Runs to the end; looks for crossings in every fiftieth step; returns the last books.
-EnergyBooks run(Simulation& simulation, const std::function<void(Simulation&)>& watch = {}) {
-    parallel::set_threads(1);
-    std::vector<Triangle> triangles;
-    for (const Shell& shell : simulation.model().shells)
-        triangles.push_back({shell.nodes[0], shell.nodes[1], shell.nodes[2]});
-    const contact::Patches patches = contact::make_patches(simulation.model().x, triangles);
-    EnergyBooks books;
-    const auto observe = [&](Simulation& s) {
-        books = s.books();
-        if (watch) watch(s);
-        if (s.steps() % 50 == 0)
-            REQUIRE(contact::crossings(triangles, patches, s.nodes().x).empty());
-    };
-    while (!simulation.is_over()) simulation.step(observe);
-    simulation.close(observe);
-    return books;
-}
-
 }  // namespace
 
 TEST_CASE("a spinning ball hits free cloth: momentum, angular momentum and energy are kept",
           "[contact][rigid]") {
-    Model model = scene(4e-3);
+    Model model = scenes::empty(4e-3);
     const support::Sheet sheet = support::square_sheet(12, 0.2);
     add(model, sheet.x, sheet.triangles, scenes::cloth(), 3e-4, Vec3(-0.1, -0.1, 0));
     const Index ball =
@@ -140,7 +50,7 @@ TEST_CASE("a spinning ball hits free cloth: momentum, angular momentum and energ
 }
 
 TEST_CASE("two rigid boxes that meet keep momentum and angular momentum", "[contact][rigid]") {
-    Model model = scene(10e-3);
+    Model model = scenes::empty(10e-3);
     const Index a =
         add(model, shapes::box(Vec3(0.1, 0.1, 0.1), 2), rigid(1000.0), 1e-3, Vec3::Zero());
     const Index b = add(model, shapes::box(Vec3(0.08, 0.05, 0.06), 2), rigid(3000.0), 1e-3,
@@ -163,7 +73,7 @@ TEST_CASE("a block on an incline sticks below the friction angle and slides abov
           "[contact][rigid][friction]") {
     const double mu = 0.3;
     const auto slid = [&](double angle, double time) {
-        Model model = scene(time);
+        Model model = scenes::empty(time);
         const support::Sheet floor = support::square_sheet(4, 0.6);
         const Index plate =
             add(model, floor.x, floor.triangles, rigid(1000.0), 1e-3, Vec3(-0.3, -0.3, 0));

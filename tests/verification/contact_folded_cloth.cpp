@@ -6,72 +6,16 @@
 
 #include <random>
 
-#include "contact/intersections.hpp"
 #include "solver/base/parallel.hpp"
-#include "tests/support/spring_cloth.hpp"
+#include "tests/support/flying_cloth.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::contact;
+using support::fly;
 using support::Sheet;
 using support::SpringCloth;
-
-namespace {
-
-/// A sheet of 0.3 m, uneven so that nothing is aligned.
-Sheet wavy_sheet(Index n, unsigned seed) {
-    Sheet sheet = support::square_sheet(n, 0.3);
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> shake(-1.0, 1.0);
-    const double edge = 0.3 / n;
-    for (Vec3& x : sheet.x)
-        x += Vec3(0.1 * edge * shake(random), 0.1 * edge * shake(random), 2e-4 * shake(random));
-    return sheet;
-}
-
-Sheet stack(Index n, int sheets, double pitch) {
-    Sheet all;
-    for (int k = 0; k < sheets; ++k)
-        all.append(wavy_sheet(n, k), Vec3(0.003 * k, 0.002 * k, pitch * k));
-    return all;
-}
-
-using Load = std::function<void(double, SpringCloth&)>;
-
-/// Runs with steps of `step_factor` times the stable one. Requires that nothing crosses in every
-/// fifth state, and that momentum and energy are kept: what contact has taken and what it says that
-/// it has are the same.
-void fly(SpringCloth& cloth, const ContactCard& card, double time, double step_factor = 1.0,
-         const Load& load = {}) {
-    parallel::set_threads(
-        1);  // scenes so small, in steps so short, only make threads wait for each other
-    SurfaceContact contact(cloth.setup(card, cloth.x));
-    const Patches patches = make_patches(cloth.x, cloth.triangles);
-    const double dt = step_factor * cloth.stable_step();
-    const Vec3 momentum = cloth.momentum();
-    const double energy = cloth.kinetic_energy();
-    double scale = 0.0;
-    const auto run =
-        support::run_cloth(cloth, contact, dt, static_cast<int>(time / dt), load, [&](int n) {
-            double size = 0.0;
-            for (std::size_t i = 0; i < cloth.x.size(); ++i)
-                size += cloth.mass[i] * cloth.v[i].norm();
-            scale = std::max(scale, size);
-            if (n % 5 == 0) REQUIRE(crossings(cloth.triangles, patches, cloth.x).empty());
-        });
-    CHECK(contact.counts().unstopped == 0);
-    CHECK(contact.counts().least_gap > 0.0);
-    CHECK(contact.counts().least_gap < 1.0);  // they did meet
-    if (!load) CHECK((cloth.momentum() - momentum).norm() < 1e-12 * scale);
-
-    // The springs' work is what leapfrog makes of it; near its stability limit that is not their
-    // energy.
-    const double end = cloth.kinetic_energy() - run.work_of_springs - run.work_of_loads -
-                       run.work_of_contact + contact.friction_energy() + contact.damping_energy();
-    CHECK(std::abs(end - energy) < 1e-9 * (energy + std::abs(run.work_of_loads)));
-    CHECK(contact.damping_energy() - run.work_of_contact >= contact.stored_energy());  // no gain
-}
-
-}  // namespace
+using support::stack;
+using support::wavy_sheet;
 
 TEST_CASE("two sheets that meet at 50 and 100 m/s never cross", "[contact]") {
     const double speed = GENERATE(50.0, 100.0);
@@ -101,6 +45,47 @@ TEST_CASE("a sheet that meets another with its edge never crosses it", "[contact
     SpringCloth cloth(both);
     for (std::size_t i = 625; i < cloth.x.size(); ++i) cloth.v[i] = Vec3(0.06, 0.02, -1.0) * speed;
     fly(cloth, {}, 1e-3, 0.5);
+}
+
+TEST_CASE("a needle that is shot at a sheet never gets through", "[contact]") {
+    const double speed = GENERATE(20.0, 80.0);
+    support::Sheet both = wavy_sheet(24, 1);
+    const auto tip = static_cast<Index>(both.x.size());
+    const Vec3 at = GENERATE(Vec3(0.151, 0.152, 2e-3),  // somewhere on a triangle
+                             Vec3(0.15, 0.15, 2e-3));   // just above a node
+    both.x.push_back(at);
+    constexpr int SIDES = 7;
+    for (int k = 0; k < SIDES; ++k) {
+        const double angle = 2.0 * M_PI * k / SIDES;
+        both.x.push_back(at + Vec3(2e-3 * std::cos(angle), 2e-3 * std::sin(angle), 0.04));
+        both.triangles.push_back({tip, tip + 1 + k, tip + 1 + (k + 1) % SIDES});
+    }
+    SpringCloth cloth(both);
+    for (std::size_t i = tip; i < cloth.x.size(); ++i) {
+        cloth.mass[i] *= 300.0;  // as heavy as the sheet
+        cloth.v[i] = Vec3(0.05, 0.02, -1.0) * speed;
+    }
+    fly(cloth, {}, 2e-3);
+}
+
+TEST_CASE("a sheet that flies through a closing gap between 40 layers never crosses them",
+          "[contact]") {
+    constexpr int LAYERS = 40;
+    constexpr Index N = 6;
+    constexpr double PITCH = 1.2e-3, GAP = 10e-3;
+    support::Sheet all;
+    for (int k = 0; k < LAYERS; ++k)
+        all.append(wavy_sheet(N, k),
+                   {0.002 * (k % 3), 0.001 * (k % 5), PITCH * k + (k < LAYERS / 2 ? 0.0 : GAP)});
+    const std::size_t layers = all.x.size();
+    all.append(wavy_sheet(N, LAYERS), {-0.1, 0.01, PITCH * (LAYERS / 2 - 1) + GAP / 2 + PITCH / 2});
+    SpringCloth cloth(all);
+    for (std::size_t i = 0; i < layers; ++i)
+        cloth.v[i].z() = i < layers / 2 ? 50.0 : -50.0;  // it closes within 100 us
+    for (std::size_t i = layers; i < cloth.x.size(); ++i) cloth.v[i].x() = 100.0;
+    contact::ContactCard card;
+    card.friction_static = card.friction_dynamic = 0.2;
+    fly(cloth, card, 0.4e-3, 0.5);
 }
 
 TEST_CASE("a sheet that is crumpled into a ball never crosses itself", "[contact]") {

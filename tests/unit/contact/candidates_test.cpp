@@ -3,8 +3,10 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <random>
 #include <set>
 
+#include "contact/brute_force.hpp"
 #include "contact/candidates.hpp"
 #include "tests/support/spring_cloth.hpp"
 
@@ -47,7 +49,109 @@ std::vector<Pair> all_pairs(const std::vector<Triangle>& triangles, std::size_t 
     return pairs;
 }
 
+/// Cloth that is thrown into random waves, so high that it meets itself, and goes on moving.
+class Crumpling {
+public:
+    Crumpling(const Points& flat, double size, unsigned seed) : flat_(flat) {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> any(-1.0, 1.0);
+        for (Wave& wave : waves_) {
+            wave.height = 0.1 * size * Vec3(any(random), any(random), any(random));
+            wave.along = 20.0 / size * Vec3(any(random), any(random), 0.0);
+            wave.phase = M_PI * any(random);
+            wave.frequency = 3e3 * any(random);
+        }
+        flight_ = 50.0 * Vec3(any(random), any(random), any(random));
+    }
+    [[nodiscard]] Points at(double t) const {
+        Points x = flat_;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            x[i] += t * flight_;
+            for (const Wave& wave : waves_)
+                x[i] += wave.height *
+                        std::sin(wave.along.dot(flat_[i]) + wave.phase + wave.frequency * t);
+        }
+        return x;
+    }
+
+private:
+    struct Wave {
+        Vec3 height, along;
+        double phase, frequency;
+    };
+    Points flat_;
+    std::array<Wave, 5> waves_;
+    Vec3 flight_;
+};
+
+/// Is the pair one of two triangles that cross? Such pairs are left alone.
+bool crosses(const Pair& pair, const std::vector<Triangle>& triangles,
+             const std::vector<std::pair<Index, Index>>& crossing) {
+    const auto holds = [&](Index triangle, int from, int to) {
+        const Triangle& t = triangles[triangle];
+        return std::all_of(pair.node.begin() + from, pair.node.begin() + to,
+                           [&](Index n) { return n == t[0] || n == t[1] || n == t[2]; });
+    };
+    const int split = pair.is_edges ? 2 : 1;
+    return std::any_of(crossing.begin(), crossing.end(), [&](const auto& both) {
+        const auto [a, b] = both;
+        return (holds(a, 0, split) && holds(b, split, 4)) ||
+               (holds(b, 0, split) && holds(a, split, 4));
+    });
+}
+
 }  // namespace
+
+TEST_CASE("of 200 random crumpled states, moving, nothing near or about to meet is missed",
+          "[contact]") {
+    const support::Sheet sheet = support::square_sheet(6, 0.06);
+    const auto everything = all_pairs(sheet.triangles, sheet.x.size());
+    support::SpringCloth cloth(sheet);
+    ContactCard card;
+    card.thickness = 1e-3;
+    const Cloth fixed(cloth.setup(card, sheet.x));
+    constexpr double REACH = 1.5, DT = 1e-5;
+    std::size_t near = 0, meeting = 0, listed = 0;
+    for (unsigned state = 0; state < 200; ++state) {
+        const Crumpling motion(sheet.x, 0.06, state);
+        Candidates pairs(fixed, REACH);
+        const auto left_alone = brute_force::crossings(sheet.triangles, motion.at(0.0));
+        for (int n = 0; n < 12; ++n) {
+            const Points x = motion.at(n * DT), next = motion.at((n + 1) * DT);
+            Points v(x.size());
+            for (std::size_t i = 0; i < x.size(); ++i) v[i] = (next[i] - x[i]) / DT;
+            if (n == 0) {
+                pairs.start(x, v, 0.0, DT, std::vector<std::uint8_t>{1});
+                REQUIRE(pairs.crossing() == left_alone);
+            } else {
+                pairs.follow(x, n * DT);
+            }
+            pairs.foresee(x, v, n * DT, DT);
+            std::set<Named> due, may_meet;
+            for (std::size_t i = 0; i < pairs.size(); ++i) {
+                if (pairs.may_meet(i)) may_meet.insert(name(pairs[i]));
+                if (!pairs.is_due(i)) continue;
+                due.insert(name(pairs[i]));
+                pairs.tell_distance(i, nearest(pairs[i], corners(pairs[i], x)).apart.norm());
+            }
+            if (n % 11 != 0) continue;  // fresh lists, and lists that have lived
+            listed += pairs.size();
+            for (const Pair& pair : everything) {
+                const double now = nearest(pair, corners(pair, x)).apart.norm();
+                const double later = nearest(pair, corners(pair, next)).apart.norm();
+                const bool is_near = now < REACH * card.thickness, meets = later < 0.2 * now;
+                if ((!is_near && !meets) || crosses(pair, sheet.triangles, left_alone)) continue;
+                near += is_near;
+                meeting += meets;
+                if (is_near) REQUIRE(due.count(name(pair)) == 1);
+                if (meets) REQUIRE(may_meet.count(name(pair)) == 1);
+            }
+        }
+    }
+    CHECK(near > 5'000);
+    CHECK(meeting > 20);
+    CHECK(listed < 400 * everything.size() / 2);  // the lists do leave most pairs out
+}
 
 TEST_CASE("whatever is near is due, and whatever may meet is known, as in a list of all pairs",
           "[contact]") {

@@ -1,0 +1,55 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// Claim: `corpuscle check` names the pairs of shells that cross or are too close at the start.
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cstdio>
+
+#include "tests/unit/io/deck_scene.hpp"
+
+using namespace corpuscle;
+
+namespace {
+
+/// Shell 1, across shell 2 or below it; shell 3 lies 0.1 mm over the other end of shell 1.
+std::string deck(double height_of_2) {
+    const std::string z = std::to_string(height_of_2);
+    return "*KEYWORD\n*CONTROL_TERMINATION\n1e-3\n*NODE\n"
+           "1,0,0,0\n2,0.1,0,0\n3,0.1,0.1,0\n4,0,0.1,0\n"
+           "5,0.02,0.05," +
+           z + "\n6,0.04,0.05," + z +
+           "\n7,0.03,0.05,0.02\n"
+           "8,0.06,0.02,1e-4\n9,0.08,0.02,1e-4\n10,0.07,0.04,1e-4\n"
+           "*ELEMENT_SHELL\n1,1,1,2,3,4\n2,1,5,6,7,7\n3,1,8,9,10,10\n"
+           "*PART\nfabric\n1,1,1\n*SECTION_SHELL\n1,9\n3e-4,3e-4,3e-4,3e-4\n"
+           "*MAT_ELASTIC\n1,750,3e8,0.3\n"
+           "*CONTACT_AIRBAG_SINGLE_SURFACE\n0,0,5\n\n\n*END\n";
+}
+
+std::string check(const std::filesystem::path& file) {
+    const std::string command = CORPUSCLE_PROGRAM " check '" + file.string() + "' 2>&1";
+    FILE* const pipe = popen(command.c_str(), "r");
+    REQUIRE(pipe != nullptr);
+    std::string text;
+    std::array<char, 4096> part;
+    while (std::fgets(part.data(), part.size(), pipe) != nullptr) text += part.data();
+    CHECK(pclose(pipe) == 0);
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("check names the shells that cross and those that are too close at the start",
+          "[contact]") {
+    using Catch::Contains;
+    const test::DeckFolder folder;
+    const std::string crossing = check(folder.write("crossing.k", deck(-0.02)));
+    CHECK_THAT(crossing, Contains("1 pairs of shells have crossed since the start: 1-2"));
+    CHECK_THAT(crossing, Contains("nearer than the contact thickness: 1-3"));
+    const std::string apart = check(folder.write("apart.k", deck(0.01)));
+    CHECK_THAT(apart, Contains("contact at the start:"));
+    CHECK_THAT(apart, !Contains("crossed"));
+}
