@@ -11,6 +11,7 @@ target_sources(corpuscle_io PRIVATE
     checkpoint.cpp
     deck_writer.cpp
     export/binout.cpp
+    export/d3plot.cpp
     export/history_source.cpp
     export/lsda.cpp
     hdf5.cpp

@@ -7,6 +7,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/export/binout.hpp"
+#include "io/export/d3plot.hpp"
 #include "io/export/history_source.hpp"
 #include "solver/base/error.hpp"
 #include "tools/commands.hpp"
@@ -25,14 +26,10 @@ void check(const ExportArguments& arguments) {
     std::vector<std::string> faults;
     if (!fs::exists(fs::path(arguments.folder) / "results.h5"))
         faults.push_back(fmt::format("{}: expected a folder with results.h5", arguments.folder));
-    if (arguments.d3plot)
-        faults.emplace_back(
-            "--d3plot: is not written yet; results.xdmf opens in ParaView, and --csv and --binout "
-            "hold the histories");
     if (arguments.iso_mme)
         faults.emplace_back("--iso-mme: is not written yet; --csv holds the same channels");
-    if (!arguments.csv && !arguments.binout && faults.empty())
-        faults.emplace_back("export: expected --csv, --binout or both");
+    if (!arguments.csv && !arguments.binout && !arguments.d3plot && faults.empty())
+        faults.emplace_back("export: expected --csv, --binout or --d3plot");
     if (!faults.empty()) throw InputError(faults);
 }
 
@@ -51,6 +48,10 @@ int export_results(const ExportArguments& arguments) {
                   io::csv_text(io::read_histories(results, "/history_fast")));
     }
     if (arguments.binout) write(to / "binout", io::binout(results));
+    if (arguments.d3plot)
+        io::write_d3plot(results, [&](const std::string& name, const std::string& bytes) {
+            write(to / name, bytes);
+        });
     return 0;
 }
 

@@ -112,13 +112,13 @@ int run(int argc, char** argv) {
         "tools/study/README.md says what a study may hold.");
 
     tools::ExportArguments to_export;
-    CLI::App* exports =
-        app.add_subcommand("export", "write a run's histories for other tools: CSV, binout (LSDA)");
+    CLI::App* exports = app.add_subcommand(
+        "export", "write a run for other tools: CSV, binout (LSDA), d3plot of the shells");
     exports->add_option("DIR", to_export.folder, "folder of a run's results")->required();
     exports->add_option("-o,--output", to_export.output, "folder to write to; default: DIR");
     exports->add_flag("--csv", to_export.csv, "history.csv and history_fast.csv");
     exports->add_flag("--binout", to_export.binout, "binout, as LS-PrePost and others read it");
-    exports->add_flag("--d3plot", to_export.d3plot, "not there yet: refused");
+    exports->add_flag("--d3plot", to_export.d3plot, "d3plot, d3plot01, ...: the shells");
     exports->add_flag("--iso-mme", to_export.iso_mme, "not there yet: refused");
     exports->footer("Example:\n  corpuscle export driver_bag_flat.out --csv --binout");
 

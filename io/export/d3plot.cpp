@@ -1,0 +1,197 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "io/export/d3plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace corpuscle::io {
+namespace {
+
+using Lines = std::vector<double>;
+
+constexpr float END_MARK = -999999.0F;
+constexpr std::size_t BLOCK = 512;  ///< words that files are padded to
+constexpr std::size_t STRESSES = 6, EXTRAS = 1;
+constexpr int IS_THERE = 1000, IS_NOT_THERE = 999;
+
+/// A file in the making.
+class Words {
+public:
+    void integer(std::int64_t value) {
+        put(std::bit_cast<std::uint32_t>(static_cast<std::int32_t>(value)));
+    }
+    void real(double value) { put(std::bit_cast<std::uint32_t>(static_cast<float>(value))); }
+    void reals(const Lines& values) {
+        for (const double value : values) real(value);
+    }
+    /// Cut or filled with blanks to so many words.
+    void text(std::string value, std::size_t words) {
+        value.resize(4 * words, ' ');
+        bytes_ += value;
+    }
+    [[nodiscard]] std::string padded() && {
+        bytes_.resize((bytes_.size() + 4 * BLOCK - 1) / (4 * BLOCK) * 4 * BLOCK, '\0');
+        return std::move(bytes_);
+    }
+
+private:
+    void put(std::uint32_t word) {
+        std::array<char, 4> four{};
+        std::memcpy(four.data(), &word, 4);
+        bytes_.append(four.data(), 4);
+    }
+    std::string bytes_;
+};
+
+class Writer {
+public:
+    Writer(const Hdf5Reader& results, const D3plotFile& write)
+        : results_(results),
+          write_(write),
+          node_id_(results.read<std::int32_t>("/mesh/node_id")),
+          shell_id_(results.read<std::int32_t>("/mesh/shell_id")),
+          shell_part_(results.read<std::int32_t>("/mesh/shell_part")),
+          parts_(shell_part_) {
+        std::sort(parts_.begin(), parts_.end());
+        parts_.erase(std::unique(parts_.begin(), parts_.end()), parts_.end());
+    }
+
+    void write() {
+        Words file;
+        header(file);
+        geometry(file);
+        numbering(file);
+        titles(file);
+        write_("d3plot", std::move(file).padded());
+        const Lines time = results_.read<double>("/frames/time");
+        std::size_t frame = 0;
+        for (const std::string& name : results_.names("/frames")) {
+            if (name == "time") continue;
+            Words state;
+            this->state(state, "/frames/" + name + "/", time.at(frame));
+            write_(fmt::format("d3plot{:02}", ++frame), std::move(state).padded());
+        }
+    }
+
+private:
+    [[nodiscard]] std::size_t numbering_size() const {
+        return 16 + node_id_.size() + shell_id_.size() + 3 * parts_.size();
+    }
+
+    void header(Words& file) {
+        file.text(results_.text("/", "deck"), 10);
+        std::array<std::int64_t, 64> word{};
+        const auto parts = static_cast<std::int64_t>(parts_.size());
+        word[11] = 1;  // this is a d3plot
+        word[15] = 4;  // three dimensions, five words a shell
+        word[16] = static_cast<std::int64_t>(node_id_.size());
+        word[17] = 6;  // written as LS-DYNA does
+        word[18] = 6 + 7 * parts;
+        word[20] = word[21] = 1;  // coordinates and velocities in every state
+        word[31] = static_cast<std::int64_t>(shell_id_.size());
+        word[32] = parts;
+        word[33] = STRESSES + EXTRAS;  // values a shell
+        word[35] = EXTRAS;
+        word[36] = -(10000 + 1);  // one point of integration, a table of deleted elements
+        word[39] = static_cast<std::int64_t>(numbering_size());
+        word[43] = IS_THERE;                            // stresses
+        word[44] = word[45] = word[46] = IS_NOT_THERE;  // plastic strain, resultants, thickness
+        word[51] = parts;
+        for (std::size_t k = 10; k < word.size(); ++k) file.integer(word[k]);
+    }
+
+    void geometry(Words& file) {
+        file.reals(results_.read<double>("/mesh/coordinates"));
+        const auto nodes = results_.read<std::int32_t>("/mesh/shell_nodes");
+        for (std::size_t s = 0; s < shell_id_.size(); ++s) {
+            for (std::size_t c = 0; c < 4; ++c) file.integer(nodes[4 * s + c] + 1);
+            const auto part = std::lower_bound(parts_.begin(), parts_.end(), shell_part_[s]);
+            file.integer(part - parts_.begin() + 1);
+        }
+    }
+
+    /// The deck's own ids: 16 words of where is what, nodes, shells, parts sorted, as they are,
+    /// and where the sorted ones are.
+    void numbering(Words& file) {
+        const auto nodes = static_cast<std::int64_t>(node_id_.size());
+        const auto shells = static_cast<std::int64_t>(shell_id_.size());
+        const auto parts = static_cast<std::int64_t>(parts_.size());
+        const std::int64_t after = 1 + nodes + shells;
+        for (const std::int64_t word :
+             {std::int64_t{-1}, 1 + nodes, 1 + nodes, 1 + nodes, after, nodes, std::int64_t{0},
+              std::int64_t{0}, shells, std::int64_t{0}, after, after + parts, after + 2 * parts,
+              std::int64_t{0}, std::int64_t{0}, parts})
+            file.integer(word);
+        for (const std::int32_t id : node_id_) file.integer(id);
+        for (const std::int32_t id : shell_id_) file.integer(id);
+        for (int twice = 0; twice < 2; ++twice)
+            for (const std::int32_t id : parts_) file.integer(id);
+        for (std::int64_t k = 1; k <= parts; ++k) file.integer(k);
+    }
+
+    void titles(Words& file) {
+        file.real(END_MARK);
+        file.integer(90000);
+        file.text(results_.text("/", "deck"), 18);
+        file.integer(90001);
+        file.integer(static_cast<std::int64_t>(parts_.size()));
+        for (const std::int32_t id : parts_) {
+            file.integer(id);
+            file.text(fmt::format("part {}", id), 18);
+        }
+        file.real(END_MARK);
+    }
+
+    void state(Words& file, const std::string& at, double time) {
+        file.real(time);
+        globals(file, time);
+        file.reals(results_.read<double>(at + "coordinates"));
+        file.reals(results_.read<double>(at + "velocity"));
+        const Lines stress = results_.read<double>(at + "shell_stress");
+        const Lines pressure = results_.read<double>(at + "shell_pressure");
+        for (std::size_t s = 0; s < shell_id_.size(); ++s)
+            for (const double value :
+                 {stress[3 * s], stress[3 * s + 1], 0.0, stress[3 * s + 2], 0.0, 0.0, pressure[s]})
+                file.real(value);
+        for (const std::uint8_t is_alive : results_.read<std::uint8_t>(at + "shell_active"))
+            file.real(is_alive);
+        file.real(END_MARK);
+    }
+
+    /// Energies at the nearest row of the histories.
+    void globals(Words& file, double time) {
+        const Lines times = results_.read<double>("/history/time");
+        std::size_t row = 0;
+        for (std::size_t k = 1; k < times.size(); ++k)
+            if (std::abs(times[k] - time) < std::abs(times[row] - time)) row = k;
+        const auto value = [&](const std::string& path) {
+            return times.empty() || !results_.has(path) ? 0.0 : results_.read<double>(path).at(row);
+        };
+        file.real(value("/history/energy/kinetic"));
+        file.real(value("/history/energy/strain") + value("/history/energy/gas"));
+        file.real(value("/history/energy/total"));
+        for (int axis = 0; axis < 3; ++axis) file.real(0.0);
+        for (const char* of : {"strain_energy", "kinetic_energy"})
+            for (const std::int32_t id : parts_)
+                file.real(value(fmt::format("/history/part/{}/{}", id, of)));
+        for (std::size_t k = 0; k < 5 * parts_.size(); ++k) file.real(0.0);
+    }
+
+    const Hdf5Reader& results_;
+    const D3plotFile& write_;
+    std::vector<std::int32_t> node_id_, shell_id_, shell_part_, parts_;
+};
+
+}  // namespace
+
+void write_d3plot(const Hdf5Reader& results, const D3plotFile& write) {
+    Writer(results, write).write();
+}
+
+}  // namespace corpuscle::io

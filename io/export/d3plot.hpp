@@ -1,0 +1,19 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "io/hdf5.hpp"
+
+namespace corpuscle::io {
+
+/// Takes a file of a d3plot database: "d3plot", "d3plot01", ..., "d3plot100", ... and its bytes.
+using D3plotFile = std::function<void(const std::string& name, const std::string& bytes)>;
+
+/// The results' shells (of fabric and rigid bodies) as a d3plot database, 4-byte words: geometry,
+/// then a file a frame. io/FORMAT.md says what a state holds. Particles are left out.
+void write_d3plot(const Hdf5Reader& results, const D3plotFile& write);
+
+}  // namespace corpuscle::io
