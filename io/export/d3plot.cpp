@@ -103,6 +103,8 @@ private:
         word[43] = IS_THERE;                            // stresses
         word[44] = word[45] = word[46] = IS_NOT_THERE;  // plastic strain, resultants, thickness
         word[51] = parts;
+        // the release of LS-DYNA as a number: readers tell word size and byte order by it
+        word[14] = std::bit_cast<std::int32_t>(960.0F);
         for (std::size_t k = 10; k < word.size(); ++k) file.integer(word[k]);
     }
 

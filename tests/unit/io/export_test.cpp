@@ -227,6 +227,8 @@ TEST_CASE("a d3plot holds mesh, ids and states, value by value", "[export]") {
                        8 * (mesh.integer(45) == 1000) + 4 * (mesh.integer(46) == 1000);
     CHECK(mesh.integer(33) == values);
     CHECK(mesh.integer(39) == 16 + nodes + shells + 3 * parts);
+    mesh.go(14);
+    CHECK(mesh.real() == 960.0F);
     mesh.go(64);
     for (const Vec3& x : layout.coordinates)
         for (const double value : x) CHECK(mesh.real() == static_cast<float>(value));
