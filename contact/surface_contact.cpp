@@ -224,6 +224,11 @@ double SurfaceContact::friction_energy() const {
     for (const ImpulseBooks& book : state_->impulses.books()) energy += book.friction;
     return energy;
 }
+double SurfaceContact::friction_work(const Points& v_mid) const {
+    double work = 0.0;
+    state_->contacts.for_each([&](const Contact& c) { work -= c.rubbed.dot(c.relative(v_mid)); });
+    return work;
+}
 double SurfaceContact::damping_energy() const {
     double energy = 0.0;
     for (const ImpulseBooks& book : state_->impulses.books()) energy += book.normal;

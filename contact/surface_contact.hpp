@@ -75,6 +75,10 @@ public:
     [[nodiscard]] double energy() const {         ///< all three                                 [J]
         return stored_energy() + friction_energy() + damping_energy();
     }
+    /// What friction takes from places that move at v_mid, the mean of before the kick and after
+    /// all impulses: - sum of friction impulse · relative velocity. Of a place that friction holds
+    /// at rest it is nothing, while friction_energy() has what the kick gave it and lost again. [J]
+    [[nodiscard]] double friction_work(const Points& v_mid) const;
     /// Work that what is held has done through the filter's impulses so far.                  [J]
     [[nodiscard]] double held_work() const;
 

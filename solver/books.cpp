@@ -51,8 +51,9 @@ void Simulation::book_forces(double span) {
     for (fabric::Membranes& fabric : fabric_)
         moved.damping += fabric.damping_energy(v_before_, nodes_.v, span);
 
-    double friction = 0.0;
-    for (const contact::SurfaceContact& contact : contacts_) friction += contact.friction_energy();
+    for (const contact::SurfaceContact& contact : contacts_)
+        rubbed_ += contact.friction_work(v_mid_);
+    double friction = rubbed_;
     for (const contact::RigidWall& wall : walls_) friction += wall.friction_energy();
     moved.contact += -contact_force_.work(v_mid_, span) - (friction - moved.friction);
     moved.friction = friction;

@@ -160,6 +160,7 @@ private:
     std::vector<std::uint8_t> touching_;  ///< N: nodes in contact, if a bag asks for it
     ForceShare load_force_, damping_force_, contact_force_, fabric_force_;
     Ledger ledger_;
+    double rubbed_ = 0.0;  ///< by friction in contact, so far                           [J]
     Timings timings_;
     double last_sample_ = 0.0, last_frame_ = 0.0;  ///< when they were last taken           [s]
 };

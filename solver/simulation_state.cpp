@@ -11,7 +11,7 @@ namespace corpuscle {
 /// Between two steps: forces, and what a step works out on its way, are not part of it.
 template <class Archive>
 void Simulation::visit_all(Archive& archive) {
-    archive(clock_, nodes_.x, nodes_.v, ledger_, last_sample_, last_frame_);
+    archive(clock_, nodes_.x, nodes_.v, ledger_, rubbed_, last_sample_, last_frame_);
     const double next_birth = next_birth_;
     archive(next_birth_);
     if (next_birth_ != next_birth)  // read: reference geometries that count by now
