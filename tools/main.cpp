@@ -40,14 +40,15 @@ int run(int argc, char** argv) {
         "  corpuscle run driver_bag_flat.k -D NP=20000\n"
         "  corpuscle check driver_bag_flat.k\n"
         "  corpuscle fold driver_bag.toml -o mesh.k\n"
-        "  corpuscle mesh head.stl -o head.k");
+        "  corpuscle mesh head.stl -o head.k\n"
+        "  corpuscle study oop.toml\n"
+        "  corpuscle report driver_bag_flat.out");
 
     tools::RunArguments to_run;
     CLI::App* run = app.add_subcommand("run", "run a deck; results go to DECK.out/results.h5");
     add_deck_options(*run, to_run.deck);
     run->add_option("-o,--output", to_run.folder, "folder for the results; default: DECK.out");
-    run->add_flag("--restart", to_run.restart,
-                  "go on from the last checkpoint (not there yet: refused)");
+    run->add_flag("--restart", to_run.restart, "go on from the last checkpoint, to the same end");
     run->add_flag("-q,--quiet", to_run.quiet, "no progress, no summary");
 
     tools::DeckArguments to_check;
