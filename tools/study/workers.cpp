@@ -14,6 +14,7 @@
 #include <fstream>
 #include <map>
 
+#include "io/atomic_file.hpp"
 #include "io/text.hpp"
 #include "solver/base/error.hpp"
 #include "tools/study/outcome.hpp"
@@ -26,8 +27,20 @@ using Clock = std::chrono::steady_clock;
 
 volatile std::sig_atomic_t interrupted = 0;
 
-std::vector<std::string> command_of(const Study& study, const Row& row,
-                                    const std::string& program) {
+/// Was this very run begun before? From now on it was.
+bool was_begun(const Study& study, const Row& row) {
+    const fs::path file = folder_of(study, row) / "key";
+    const std::string key = key_of(study, row);
+    std::string before;
+    std::ifstream in(file);
+    if (std::getline(in, before) && before == key) return true;
+    io::replace_text(file, key + "\n");
+    return false;
+}
+
+/// @param goes_on  from its last checkpoint, if it left one
+std::vector<std::string> command_of(const Study& study, const Row& row, const std::string& program,
+                                    bool goes_on) {
     std::vector<std::string> words{program,
                                    "run",
                                    study.deck.string(),
@@ -41,6 +54,7 @@ std::vector<std::string> command_of(const Study& study, const Row& row,
         words.emplace_back("--until");
         words.push_back(fmt::format("{}", *study.until));
     }
+    if (goes_on) words.emplace_back("--restart");
     for (const std::string& definition : definitions_of(study, row)) {
         words.emplace_back("-D");
         words.push_back(definition);
@@ -102,8 +116,10 @@ public:
     void begin(const Row& row) {
         const fs::path folder = folder_of(study_, row);
         fs::create_directories(folder);
-        fs::remove(folder / "status");
-        const pid_t child = start(command_of(study_, row, program_), folder / "log.txt");
+        // one that has an end is made anew, one that was broken off goes on
+        const bool has_end = fs::remove(folder / "status");
+        const bool goes_on = was_begun(study_, row) && !has_end;
+        const pid_t child = start(command_of(study_, row, program_, goes_on), folder / "log.txt");
         at_work_.emplace(child, Job{row, Clock::now()});
     }
     /// Waits for the end of one run.

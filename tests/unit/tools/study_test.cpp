@@ -164,6 +164,10 @@ TEST_CASE("workers make runs, keep why they failed, and resume makes what is mis
     SECTION("a run that was broken off is missing") {
         fs::remove(s.folder / "run_0005" / "status");
         CHECK_FALSE(study::gather(s).outcomes[4].is_finished);
+        study::make_runs(s, {study::rows(s)[4]}, program, [](const study::Row&, int) {});
+        CHECK(text_of(s.folder / "run_0005" / "log.txt").find("--restart") != std::string::npos);
+        study::make_runs(s, {study::rows(s)[4]}, program, [](const study::Row&, int) {});
+        CHECK(text_of(s.folder / "run_0005" / "log.txt").find("--restart") == std::string::npos);
         CHECK(study::gather(s).outcomes[0].is_finished);
     }
 }
