@@ -11,6 +11,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/hdf5.hpp"
+#include "io/responses/body_responses.hpp"
 #include "io/text.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/vec.hpp"
@@ -34,6 +35,14 @@ std::uint64_t fingerprint(const std::string& text) {
     return hash;
 }
 
+bool is_response(const std::string& name) {
+    const io::BodyMotion at_rest{
+        0, 1.0, 1.0, {Vec3::Zero()}, {Vec3::Zero()}, {Vec3::Zero()}, {Vec3::Zero()}};
+    const std::vector<io::Response> all = io::body_responses(at_rest, "SI");
+    return std::any_of(all.begin(), all.end(),
+                       [&](const io::Response& response) { return response.name == name; });
+}
+
 struct Value {
     double number;
     std::string unit;
@@ -45,6 +54,10 @@ Value find(const io::Hdf5Reader& results, const std::string& response) {
     if (colon == std::string::npos) {
         std::string path = "/responses/" + response;
         std::replace(path.begin(), path.end(), '.', '/');
+        // a body that met nothing has no time to contact: that is an answer
+        const bool is_known = results.has(path.substr(0, path.rfind('/'))) &&
+                              is_response(response.substr(response.find('.') + 1));
+        if (!results.has(path) && is_known) return {NaN, ""};
         if (!results.has(path)) throw SystemError(fmt::format("no response {}", response));
         return {results.read<double>(path).at(0), results.text(path, "unit")};
     }

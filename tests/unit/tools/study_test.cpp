@@ -193,6 +193,9 @@ TEST_CASE("the table tells responses, means and spread", "[study]") {
     CHECK(table.outcomes[1].responses[0] == Approx(20.0));
     CHECK(table.outcomes[0].units == std::vector<std::string>{"kN", "J"});
     CHECK(std::isnan(table.outcomes[3].responses[0]));
+    study::Study other = s;
+    other.responses = {"20.peak_froce", "20.peak_force"};
+    CHECK(study::read_outcome(other, study::rows(s)[0]).reason == "no response 20.peak_froce");
     const study::Spread spread = study::spread_of({10.0, 20.0, NaN});
     CHECK(spread.mean == 15.0);
     CHECK(spread.deviation == Approx(std::sqrt(50.0)));
@@ -242,4 +245,20 @@ TEST_CASE("--slurm without sbatch says so; with one, an array and a table after 
     const std::string script = text_of(s.folder / "slurm" / "runs.sh");
     CHECK(script.find("'/bin/corpuscle' study '") != std::string::npos);
     CHECK(script.find("--share \"$SLURM_ARRAY_TASK_ID/1000\"") != std::string::npos);
+}
+
+TEST_CASE("a body that met nothing has no time to contact, and its run went well", "[study]") {
+    const Desk desk("no_contact");
+    const study::Study s =
+        desk.study("deck = \"bag.k\"\nresponses = [\"20.time_to_contact\"]\n[factors]\nV = [1]\n");
+    const study::Row row = study::rows(s)[0];
+    io::ResultsFile results(study::folder_of(s, row), scene::info(), scene::layout());
+    results.follow(0.01, {{20, 4.5, Vec3::Zero(), Vec3(10, 0, 0)}});
+    for (int n = 0; n <= 4; ++n)
+        results.observe(0.1 * n, {{Vec3(n, 0, 0), Vec3(10, 0, 0), Vec3::Zero()}}, n == 4);
+    results.finish("normal");
+    study::write_status(s, row, 0, 1.0, "");
+    const study::Outcome outcome = study::read_outcome(s, row);
+    CHECK(outcome.status == 0);
+    CHECK(std::isnan(outcome.responses[0]));
 }
