@@ -1,8 +1,8 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 //
-// Claim: the folded driver bag begins to open: no layer passes another, no particle is lost, and the
-// books close.
+// Claim: the folded driver bag begins to open: no layer passes another, no particle is lost, and
+// the books close.
 
 #include <catch2/catch.hpp>
 

@@ -33,7 +33,7 @@ struct Hole {
     double diameter = NaN;
     double reinforcement = 0.0;  ///< outer diameter of the ring; 0: none                      [m]
     bool is_open = false;        ///< else covered by the part "module"
-    double depth = 0.0;          ///< of the cover: a dish, with room for orifices                [m]
+    double depth = 0.0;  ///< of the cover: a dish, with room for orifices                [m]
 };
 
 struct VentHole {

@@ -224,7 +224,8 @@ TEST_CASE("the table tells responses, means and spread", "[study]") {
     CHECK(study::table_text(table).find("15 +- 47 %") != std::string::npos);
 }
 
-TEST_CASE("a study for Slurm without sbatch says so, with one it is an array and a table after it", "[study]") {
+TEST_CASE("a study for Slurm without sbatch says so, with one it is an array and a table after it",
+          "[study]") {
     const Desk desk("slurm");
     const study::Study s = desk.study(HEAD + "workers = 3\nthreads = 2\n[factors]\nV = [1, 2]\n");
     const std::string path = std::getenv("PATH");
