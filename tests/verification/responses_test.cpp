@@ -11,32 +11,14 @@
 #include "solver/base/parallel.hpp"
 #include "tests/support/cloth.hpp"
 #include "tests/support/scenes.hpp"
+#include "tests/support/touching_bodies.hpp"
 #include "tests/unit/io/results_scene.hpp"
 #include "tools/body_tracker.hpp"
 
 using namespace corpuscle;
+using scenes::add;
 
 namespace {
-
-void add(Model& model, const Points& x, const std::vector<Triangle>& triangles,
-         const fabric::MaterialCard& material, double thickness, const Vec3& at) {
-    const auto base = static_cast<Index>(model.x.size());
-    const auto part = static_cast<Index>(model.parts.size());
-    for (const Vec3& p : x) {
-        model.x.push_back(p + at);
-        model.velocity.push_back(Vec3::Zero());
-        model.node_id.push_back(static_cast<int>(model.x.size()));
-    }
-    for (const auto& [a, b, c] : triangles)
-        model.shells.push_back({static_cast<int>(model.shells.size()) + 1,
-                                part,
-                                {a + base, b + base, c + base, c + base}});
-    model.parts.push_back({});
-    model.parts.back().id = part + 1;
-    model.parts.back().thickness = thickness;
-    model.parts.back().material = part;
-    model.materials.push_back({part + 1, "", material});
-}
 
 /// A ball (part 2) on its way into free cloth, SI.
 Model ball_and_cloth() {

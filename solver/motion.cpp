@@ -1,0 +1,82 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// How forces and obstacles change the velocities of nodes and rigid bodies in a step.
+
+#include "solver/simulation.hpp"
+
+namespace corpuscle {
+
+/// d of *DAMPING_GLOBAL at t.                                                            [1/s]
+double Simulation::mass_damping() const {
+    return model_.mass_damping_curve >= 0 ? model_.curves[model_.mass_damping_curve](clock_.t)
+                                          : model_.mass_damping;
+}
+
+/// f = -d m v.
+void Simulation::add_mass_damping() {
+    if (damping_force_.f.empty()) return;
+    const double d = mass_damping();
+    for (std::size_t n = 0; n < nodes_.size(); ++n)
+        damping_force_.f[n] = -d * nodes_.mass[n] * nodes_.v[n];
+}
+
+/// v += span f / m; rigid bodies move as one; held directions do as they are told.
+void Simulation::kick(double dt, double span) {
+    ledger_.weight = clock_.weight(dt);
+    v_before_ = nodes_.v;
+    nodes_.add(load_force_.f);
+    nodes_.add(damping_force_.f);
+    nodes_.add(contact_force_.f);
+    nodes_.kick(span);
+    move_bodies(dt, span);
+    supports_.hold(clock_.t, dt, span, nodes_);
+}
+
+void Simulation::move_bodies(double dt, double span) {
+    if (bodies_.empty()) return;
+    const RigidBody::Field field{loads_.acceleration(clock_.t), mass_damping()};
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        bodies_[b].advance(clock_.t, dt, span, field, nodes_);
+        movers_[b] = bodies_[b].mover();
+    }
+}
+
+void Simulation::drift(double dt) {
+    nodes_.drift(dt);
+}
+
+/// Walls and touching surfaces take away the velocity that would carry a place through them.
+///
+/// Their impulses m (v - v_k) act with the forces of the kick, v_before -> v_k; what they take is
+/// m (v_k - v) · (v_before + v) / 2, nothing where a node rests against its load.
+void Simulation::stop_at_obstacles(double dt) {
+    const bool may_stop = !walls_.empty() || !contacts_.empty();
+    if (may_stop) v_kicked_ = nodes_.v;
+    const double kinetic = kinetic_energy();
+    for (contact::RigidWall& wall : walls_) {
+        const double by_others = wall.driving_work() + wall.held_work();
+        wall.hold(nodes_.x, nodes_.mass, clock_.t, dt, nodes_.v, {body_of_node_, movers_});
+        const double work = wall.driving_work() + wall.held_work() - by_others;
+        ledger_.after.external += work;
+        ledger_.after.contact += work;
+    }
+    for (contact::SurfaceContact& contact : contacts_) {
+        const double by_held = contact.held_work();
+        contact.filter(nodes_.x, dt, nodes_.v, movers_);
+        ledger_.after.external += contact.held_work() - by_held;
+        ledger_.after.contact += contact.held_work() - by_held;
+    }
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        bodies_[b].take(movers_[b], dt, clock_.kick_span(dt), nodes_);
+    ledger_.after.kinetic = kinetic_energy();
+    if (may_stop)
+        ledger_.after.contact +=
+            kinetic - ledger_.after.kinetic - parallel::sum(nodes_.size(), 0.0, [&](std::size_t n) {
+                return 0.5 * nodes_.mass[n] *
+                       (v_kicked_[n] - nodes_.v[n]).dot(v_kicked_[n] - v_before_[n]);
+            });
+    check_finite();
+}
+
+}  // namespace corpuscle
