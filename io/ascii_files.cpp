@@ -47,7 +47,8 @@ AsciiFiles::AsciiFiles(const std::filesystem::path& folder, const RecordLayout& 
                        const OutputIntervals& intervals, const std::string& title) {
     std::error_code ignored;  // what cannot be made cannot be opened below, and that says why
     std::filesystem::create_directories(folder, ignored);
-    for (const char* name : {"glstat", "abstat", "rcforc", "rwforc", "rbdout", "nodout"})
+    for (const char* name :
+         {"glstat", "abstat", "abstat_cpm", "matsum", "rcforc", "rwforc", "rbdout", "nodout"})
         std::filesystem::remove(folder / name, ignored);  // of an earlier run
     list_files(folder, layout, intervals);
     for (File& file : files_) {
@@ -80,6 +81,8 @@ void AsciiFiles::list_files(const std::filesystem::path& folder, const RecordLay
     add("glstat", intervals.glstat,
         [](const Sample& s, const Sample& start, const Sample&) { return glstat_state(s, start); });
     add("abstat", intervals.abstat, now(abstat_state));
+    add("abstat_cpm", intervals.abstat_cpm, now(abstat_cpm_state));
+    add("matsum", intervals.matsum, now(matsum_state));
     add("rcforc", intervals.rcforc, now(rcforc_state));
     add("rwforc", intervals.rwforc, now(rwforc_state));
     add("rbdout", intervals.rbdout, [who](const Sample& s, const Sample& start, const Sample&) {

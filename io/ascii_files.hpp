@@ -17,8 +17,8 @@
 
 namespace corpuscle::io {
 
-/// FOLDER/abstat, glstat, rcforc, rwforc, rbdout, nodout: each only when the deck asks for it, each
-/// at its own interval, from time 0 on.
+/// FOLDER/abstat, abstat_cpm, glstat, matsum, rcforc, rwforc, rbdout, nodout: each only when the
+/// deck asks for it, each at its own interval, from time 0 on.
 ///
 ///     if (files.due(t)) files.append(simulation.sample());
 class AsciiFiles {

@@ -65,19 +65,53 @@ std::string glstat_state(const Sample& sample, const Sample& start) {
     return text;
 }
 
+namespace {
+
+constexpr std::string_view ABSTAT_HEADING =
+    "\n\n      time   airbag/cv #  volume        pressure    internal energy      dm/dt in"
+    "      density dm/dt out  total mass gas temp. surface area   reaction\n";
+
+std::string abstat_row(double time, int id, const AirbagSample& bag) {
+    const double density = bag.volume > 0.0 ? bag.mass / bag.volume : 0.0;
+    const double reaction = 0.0;  // a bag of particles rests on its fabric and on nothing else
+    return fmt::format(
+        "{}{:8d}{}{}\n", field(time, 12, 5), id,
+        fields({bag.volume, bag.pressure, bag.energy, bag.mass_rate_in, density}, 15, 4),
+        fields({bag.mass_rate_out, bag.mass, bag.temperature, bag.surface_area, reaction}, 11, 3));
+}
+
+}  // namespace
+
 std::string abstat_state(const RecordLayout& layout, const Sample& sample) {
-    std::string text =
-        "\n\n      time   airbag/cv #  volume        pressure    internal energy      dm/dt in"
-        "      density dm/dt out  total mass gas temp. surface area   reaction\n";
-    for (std::size_t i = 0; i < layout.airbags.size(); ++i) {
-        const AirbagSample& bag = sample.airbags[i];
-        const double density = bag.volume > 0.0 ? bag.mass / bag.volume : 0.0;
-        const double reaction = 0.0;  // a bag of particles rests on its fabric and on nothing else
-        text += fmt::format("{}{:8d}", field(sample.time, 12, 5), layout.airbags[i].id);
-        text += fields({bag.volume, bag.pressure, bag.energy, bag.mass_rate_in, density}, 15, 4);
-        text += fields({bag.mass_rate_out, bag.mass, bag.temperature, bag.surface_area, reaction},
-                       11, 3);
-        text += '\n';
+    std::string text(ABSTAT_HEADING);
+    for (std::size_t i = 0; i < layout.airbags.size(); ++i)
+        text += abstat_row(sample.time, layout.airbags[i].id, sample.airbags[i]);
+    return text;
+}
+
+std::string abstat_cpm_state(const RecordLayout& layout, const Sample& sample) {
+    std::string text(ABSTAT_HEADING);
+    for (std::size_t i = 0; i < layout.airbags.size(); ++i)
+        if (layout.airbags[i].has_particles)
+            text += abstat_row(sample.time, layout.airbags[i].id, sample.airbags[i]);
+    return text;
+}
+
+std::string matsum_state(const RecordLayout& layout, const Sample& sample) {
+    std::string text = fmt::format("\n\n time ={}\n", field(sample.time, 13, 4));
+    const auto along = [](std::string_view name, const Vec3& v) {
+        return fmt::format(" x-{0}={1}     y-{0}={2}     z-{0}={3}\n", name, field(v.x(), 13, 4),
+                           field(v.y(), 13, 4), field(v.z(), 13, 4));
+    };
+    for (std::size_t p = 0; p < layout.parts.size(); ++p) {
+        const Sample::Part& part = sample.parts[p];
+        const double mass = layout.part_mass[p];
+        const Vec3 velocity = mass > 0.0 ? Vec3(part.momentum / mass) : Vec3(Vec3::Zero());
+        text += fmt::format(" mat.#={:<8}          inten={}     kinen={}\n",
+                            fmt::format("{:5d}", layout.parts[p]), field(part.strain_energy, 13, 4),
+                            field(part.kinetic_energy, 13, 4));
+        text += along("mom", part.momentum) + along("rbv", velocity);
+        text += fmt::format("{:25}hgeng={}\n", "", field(0.0, 13, 4));  // membranes: none
     }
     return text;
 }

@@ -17,6 +17,9 @@ namespace corpuscle::io {
 /// @param start  the first sample of the file: energies are told relative to it
 [[nodiscard]] std::string glstat_state(const Sample& sample, const Sample& start);
 [[nodiscard]] std::string abstat_state(const RecordLayout& layout, const Sample& sample);
+/// abstat of the bags of particles alone.
+[[nodiscard]] std::string abstat_cpm_state(const RecordLayout& layout, const Sample& sample);
+[[nodiscard]] std::string matsum_state(const RecordLayout& layout, const Sample& sample);
 [[nodiscard]] std::string rcforc_state(const RecordLayout& layout, const Sample& sample);
 [[nodiscard]] std::string rwforc_state(const RecordLayout& layout, const Sample& sample);
 /// @param start  the first sample of the file: displacements are told relative to it

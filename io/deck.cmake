@@ -1,6 +1,6 @@
 # keyword decks -> Model
 target_sources(corpuscle_io PRIVATE
-    deck.cpp rigid_start.cpp solid_skin.cpp
+    deck.cpp deck_fingerprint.cpp rigid_start.cpp solid_skin.cpp
     # text -> cards
     faults.cpp text.cpp lines.cpp keyword_reader.cpp
     expression.cpp parameters.cpp parameter_cards.cpp
@@ -12,6 +12,7 @@ target_sources(corpuscle_io PRIVATE
     keywords/materials.cpp
     keywords/mat_fabric.cpp
     keywords/curves.cpp
+    keywords/transformation.cpp
     keywords/sets.cpp
     keywords/sets_general.cpp
     keywords/airbag_particle.cpp

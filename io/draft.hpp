@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -44,11 +46,14 @@ struct Draft {
     Registry node_sets{"*SET_NODE"}, part_sets{"*SET_PART"}, shell_sets{"*SET_SHELL"},
         segment_sets{"*SET_SEGMENT"};
     Registry solids{"*ELEMENT_SOLID"};
+    Registry transformations{"*DEFINE_TRANSFORMATION"};
     Registry cpm_vents{"*DEFINE_CPM_VENT"}, cpm_chambers{"*DEFINE_CPM_CHAMBER"};
 
     std::vector<Section> section;
     std::vector<std::uint8_t> part_has_solids;  ///< by part row
     std::vector<Solid> solid;
+    std::vector<Index> inertia_nodes;  ///< NODEID of *PART_INERTIA, node rows
+    std::vector<Eigen::Affine3d> transformation;
     std::vector<RigidVelocity> inertia_start;  ///< of *PART_INERTIA, where nothing else says it
     std::vector<Index> rigid_owner;  ///< by node row: rigid part or -1; empty until it is asked for
     Points vector;                   ///< head - tail

@@ -13,6 +13,7 @@ target_sources(corpuscle_io PRIVATE
     export/binout.cpp
     export/d3plot.cpp
     export/history_source.cpp
+    export/iso_mme.cpp
     export/lsda.cpp
     hdf5.cpp
     history_table.cpp

@@ -22,9 +22,11 @@ struct RecordLayout {
         std::vector<int> species;      ///< numbers K of /species/K, in Sample order
         std::vector<int> parts;        ///< part ids of /part/PID, in Sample order
         std::vector<int> chambers{};   ///< ids of /chamber/ID, in Sample order
+        bool has_particles = true;     ///< false: of uniform pressure from the start
     };
     std::vector<Airbag> airbags;
     std::vector<int> parts;            ///< part ids
+    std::vector<double> part_mass;     ///< of the parts' shells, or of the rigid body     [kg]
     std::vector<int> rigid_bodies;     ///< part ids of the rigid bodies
     std::vector<int> walls, contacts;  ///< ids
     Points wall_normals;               ///< of the walls, unit, 0 of one that is not plane

@@ -64,11 +64,19 @@ RecordLayout Simulation::layout() const {
         layout.airbags.push_back(std::move(entry));
     }
     for (const gas::UniformBag& bag : uniform_bags_)
-        layout.airbags.push_back({bag.card().id, false, {1}, bag.walls().part_ids});
+        layout.airbags.push_back({.id = bag.card().id,
+                                  .species = {1},
+                                  .parts = bag.walls().part_ids,
+                                  .has_particles = false});
     layout.sensors = model_.sensors.size();
     for (const Part& part : model_.parts) layout.parts.push_back(part.id);
-    for (const RigidBody& body : bodies_)
+    layout.part_mass.resize(model_.parts.size());
+    for (std::size_t s = 0; s < model_.shells.size(); ++s)
+        layout.part_mass[model_.shells[s].part] += shell_mass_[s];
+    for (const RigidBody& body : bodies_) {
         layout.rigid_bodies.push_back(model_.parts[body.part()].id);
+        layout.part_mass[body.part()] = body.mass();
+    }
     for (const auto& wall : model_.walls) {
         layout.walls.push_back(wall.id);
         layout.wall_normals.push_back(contact::plane_normal(wall.shape));

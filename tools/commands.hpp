@@ -64,6 +64,7 @@ struct ExportArguments {
 struct ReportArguments {
     std::vector<std::string> folders;
     std::string output;  ///< empty: report.html in the first folder
+    std::string png;     ///< folder for pictures; empty: none
 };
 
 int run(const RunArguments& arguments);

@@ -9,6 +9,7 @@
 #include "io/export/binout.hpp"
 #include "io/export/d3plot.hpp"
 #include "io/export/history_source.hpp"
+#include "io/export/iso_mme.hpp"
 #include "solver/base/error.hpp"
 #include "tools/commands.hpp"
 
@@ -26,11 +27,15 @@ void check(const ExportArguments& arguments) {
     std::vector<std::string> faults;
     if (!fs::exists(fs::path(arguments.folder) / "results.h5"))
         faults.push_back(fmt::format("{}: expected a folder with results.h5", arguments.folder));
-    if (arguments.iso_mme)
-        faults.emplace_back("--iso-mme: is not written yet; --csv holds the same channels");
-    if (!arguments.csv && !arguments.binout && !arguments.d3plot && faults.empty())
-        faults.emplace_back("export: expected --csv, --binout or --d3plot");
+    if (!arguments.csv && !arguments.binout && !arguments.d3plot && !arguments.iso_mme &&
+        faults.empty())
+        faults.emplace_back("export: expected --csv, --binout, --d3plot or --iso-mme");
     if (!faults.empty()) throw InputError(faults);
+}
+
+/// Of the folder: "oop_linear" of oop_linear.out.
+std::string test_name(const fs::path& folder) {
+    return fs::absolute(folder / ".").parent_path().filename().replace_extension("").string();
 }
 
 }  // namespace
@@ -52,6 +57,14 @@ int export_results(const ExportArguments& arguments) {
         io::write_d3plot(results, [&](const std::string& name, const std::string& bytes) {
             write(to / name, bytes);
         });
+    if (arguments.iso_mme) {
+        const fs::path test = to / "iso_mme";
+        io::write_iso_mme(results, test_name(from),
+                          [&](const std::string& name, const std::string& bytes) {
+                              fs::create_directories((test / name).parent_path());
+                              write(test / name, bytes);
+                          });
+    }
     return 0;
 }
 

@@ -114,13 +114,17 @@ int run(int argc, char** argv) {
 
     tools::ExportArguments to_export;
     CLI::App* exports = app.add_subcommand(
-        "export", "write a run for other tools: CSV, binout (LSDA), d3plot of the shells");
+        "export",
+        "write a run for other tools: CSV, binout (LSDA), d3plot of the shells, ISO-MME of the "
+        "rigid bodies");
     exports->add_option("DIR", to_export.folder, "folder of a run's results")->required();
     exports->add_option("-o,--output", to_export.output, "folder to write to; default: DIR");
     exports->add_flag("--csv", to_export.csv, "history.csv and history_fast.csv");
     exports->add_flag("--binout", to_export.binout, "binout, as LS-PrePost and others read it");
     exports->add_flag("--d3plot", to_export.d3plot, "d3plot, d3plot01, ...: the shells");
-    exports->add_flag("--iso-mme", to_export.iso_mme, "not there yet: refused");
+    exports->add_flag(
+        "--iso-mme", to_export.iso_mme,
+        "iso_mme: what rigid bodies that can move felt, as test data come (ISO/TS 13499)");
     exports->footer("Example:\n  corpuscle export driver_bag_flat.out --csv --binout");
 
     tools::ReportArguments to_report;
@@ -130,10 +134,13 @@ int run(int argc, char** argv) {
         "responses, settings and energy books; of a study: its table");
     report->add_option("DIR", to_report.folders, "folders of runs, or of a study")->required();
     report->add_option("-o,--output", to_report.output, "page to write; default: DIR/report.html");
+    report->add_option("--png", to_report.png,
+                       "folder for pictures of the first run and a strip of them; needs Chromium");
     report->footer(
         "Examples:\n"
         "  corpuscle report driver_bag_flat.out\n"
-        "  corpuscle report fine.out coarse.out -o compare.html");
+        "  corpuscle report fine.out coarse.out -o compare.html\n"
+        "  corpuscle report driver_bag_flat.out --png pictures");
 
     try {
         app.parse(argc, argv);

@@ -52,6 +52,7 @@ private:
 
 double history_interval(const Model& model) {
     if (!std::isnan(model.output.abstat)) return model.output.abstat;
+    if (!std::isnan(model.output.abstat_cpm)) return model.output.abstat_cpm;
     if (!std::isnan(model.output.glstat)) return model.output.glstat;
     return model.end_time / 1000.0;
 }

@@ -40,6 +40,11 @@ public:
         std::sort(found.begin(), found.end());
         return found;
     }
+    /// Is it other than 0 in some row?
+    [[nodiscard]] bool is_ever(const std::string& path) const {
+        const std::vector<double>& values = all_.at(path).values;
+        return std::any_of(values.begin(), values.end(), [](double v) { return v != 0.0; });
+    }
     /// Change per time since the row before; 0 in the first.
     [[nodiscard]] double rate(const std::string& path, std::size_t row) const {
         if (row == 0) return 0.0;
@@ -61,6 +66,7 @@ public:
         branch("glstat", {}, [&](std::size_t row) { glstat(row); });
         for_ids("part", "matsum", [&](std::size_t row) { matsum(row); });
         for_ids("airbag", "abstat", [&](std::size_t row) { abstat(row); });
+        abstat_cpm();
         for_ids("rigid_body", "rbdout", [&](std::size_t row) { rbdout(row); });
         for_ids("contact", "rcforc", [&](std::size_t row) { rcforc(row); });
         for_ids("rigidwall", "rwforc/forces", [&](std::size_t row) { rwforc(row); });
@@ -154,6 +160,38 @@ private:
             return area;
         });
         column("reaction", [](std::int32_t) { return 0.0; });
+    }
+    /// Bags that ever held particles, and what presses on their parts.
+    void abstat_cpm() {
+        group_ = "airbag";
+        ids_ = rows_.ids(group_);
+        std::erase_if(ids_, [&](std::int32_t id) { return !rows_.is_ever(path(id, "particles")); });
+        if (ids_.empty()) return;
+        std::vector<std::int32_t> parts, count;
+        std::vector<std::string> of;  // the parts' groups, bag by bag
+        for (const std::int32_t id : ids_) {
+            const std::vector<std::int32_t> own = rows_.ids(path(id, "part"));
+            count.push_back(static_cast<std::int32_t>(own.size()));
+            for (const std::int32_t part : own) {
+                parts.push_back(part);
+                of.push_back(path(id, fmt::format("part/{}/", part)));
+            }
+        }
+        const auto of_parts = [&](const char* name, const char* history, std::size_t row) {
+            std::vector<double> values;
+            for (const std::string& part : of) values.push_back(rows_.at(part + history, row));
+            lsda_.write(name, std::span<const double>(values));
+        };
+        branch("abstat_cpm", ids_, [&](std::size_t row) {
+            abstat(row);
+            column("Trans_ke", "translational_energy", row);
+            lsda_.folder(fmt::format("/abstat_cpm/d{:06}/bag_data", row + 1));
+            of_parts("pressure", "pressure", row);
+            of_parts("area_tot", "area", row);
+        });
+        lsda_.folder("/abstat_cpm/metadata");
+        lsda_.write("nparts", std::span<const std::int32_t>(count));
+        lsda_.write("pid", std::span<const std::int32_t>(parts));
     }
     void rbdout(std::size_t row) {
         for (std::size_t a = 0; a < 3; ++a) {

@@ -8,8 +8,8 @@
 
 namespace corpuscle::io {
 
-/// A binout (LSDA) of the results' histories: glstat, matsum, abstat, rbdout, rcforc, rwforc,
-/// nodout, each if there is something in it, as float64, a state for each row of /history.
+/// A binout (LSDA) of the results' histories: glstat, matsum, abstat, abstat_cpm, rbdout, rcforc,
+/// rwforc, nodout, each if there is something in it, as float64, a state for each row of /history.
 [[nodiscard]] std::string binout(const Hdf5Reader& results);
 
 }  // namespace corpuscle::io

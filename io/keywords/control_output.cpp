@@ -62,6 +62,12 @@ void database_d3dump(Cards& cards, Draft& draft) {
 void database_abstat(Cards& cards, Draft& draft) {
     interval(cards, draft.model.output.abstat);
 }
+void database_abstat_cpm(Cards& cards, Draft& draft) {
+    interval(cards, draft.model.output.abstat_cpm);
+}
+void database_matsum(Cards& cards, Draft& draft) {
+    interval(cards, draft.model.output.matsum);
+}
 void database_glstat(Cards& cards, Draft& draft) {
     interval(cards, draft.model.output.glstat);
 }

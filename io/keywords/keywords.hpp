@@ -17,7 +17,7 @@ namespace corpuscle::io::keywords {
 void value_or_curve(Card& c, const char* name, const Registry& curves, double& value, Index& curve);
 
 /// What a keyword refers to is read before it, wherever it stands in the deck.
-enum class Phase { GROUND, MATERIAL, PART, SHELL, SET, SUM_OF_SETS, SCENE };
+enum class Phase { GROUND, MATERIAL, PART, SHELL, SET, SUM_OF_SETS, PLACE, SCENE };
 
 using Reader = void (*)(Cards&, Draft&);
 
@@ -57,6 +57,9 @@ void mat_fabric(Cards&, Draft&);
 // curves.cpp
 void define_curve(Cards&, Draft&);
 void define_vector(Cards&, Draft&);
+// transformation.cpp
+void define_transformation(Cards&, Draft&);
+void node_transform(Cards&, Draft&);
 // sets.cpp, sets_general.cpp
 void set_node(Cards&, Draft&);
 void set_part(Cards&, Draft&);
@@ -115,6 +118,8 @@ void database_cpm_sensor(Cards&, Draft&);  // database_sensor.cpp
 void database_d3plot(Cards&, Draft&);
 void database_d3dump(Cards&, Draft&);
 void database_abstat(Cards&, Draft&);
+void database_abstat_cpm(Cards&, Draft&);
+void database_matsum(Cards&, Draft&);
 void database_glstat(Cards&, Draft&);
 void database_rcforc(Cards&, Draft&);
 void database_rwforc(Cards&, Draft&);

@@ -64,6 +64,7 @@ void part_inertia(Cards& cards, Draft& draft, Index part) {
     if (node >= 0) {
         body.centre = draft.model.x[static_cast<std::size_t>(node)];
         draft.model.rigid_extra_nodes.push_back({part, node});
+        draft.inertia_nodes.push_back(node);
     }
     body.inertia = tensor(cards);
     RigidVelocity start;

@@ -26,7 +26,9 @@ const Keyword KEYWORDS[] = {
     {"CONTROL_TIMESTEP", "", "", P::GROUND, control_timestep},
     {"DATABASE_BINARY_D3PLOT", "", "", P::GROUND, database_d3plot},
     {"DATABASE_BINARY_D3DUMP DATABASE_BINARY_RUNRSF", "", "", P::GROUND, database_d3dump},
-    {"DATABASE_ABSTAT DATABASE_ABSTAT_CPM", "", "", P::GROUND, database_abstat},
+    {"DATABASE_ABSTAT", "", "", P::GROUND, database_abstat},
+    {"DATABASE_ABSTAT_CPM", "", "", P::GROUND, database_abstat_cpm},
+    {"DATABASE_MATSUM", "", "", P::GROUND, database_matsum},
     {"DATABASE_GLSTAT", "", "", P::GROUND, database_glstat},
     {"DATABASE_RCFORC", "", "", P::GROUND, database_rcforc},
     {"DATABASE_RWFORC", "", "", P::GROUND, database_rwforc},
@@ -37,7 +39,9 @@ const Keyword KEYWORDS[] = {
 
     {"DATABASE_CPM_SENSOR", "", "", P::SCENE, database_cpm_sensor},
 
-    {"NODE", "", "MERGE RIGID TRANSFORM SCALAR", P::GROUND, node},
+    {"NODE", "", "MERGE RIGID SCALAR", P::GROUND, node},
+    {"NODE_TRANSFORM", "", "", P::PLACE, node_transform},
+    {"DEFINE_TRANSFORMATION", "TITLE", "", P::GROUND, define_transformation},
     {"DEFINE_CURVE", "TITLE", "", P::GROUND, define_curve},
     {"DEFINE_VECTOR", "TITLE", "NODES", P::GROUND, define_vector},
     {"SECTION_SHELL", "TITLE", "MISC EFG XFEM THERMAL", P::GROUND, section_shell},

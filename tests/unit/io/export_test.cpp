@@ -127,6 +127,16 @@ TEST_CASE("a binout holds the run's numbers", "[export]") {
               std::vector<double>{s.airbags[0].pressure, s.airbags[1].pressure});
         CHECK(binout.reals("/abstat" + state + "surface_area")[0] ==
               Approx(s.airbags[0].parts[0].area + s.airbags[0].parts[1].area));
+        CHECK(binout.reals("/abstat_cpm" + state + "pressure") ==
+              binout.reals("/abstat" + state + "pressure"));
+        CHECK(binout.reals("/abstat_cpm" + state + "Trans_ke") ==
+              std::vector<double>{s.airbags[0].translational_energy,
+                                  s.airbags[1].translational_energy});
+        CHECK(binout.reals("/abstat_cpm" + state + "bag_data/pressure") ==
+              std::vector<double>{s.airbags[0].parts[0].pressure, s.airbags[0].parts[1].pressure,
+                                  s.airbags[1].parts[0].pressure});
+        CHECK(binout.reals("/abstat_cpm" + state + "bag_data/area_tot")[1] ==
+              s.airbags[0].parts[1].area);
         CHECK(binout.reals("/rbdout" + state + "global_vy") ==
               std::vector<double>{s.rigid_bodies[0].velocity.y()});
         CHECK(binout.reals("/rcforc" + state + "z_force") ==
@@ -137,6 +147,10 @@ TEST_CASE("a binout holds the run's numbers", "[export]") {
               std::vector<double>{s.node_coordinates[0].y(), s.node_coordinates[1].y()});
         CHECK(binout.reals("/matsum" + state + "kinetic_energy")[2] == s.parts[2].kinetic_energy);
     }
+    CHECK(binout.read<std::int32_t>("/abstat_cpm/metadata/nparts", 3) ==
+          std::vector<std::int32_t>{2, 1});
+    CHECK(binout.read<std::int32_t>("/abstat_cpm/metadata/pid", 3) ==
+          std::vector<std::int32_t>{10, 11, 12});
     const double in = run.samples[2].airbags[0].mass_in - run.samples[1].airbags[0].mass_in;
     CHECK(binout.reals("/abstat/d000003/dm_dt_in")[0] == Approx(in / 0.5));
     CHECK_FALSE(binout.has("/glstat/d000004/time"));

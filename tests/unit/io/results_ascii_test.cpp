@@ -71,6 +71,48 @@ TEST_CASE("abstat has the bag's numbers in LS-DYNA's columns", "[io]") {
     }
 }
 
+TEST_CASE("abstat_cpm has the rows of the bags of particles alone", "[io]") {
+    const RecordLayout layout = scene::layout();  // the second bag is of uniform pressure
+    const Sample s = scene::sample(layout, 3);
+    const auto all = lines(io::abstat_state(layout, s)),
+               rows = lines(io::abstat_cpm_state(layout, s));
+    REQUIRE(rows.size() == 4);
+    for (std::size_t i = 0; i < rows.size(); ++i) CHECK(rows[i] == all[i]);
+}
+
+TEST_CASE("matsum has each part's energies and momentum and the mean velocity of its mass",
+          "[io]") {
+    const RecordLayout layout = scene::layout();
+    const Sample s = scene::sample(layout, 3);
+    const auto rows = lines(io::matsum_state(layout, s));
+    REQUIRE(rows.size() == 3 + 4 * 3);
+    CHECK(rows[2].substr(0, 7) == " time =");
+    CHECK(std::stod(rows[2].substr(7, 13)) == Approx(1.5));
+    const auto number = [](const std::string& row, const std::string& name) {
+        const std::size_t at = row.find(name);
+        REQUIRE(at != std::string::npos);
+        return std::stod(row.substr(at + name.size(), 13));
+    };
+    for (std::size_t p = 0; p < 3; ++p) {
+        const std::string* row = &rows[3 + 4 * p];
+        CHECK(row[0].substr(0, 7) == " mat.#=");
+        CHECK(std::stoi(row[0].substr(7, 8)) == layout.parts[p]);
+        CHECK(row[0].find("inten=") == 25);
+        CHECK(row[0].find("kinen=") == 49);
+        CHECK(number(row[0], "inten=") == Approx(s.parts[p].strain_energy).epsilon(1e-4));
+        CHECK(number(row[0], "kinen=") == Approx(s.parts[p].kinetic_energy).epsilon(1e-4));
+        for (const int axis : {0, 1, 2}) {
+            const std::string name = std::string(1, "xyz"[axis]);
+            const double momentum = s.parts[p].momentum[axis], mass = layout.part_mass[p];
+            CHECK(row[1].find(name + "-mom=") == static_cast<std::size_t>(1 + 24 * axis));
+            CHECK(number(row[1], name + "-mom=") == Approx(momentum).epsilon(1e-4));
+            CHECK(number(row[2], name + "-rbv=") ==
+                  Approx(mass > 0.0 ? momentum / mass : 0.0).epsilon(1e-4));
+        }
+        CHECK(number(row[3], "hgeng=") == 0.0);
+    }
+}
+
 TEST_CASE("glstat's energies close when the ledger does", "[io]") {
     Sample start, end;
     start.energy.kinetic = 2.0;
@@ -186,6 +228,7 @@ TEST_CASE("each text file appears only when asked for, each at its own interval"
     OutputIntervals intervals;
     intervals.abstat = 1.0;
     intervals.nodout = 2.5;
+    intervals.matsum = 0.0;
     std::filesystem::create_directories(folder.path);
     std::ofstream(folder.path / "glstat") << "of an earlier run";
     {
@@ -210,7 +253,7 @@ TEST_CASE("each text file appears only when asked for, each at its own interval"
     CHECK(abstat == std::vector<double>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
     CHECK(nodout == std::vector<double>{0.0, 2.5, 5.0, 7.5, 10.0});
     CHECK(lines(text_of(folder.path / "abstat"))[0] == " a bag");
-    for (const char* name : {"glstat", "rcforc", "rwforc", "rbdout"})
+    for (const char* name : {"glstat", "abstat_cpm", "matsum", "rcforc", "rwforc", "rbdout"})
         CHECK_FALSE(std::filesystem::exists(folder.path / name));
 }
 

@@ -38,9 +38,11 @@ inline io::RunInfo info() {
 /// Two bags, a quad and a triangle on five nodes.
 inline RecordLayout layout() {
     RecordLayout l;
-    l.airbags = {{.id = 7, .has_initial_air = true, .species = {0, 1, 2}, .parts = {10, 11}},
-                 {.id = 9, .has_initial_air = false, .species = {1}, .parts = {12}}};
+    l.airbags = {
+        {.id = 7, .has_initial_air = true, .species = {0, 1, 2}, .parts = {10, 11}},
+        {.id = 9, .has_initial_air = false, .species = {1}, .parts = {12}, .has_particles = false}};
     l.parts = {10, 11, 12};
+    l.part_mass = {2.0, 0.5, 0.0};
     l.rigid_bodies = {20};
     l.walls = {31, 32};
     l.moving_walls = {32};
