@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <sstream>
 
 #include "io/atomic_file.hpp"
 #include "io/hdf5.hpp"
@@ -20,20 +19,6 @@ namespace corpuscle::study {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
-
-/// FNV-1a, 64 bits.
-std::uint64_t fingerprint(const std::string& text) {
-    std::uint64_t hash = 14695981039346656037ULL;
-    for (const unsigned char c : text) hash = (hash ^ c) * 1099511628211ULL;
-    return hash;
-}
 
 bool is_response(const std::string& name) {
     const io::BodyMotion at_rest{
@@ -106,8 +91,8 @@ std::vector<std::string> definitions_of(const Study& study, const Row& row) {
 
 std::string key_of(const Study& study, const Row& row) {
     return fmt::format("deck {} {:016x}, {}, seed {}, until {}", study.deck.filename().string(),
-                       fingerprint(text_of(study.deck)), fmt::join(definitions_of(study, row), " "),
-                       row.seed, study.until ? fmt::format("{}", *study.until) : "its end");
+                       study.deck_fingerprint, fmt::join(definitions_of(study, row), " "), row.seed,
+                       study.until ? fmt::format("{}", *study.until) : "its end");
 }
 
 void write_status(const Study& study, const Row& row, int status, double seconds,

@@ -23,7 +23,7 @@ struct Outcome {
 [[nodiscard]] std::filesystem::path folder_of(const Study& study, const Row& row);
 
 /// All that decides what a run computes, in one line: a finished run of another key is not this
-/// one. The deck stands in it by its text (files it includes do not).
+/// one. The deck stands in it by the fingerprint of its text when the study was read.
 [[nodiscard]] std::string key_of(const Study& study, const Row& row);
 
 /// NAME=VALUE, the fixed ones first.

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "io/deck_fingerprint.hpp"
 #include "io/text.hpp"
 #include "solver/base/error.hpp"
 #include "tools/fold/toml_reader.hpp"
@@ -194,6 +195,7 @@ Study read_study(const fs::path& file) {
                 1, fmt::format("the study has {:g} runs, expected {} or fewer", runs, MOST_RUNS));
     }
     if (!faults.all.empty()) throw InputError(faults.all);
+    s.deck_fingerprint = io::deck_fingerprint(s.deck);
     return s;
 }
 

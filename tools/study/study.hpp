@@ -23,6 +23,7 @@ enum class Plan { FULL, LATIN, POINTS };
 
 struct Study {
     std::filesystem::path file, deck, folder;
+    std::uint64_t deck_fingerprint = 0;  ///< of the deck's text and of all that it includes
     Plan plan = Plan::FULL;
     int samples = 0;              ///< points of a Latin hypercube
     std::uint64_t plan_seed = 1;  ///< of a Latin hypercube

@@ -134,8 +134,11 @@ TEST_CASE("a study's faults are told all at once, with line and key", "[study]")
 
 TEST_CASE("workers make runs, keep why they failed, and resume makes what is missing", "[study]") {
     const Desk desk("workers");
-    const study::Study s =
-        desk.study(HEAD + "workers = 3\n[fixed]\nNP = 7\n[factors]\nV = [1, 2, 3, 4, 5]\n");
+    desk.put("bag.k", "*KEYWORD\n*INCLUDE\nmesh.k\n*END\n");
+    desk.put("mesh.k", "*NODE\n*END\n");
+    const std::string text =
+        HEAD + "workers = 3\n[fixed]\nNP = 7\n[factors]\nV = [1, 2, 3, 4, 5]\n";
+    const study::Study s = desk.study(text);
     fs::create_directories(s.folder);
     // words: run DECK -o DIR --seed 1 -j 1 -D NP=7 -D V=...
     const std::string program = desk.program(
@@ -158,8 +161,15 @@ TEST_CASE("workers make runs, keep why they failed, and resume makes what is mis
     CHECK(table.outcomes[0].reason.find("results.h5") != std::string::npos);
 
     SECTION("another deck, other runs") {
-        desk.put("bag.k", "*KEYWORD\n$ changed\n*END\n");
-        CHECK_FALSE(study::gather(s).outcomes[0].is_finished);
+        CHECK(study::gather(desk.study(text)).outcomes[0].is_finished);
+        desk.put("bag.k", "*KEYWORD\n*INCLUDE\nmesh.k\n$ changed\n*END\n");
+        CHECK_FALSE(study::gather(desk.study(text)).outcomes[0].is_finished);
+    }
+    SECTION("another file that the deck includes, other runs") {
+        desk.put("mesh.k", "*NODE\n$ changed\n*END\n");
+        CHECK_FALSE(study::gather(desk.study(text)).outcomes[0].is_finished);
+        desk.put("mesh.k", "*NODE\n*END\n");
+        CHECK(study::gather(desk.study(text)).outcomes[0].is_finished);
     }
     SECTION("a run that was broken off is missing") {
         fs::remove(s.folder / "run_0005" / "status");
