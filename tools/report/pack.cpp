@@ -67,6 +67,25 @@ std::string base64(std::string_view bytes) {
     return out;
 }
 
+std::string from_base64(std::string_view text) {
+    const auto digit = [](char c) -> std::uint32_t {
+        if (c >= 'A' && c <= 'Z') return static_cast<std::uint32_t>(c - 'A');
+        if (c >= 'a' && c <= 'z') return static_cast<std::uint32_t>(c - 'a' + 26);
+        if (c >= '0' && c <= '9') return static_cast<std::uint32_t>(c - '0' + 52);
+        return c == '+' ? 62U : 63U;
+    };
+    while (text.ends_with('=')) text.remove_suffix(1);
+    std::string out;
+    std::uint32_t bits = 0, count = 0;
+    for (const char c : text) {
+        bits = bits << 6U | digit(c);
+        if ((count += 6) < 8) continue;
+        count -= 8;
+        out += static_cast<char>(bits >> count & 255U);
+    }
+    return out;
+}
+
 std::vector<std::uint16_t> change(const std::vector<std::uint16_t>& values,
                                   const std::vector<std::uint16_t>& before) {
     std::vector<std::uint16_t> out(values.size());

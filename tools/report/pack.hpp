@@ -40,6 +40,8 @@ private:
 /// zlib's format (RFC 1950), as browsers' DecompressionStream("deflate") reads it.
 [[nodiscard]] std::string deflated(std::string_view bytes);
 [[nodiscard]] std::string base64(std::string_view bytes);
+/// The bytes behind base64 text without line breaks.
+[[nodiscard]] std::string from_base64(std::string_view text);
 
 /// values - before, modulo 65536: what changes little packs well.
 [[nodiscard]] std::vector<std::uint16_t> change(const std::vector<std::uint16_t>& values,

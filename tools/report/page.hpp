@@ -10,7 +10,7 @@
 namespace corpuscle::report {
 
 /// The page's own parts, from tools/report/page.
-extern const std::string_view PAGE_HTML, PAGE_STYLE, PAGE_SCRIPT;
+extern const std::string_view PAGE_HTML, PAGE_STYLE, PAGE_SCRIPT, PAGE_PICTURES_SCRIPT;
 
 /// One HTML file that asks nothing of the net: runs side by side, or a study's table.
 ///

@@ -10,6 +10,7 @@
 #include "tests/unit/io/results_scene.hpp"
 #include "tools/report/pack.hpp"
 #include "tools/report/page.hpp"
+#include "tools/report/pictures.hpp"
 #include "tools/report/run_data.hpp"
 
 using namespace corpuscle;
@@ -135,6 +136,23 @@ TEST_CASE("a page is whole in itself and asks nothing of the net", "[report]") {
         CHECK(page.find(part) != std::string::npos);
     for (const char* mark : {"@TITLE@", "@STYLE@", "@DATA@", "@SCRIPT@"})
         CHECK(page.find(mark) == std::string::npos);
+}
+
+TEST_CASE("base64 comes back whatever the length", "[report]") {
+    std::string bytes;
+    for (int k = 0; k < 300; ++k) {
+        CHECK(report::from_base64(report::base64(bytes)) == bytes);
+        bytes += static_cast<char>(37 * k);
+    }
+}
+
+TEST_CASE("pictures without a Chromium are refused and told what is missing", "[report]") {
+    const scene::Folder folder("no_browser");
+    const std::string path = std::getenv("PATH");
+    ::setenv("PATH", folder.path.c_str(), 1);
+    CHECK_THROWS_WITH(report::pictures("<body></body>"),
+                      Catch::Contains("no Chromium on the PATH"));
+    ::setenv("PATH", path.c_str(), 1);
 }
 
 TEST_CASE("a study's page holds its table; a folder of neither kind is refused", "[report]") {

@@ -1,0 +1,30 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace corpuscle::report {
+
+/// A picture as a file: "strip.png" and its bytes.
+struct Picture {
+    std::string name, bytes;
+};
+
+/// Up to eight frames of a page's first run, picture_00.png and so on, and all of them in
+/// strip.png, as a headless Chromium on the PATH draws them.
+/// @throws SystemError if there is no Chromium, or if it cannot draw the page
+[[nodiscard]] std::vector<Picture> pictures(std::string page);
+
+/// Name of the Chromium on the PATH; empty: there is none.
+[[nodiscard]] std::string browser();
+
+/// Words of a command that opens `page` in that browser, without a window, and prints what has
+/// become of its text; the browser's own files go to `profile`.
+[[nodiscard]] std::string dump_command(const std::string& browser,
+                                       const std::filesystem::path& page,
+                                       const std::filesystem::path& profile);
+
+}  // namespace corpuscle::report
