@@ -13,11 +13,13 @@
 
 namespace corpuscle::test {
 
-ModelRun::ModelRun(const std::string& model, const std::string& options) {
+ModelRun::ModelRun(const std::string& model, const std::string& options,
+                   const std::string& folder) {
     std::string pattern = std::filesystem::temp_directory_path() / (model + ".XXXXXX");
     if (!mkdtemp(pattern.data())) throw std::runtime_error("no directory " + pattern);
     directory_ = pattern;
-    const std::string deck = CORPUSCLE_MODELS "/" + model + "/" + model + ".k";
+    const std::string deck =
+        CORPUSCLE_MODELS "/" + (folder.empty() ? model : folder) + "/" + model + ".k";
     const std::string log = (directory_ / "log").string();
     const std::string command = CORPUSCLE_PROGRAM " run '" + deck + "' -o '" + directory_.string() +
                                 "' " + options + " >'" + log + "' 2>&1";

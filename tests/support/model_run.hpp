@@ -13,7 +13,8 @@ class ModelRun {
 public:
     /// @param model    folder and name of the deck, e.g. "helium_air"
     /// @param options  of `corpuscle run`, e.g. "-D NP=2000 --until 0.004"
-    ModelRun(const std::string& model, const std::string& options);
+    /// @param folder   of models/, where it is not the deck's name
+    ModelRun(const std::string& model, const std::string& options, const std::string& folder = "");
     ~ModelRun();
     ModelRun(const ModelRun&) = delete;
     ModelRun& operator=(const ModelRun&) = delete;

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # corpuscle: airbag deployment by the corpuscular method
 # SPDX-License-Identifier: MIT
-"""Writes the box meshes of models/helium_air, fast_piston, two_inflators, vented_tank, porous_tank
-and two_chambers."""
+"""Writes the box meshes of models/helium_air, fast_piston, two_inflators, vented_tank, porous_tank,
+two_chambers and tank_test."""
 
-from deck import MODELS, Mesh
+from deck import MODELS, Mesh, box_faces
 
 WALLS, PISTON, VENT, MEMBRANE = 1, 2, 2, 2
 HELD, MOVED = 1, 2  # node sets
@@ -25,19 +25,9 @@ def box(side, cells, part_of_face, membrane_at=None):
             known[grid] = mesh.node(*(s * i / n for s, i, n in zip(sides, grid, cells)))
         return known[grid]
 
-    for axis in range(3):
-        u, v = (axis + 1) % 3, (axis + 2) % 3
-        for end in (0, cells[axis]):
-            for i in range(cells[u]):
-                for j in range(cells[v]):
-                    corners = []
-                    for di, dj in ((0, 0), (1, 0), (1, 1), (0, 1)):
-                        grid = [0, 0, 0]
-                        grid[axis], grid[u], grid[v] = end, i + di, j + dj
-                        corners.append(node(tuple(grid)))
-                    if end:
-                        corners.reverse()
-                    mesh.shell(part_of_face(axis, end, i, j), *corners)
+    for axis, end, i, j, corners in box_faces(cells):
+        nodes = [node(grid) for grid in corners]
+        mesh.shell(part_of_face(axis, end, i, j), *(nodes[::-1] if end else nodes))
     mesh.check_closed()
     if membrane_at:
         for j in range(cells[1]):
@@ -79,6 +69,17 @@ def tank(name, is_vent, comment):
                [comment, "Written by tools/models/box.py: change it there."])
 
 
+def tank_test():
+    side = 60.0e6 ** (1.0 / 3.0)  # 60 l                                                  [mm]
+    mesh = box(side, (8, 8, 8), lambda *face: WALLS)
+    walls = list(mesh.nodes)
+    orifice = mesh.node(0.5 * side, 0.5 * side, 0.5 * side, number=100000)
+    mesh.node_sets[HELD] = ("every node is held", walls + [orifice])
+    mesh.write(MODELS / "tank_test" / "mesh.k",
+               ["A box of 60 litres and the inflator's place in its middle; lengths in mm.",
+                "Written by tools/models/box.py: change it there."])
+
+
 def two_rooms(name, size, cells, comment):
     mesh = box(size, cells, lambda *face: WALLS, membrane_at=cells[0] // 2)
     nodes = list(mesh.nodes)
@@ -98,6 +99,7 @@ if __name__ == "__main__":
          "A box of 1 litre, a vent in the middle of the face at x = 0.1, an orifice; lengths in m.")
     tank("porous_tank", lambda *face: False,
          "A box of 1 litre and the orifice in its middle; lengths in m.")
+    tank_test()
     two_rooms("two_inflators", (0.2, 0.1, 0.1), (12, 6, 6),
               "Two rooms of 1 litre, a membrane (part 2) between them, an orifice in each; lengths in m.")
     two_rooms("two_chambers", (0.1, 0.1, 0.1), (6, 6, 6),

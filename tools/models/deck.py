@@ -8,10 +8,28 @@ from pathlib import Path
 MODELS = Path(__file__).resolve().parents[2] / "models"
 
 
-class Mesh:
-    """Nodes, shells and node sets under the ids that the deck will use."""
+def box_faces(cells):
+    """The faces of a box's grid of `cells` along each axis: (axis, end, i, j, four grid points).
 
-    def __init__(self):
+    Their normals look along the axis: inward where end is 0."""
+    for axis in range(3):
+        u, v = (axis + 1) % 3, (axis + 2) % 3
+        for end in (0, cells[axis]):
+            for i in range(cells[u]):
+                for j in range(cells[v]):
+                    corners = []
+                    for di, dj in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                        grid = [0, 0, 0]
+                        grid[axis], grid[u], grid[v] = end, i + di, j + dj
+                        corners.append(tuple(grid))
+                    yield axis, end, i, j, corners
+
+
+class Mesh:
+    """Nodes, shells and node sets under the ids that the deck will use, nodes and shells from `first` on."""
+
+    def __init__(self, first=1):
+        self.first = first
         self.nodes = {}      # id -> (x, y, z)
         self.shells = {}     # id -> (part, (n1, n2, n3) or (n1, n2, n3, n4))
         self.vectors = {}    # id -> (tail, head)
@@ -19,7 +37,7 @@ class Mesh:
 
     def node(self, x, y, z, number=None):
         """Adds a node under `number`, by default the next free one."""
-        number = number or len(self.nodes) + 1
+        number = number or self.first + len(self.nodes)
         assert number not in self.nodes, f"node {number} is defined twice"
         self.nodes[number] = tuple(round(c, 9) + 0.0 for c in (x, y, z))  # no 1e-17, no -0
         return number
@@ -27,7 +45,7 @@ class Mesh:
     def shell(self, part, *corners):
         """Adds a triangle or quad of `part`; its normal follows the corners' right-hand rule."""
         assert len(corners) in (3, 4) and len(set(corners)) == len(corners)
-        self.shells[len(self.shells) + 1] = (part, corners)
+        self.shells[self.first + len(self.shells)] = (part, corners)
 
     def volume(self):
         """Volume enclosed by the shells, positive when their normals point inward."""
@@ -50,15 +68,15 @@ class Mesh:
             least = min(least, (2.0 if len(x) == 3 else 1.0) * area / max(edges))
         return least
 
-    def check_closed(self):
-        """Every edge is run through once in each direction: closed, and oriented one way."""
+    def check_closed(self, outward=False):
+        """Every edge is run through once in each direction: closed, and oriented one way, inward or outward."""
         edges = set()
         for _, corners in self.shells.values():
             for edge in zip(corners, corners[1:] + corners[:1]):
                 assert edge not in edges, f"edge {edge} is run through twice in one direction"
                 edges.add(edge)
         assert all((b, a) in edges for a, b in edges), "the surface has a free edge"
-        assert self.volume() > 0.0, "the normals point outward"
+        assert (self.volume() < 0.0) == outward, "the normals point the other way"
 
     def write(self, path, comment):
         lines = [f"$ {line}" for line in comment] + ["*KEYWORD", "*NODE"]
