@@ -113,7 +113,9 @@ private:
 
     [[nodiscard]] std::string channel(const Channel& c) const {
         const auto number = [](double value) { return fmt::format("{:.9E}", value); };
-        const auto [least, greatest] = std::minmax_element(c.values.begin(), c.values.end());
+        // the first of each, which minmax_element does not promise
+        const auto least = std::min_element(c.values.begin(), c.values.end());
+        const auto greatest = std::max_element(c.values.begin(), c.values.end());
         const auto time = [&](auto at) {
             return number(interval_ * static_cast<double>(at - c.values.begin()));
         };

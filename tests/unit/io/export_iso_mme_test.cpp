@@ -97,6 +97,7 @@ TEST_CASE("ISO-MME: a body's channels are in SI and named by their codes", "[exp
     CHECK(f.number("First global minimum value") == 0.0);
     CHECK(by_code.at("H0IMPA000000FOR0").values == f.values);
     CHECK(by_code.at("H0IMPA000000VEY0").values == std::vector<double>{3.0, 3.0, 3.0});
+    CHECK(by_code.at("H0IMPA000000VEY0").number("Time of maximum value") == 0.0);  // the first
     CHECK(by_code.at("H0IMPA000000DSZ0").values[0] == 0.0);
     CHECK(by_code.at("H0IMPA000000DSZ0").values[1] == Approx(-5e-3));
 }
