@@ -3,7 +3,8 @@
 /** The bytes behind <script id>: base64 of deflate. */
 async function bytesOf(id) {
     const text = atob(document.getElementById(id).textContent.trim());
-    const packed = Uint8Array.from(text, (c) => c.charCodeAt(0));
+    const packed = new Uint8Array(text.length);
+    for (let k = 0; k < text.length; ++k) packed[k] = text.charCodeAt(k);  // Uint8Array.from is many times slower
     const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
     return new Response(stream).arrayBuffer();
 }
