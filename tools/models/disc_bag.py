@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 # corpuscle: airbag deployment by the corpuscular method
 # SPDX-License-Identifier: MIT
-"""Writes the mesh of models/driver_bag_flat: two discs seamed at their rim, and the inflator's orifices.
+"""Writes the mesh of models/driver_bag_flat, and a coarser one for models/oop_linear: two discs seamed at
+their rim, and the inflator's orifices.
 
 Each disc is a square block, rings of quads round it, and three rings of triangles where the number of
 elements around doubles, so that elements stay near one size from the middle to the rim.
 """
 
 from math import atan2, cos, hypot, pi, sin
+from typing import NamedTuple
 
 from deck import MODELS, Mesh
 
@@ -17,10 +19,7 @@ RADIUS = 360.0                    # of the bag                                  
 INFLATOR_RADIUS = 45.0            # of the fixed disc                                  [mm]
 HALF_GAP = 0.5                    # the discs start 1 mm apart ...                     [mm]
 CLOSING = 28.0                    # ... and close over this last stretch to the rim    [mm]
-BLOCK = 5                         # elements along a side of the square block
-HALF_BLOCK = 28.0                 # half the block's side                              [mm]
-RINGS = ((20, 60.0), (40, 116.0), (80, 230.0), (160, RADIUS))  # around, out to radius [mm]
-WIDTH = 13.6                      # of a ring, about                                   [mm]
+HALF_BLOCK = 28.0                 # half the side of the square block in the middle    [mm]
 DISH = 15.0                       # the fixed disc is dished, to take in the orifices  [mm]
 ORIFICES = 12
 ORIFICE_RADIUS = 15.0             # of the circle they stand on                        [mm]
@@ -28,24 +27,34 @@ ORIFICE_DEPTH = 8.0               # below the rear panel, out of the fabric's re
 JET_RISE = 0.4                    # of a jet's axis, over its run
 
 
-def flat_disc():
+class Grid(NamedTuple):
+    block: int     # elements along a side of the square block
+    rings: tuple   # how many around, out to which radius [mm]
+    width: float   # of a ring, about                     [mm]
+
+
+FINE = Grid(5, ((20, 60.0), (40, 116.0), (80, 230.0), (160, RADIUS)), 13.6)
+COARSE = Grid(3, ((12, 60.0), (24, 116.0), (48, 230.0), (96, RADIUS)), 22.7)
+
+
+def flat_disc(grid):
     """Points of a disc as (x, y), cells as point rows counter-clockwise, the rows on the rim."""
-    points, cells = [], []
-    block = [[None] * (BLOCK + 1) for _ in range(BLOCK + 1)]
-    for i in range(BLOCK + 1):
-        for j in range(BLOCK + 1):
+    n, points, cells = grid.block, [], []
+    block = [[None] * (n + 1) for _ in range(n + 1)]
+    for i in range(n + 1):
+        for j in range(n + 1):
             block[i][j] = len(points)
-            points.append(rounded_square(2.0 * i / BLOCK - 1.0, 2.0 * j / BLOCK - 1.0))
-    for i in range(BLOCK):
-        for j in range(BLOCK):
+            points.append(rounded_square(2.0 * i / n - 1.0, 2.0 * j / n - 1.0))
+    for i in range(n):
+        for j in range(n):
             cells.append((block[i][j], block[i + 1][j], block[i + 1][j + 1], block[i][j + 1]))
     ring = border(block)
 
     start = atan2(*reversed(points[ring[0]]))
     ring = add_ring(points, cells, ring, INFLATOR_RADIUS, len(ring), start)
     inner = INFLATOR_RADIUS
-    for around, outer in RINGS:
-        count = max(1, round((outer - inner) / WIDTH))
+    for around, outer in grid.rings:
+        count = max(1, round((outer - inner) / grid.width))
         for k in range(1, count + 1):
             radius = inner + (outer - inner) * k / count
             ring = add_ring(points, cells, ring, radius, around, start)
@@ -62,7 +71,7 @@ def rounded_square(u, v):
 
 def border(block):
     """The block's border rows, counter-clockwise from its corner (-1, -1)."""
-    n = BLOCK
+    n = len(block) - 1
     return ([block[i][0] for i in range(n)] + [block[n][j] for j in range(n)]
             + [block[i][n] for i in range(n, 0, -1)] + [block[0][j] for j in range(n, 0, -1)])
 
@@ -95,8 +104,8 @@ def dish(x, y):
     return DISH if hypot(x, y) < 0.999 * INFLATOR_RADIUS else 0.0
 
 
-def bag():
-    points, cells, rim = flat_disc()
+def bag(grid):
+    points, cells, rim = flat_disc(grid)
     rim = set(rim)
     mesh = Mesh()
     front = [mesh.node(x, y, 0.0 if i in rim else height(x, y)) for i, (x, y) in enumerate(points)]
@@ -126,7 +135,8 @@ def add_orifices(mesh, fixed):
 
 
 if __name__ == "__main__":
-    bag().write(MODELS / "driver_bag_flat" / "mesh.k",
-                ["Two discs of 720 mm diameter seamed at the rim, 1 mm apart, with a fixed dish and",
-                 "twelve orifices of the inflator in the middle of the rear one; lengths in mm.",
-                 "Written by tools/models/disc_bag.py: change it there."])
+    comment = ["Two discs of 720 mm diameter seamed at the rim, 1 mm apart, with a fixed dish and",
+               "twelve orifices of the inflator in the middle of the rear one; lengths in mm.",
+               "Written by tools/models/disc_bag.py: change it there."]
+    bag(FINE).write(MODELS / "driver_bag_flat" / "mesh.k", comment)
+    bag(COARSE).write(MODELS / "oop_linear" / "mesh_coarse.k", comment)
