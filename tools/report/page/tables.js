@@ -63,8 +63,9 @@ class StudyTable {
     sort(column) {
         this.down = this.column === column && !this.down;
         this.column = column;
-        const order = (a, b) => (a === b ? 0 : a === null ? 1 : b === null ? -1 : a < b ? -1 : 1);
-        this.rows.sort((a, b) => (this.down ? -1 : 1) * order(a[column], b[column]));
+        const order = (a, b) => (a === b ? 0 : (a < b) !== this.down ? -1 : 1);
+        const last = (a, b) => (a === null) - (b === null);  // what has no value is last, up and down
+        this.rows.sort((a, b) => last(a[column], b[column]) || order(a[column], b[column]));
         const shown = table(this.head, this.rows);
         shown.querySelectorAll("th").forEach((th, k) => {
             th.setAttribute("data-sort", "");
