@@ -6,6 +6,7 @@
 #include "fabric/element_frequency.hpp"
 #include "fabric/membrane_block.hpp"
 #include "fabric/membranes.hpp"
+#include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::fabric {
@@ -90,12 +91,18 @@ void Membranes::find_rest_step() {
         for (std::size_t e = 0; e < block->size(); ++e)
             if (block->rate(e) > rate) {
                 rate = block->rate(e);
-                step_ = HeldStep(2.0 / std::sqrt(rate), block->shells[e]);
+                step_ = HeldStep(coat_.shortened(2.0 / std::sqrt(rate)), block->shells[e]);
             }
 }
 
-Membranes::AddedMass Membranes::scale_mass(double step, Scaling where) {
+Membranes::AddedMass Membranes::scale_mass(double wish, Scaling where) {
     AddedMass added{std::vector<double>(node_count_, 0.0), 0.0};
+    const double step = coat_.lengthened(wish);
+    if (step == INF)
+        throw InputError(fmt::format(
+            "DT2MS = {:g} is longer than bending of the coat (ECOAT, TCOAT) allows, expected less "
+            "than {:g}",
+            wish, 1.0 / std::sqrt(coat_.rate())));
     for (const auto& block : blocks_)
         for (std::size_t e = 0; e < block->size(); ++e) {
             const double factor =
