@@ -69,6 +69,24 @@ void check_two_layers(const Tuck& f, const Points& local, double gap) {
             f.name, ramp_start(f), most, 0.5 * gap));
 }
 
+/// What is pushed in must find the bag as wide there as it is itself.
+void check_width(const Tuck& f, const Points& local, double gap, double size) {
+    double over = 0.0;
+    for (const Vec3& p : local) {
+        if (p.x() <= f.line) continue;
+        Range t;  // of the bag within an element of where p comes to lie
+        for (const Vec3& q : local)
+            if (q.x() <= f.line && std::abs(q.x() - (2.0 * f.line - p.x())) < size)
+                t.include(q.y());
+        over = std::max({over, p.y() - t.high, t.low - p.y()});
+    }
+    if (over > gap)
+        throw InputError(fmt::format(
+            "{}: what it pushes in stands out by {:.4g} where it comes to lie, expected a bag that "
+            "gets no wider towards its side",
+            f.name, over));
+}
+
 Points to_local(const Tuck& f, const Points& x) {
     const Mat3 to = frame(f);
     Points local(x.size());
@@ -102,6 +120,7 @@ void choose_bands(Tuck& f, const Points& x, double gap, double size) {
             "it less deep",
             f.name, depth, ramp_start(f), room));
     check_two_layers(f, local, gap);
+    check_width(f, local, gap, size);
 }
 
 void apply(const Tuck& f, double gap, Points& x) {

@@ -88,6 +88,35 @@ TEST_CASE("a coat pushes nowhere and turns nothing", "[fabric][coat]") {
     CHECK(torque.norm() < 1e-13 * greatest(f) * static_cast<double>(x.size()));
 }
 
+TEST_CASE("a coat is the same mirrored and renumbered", "[fabric][coat]") {
+    const Mesh mesh = GENERATE(from_range(std::begin(MESHES), std::end(MESHES)));
+    Sheet sheet = jittered(coated(), mesh, 11);
+    CoatBending coat = coat_of(sheet);
+    const Points x = crumpled(sheet.x, 12), f = bending_force(coat, x);
+    // Node n becomes count - 1 - n and x becomes -x; shells come in reverse, with their corners
+    Sheet other = sheet;
+    other.reference.clear();
+    const std::size_t count = sheet.x.size();
+    const auto mirrored = [](const Vec3& p) { return Vec3(-p.x(), p.y(), p.z()); };
+    Points y(count);
+    for (std::size_t n = 0; n < count; ++n) {
+        other.x[count - 1 - n] = mirrored(sheet.x[n]);
+        y[count - 1 - n] = mirrored(x[n]);
+    }
+    for (Shell& shell : other.shells) {
+        for (Index& n : shell.nodes) n = static_cast<Index>(count) - 1 - n;
+        if (shell.is_triangle())
+            std::swap(shell.nodes[0], shell.nodes[1]);
+        else
+            std::swap(shell.nodes[1], shell.nodes[3]);
+    }
+    std::reverse(other.shells.begin(), other.shells.end());
+    CoatBending twin = coat_of(other);
+    const Points g = bending_force(twin, y);
+    for (std::size_t n = 0; n < count; ++n)
+        CHECK((mirrored(f[n]) - g[count - 1 - n]).norm() < 1e-11 * greatest(f));
+}
+
 TEST_CASE("a coat stores nothing when it lies anywhere or stretches evenly", "[fabric][coat]") {
     const Mesh mesh = GENERATE(from_range(std::begin(MESHES), std::end(MESHES)));
     Sheet sheet = jittered(coated(), mesh, 5);

@@ -169,6 +169,13 @@ TEST_CASE("panels of a deck fold without a crossing, matching or not", "[fold]")
     CHECK(rim_edges(cells).empty());
 }
 
+TEST_CASE("the wider end of a deck's panels cannot be tucked in", "[fold]") {
+    PanelDeck deck;
+    const Recipe recipe = deck.recipe("front = [1]\nback = [2]\n",
+                                      "[[fold]]\nkind = \"tuck\"\nside = \"left\"\nat = 140\n");
+    CHECK_THROWS_WITH(fold::fold(recipe), Catch::Matchers::Contains("stands out by"));
+}
+
 TEST_CASE("a hole in a panel of a deck stays open", "[fold]") {
     PanelDeck deck;
     deck.broken = 3;
