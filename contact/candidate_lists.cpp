@@ -21,6 +21,10 @@ std::uint64_t key_of(bool is_edges, Index first, Index second) {
            static_cast<std::uint64_t>(second);
 }
 
+Vec3 normal_of(const Triangle& t, const Points& x) {
+    return (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).stableNormalized();
+}
+
 bool has_node(const Triangle& t, Index node) {
     return t[0] == node || t[1] == node || t[2] == node;
 }
@@ -86,6 +90,7 @@ void Candidates::build(const Points& x, const Points& v, double t, double dt) {
     sort_memories();
     set_boxes(x);
     near_triangles_.update(triangle_box_);
+    knows_boxes_ = true;
     list_pairs(x);
     forget_parted_pairs();
     if (!freed.empty()) give_gentle_gaps(freed, t);
@@ -94,39 +99,49 @@ void Candidates::build(const Points& x, const Points& v, double t, double dt) {
 /// Boxes of what nodes and triangles may reach; two of them overlap where a gap may come within
 /// reach.
 void Candidates::set_boxes(const Points& x) {
-    parallel::for_each(x.size(), [&](std::size_t n) {
-        const double margin = 0.5 * reach_ * cloth_.node_thickness[n] +
-                              budget_ * motion_.slack(static_cast<Index>(n));
-        const Vec3 sweep = life_ * motion_.velocity(static_cast<Index>(n));
-        node_box_[n] = {x[n] + sweep.cwiseMin(0.0), x[n] + sweep.cwiseMax(0.0)};
-        node_box_[n].inflate(margin);
-    });
+    parallel::for_each(x.size(),
+                       [&](std::size_t n) { set_node_box(static_cast<Index>(n), x[n], life_); });
     normal_.resize(triangle_box_.size());
     parallel::for_each(triangle_box_.size(), [&](std::size_t t) {
-        const auto& [a, b, c] = cloth_.triangles[t];
-        triangle_box_[t] = node_box_[a];
-        triangle_box_[t].include(node_box_[b]);
-        triangle_box_[t].include(node_box_[c]);
-        normal_[t] = (x[b] - x[a]).cross(x[c] - x[a]).stableNormalized();
+        set_triangle_box(static_cast<Index>(t));
+        normal_[t] = normal_of(cloth_.triangles[t], x);
     });
+}
+
+/// @param time  for which the node is predicted [s]
+void Candidates::set_node_box(Index node, const Vec3& from, double time) {
+    const Vec3 sweep = time * motion_.velocity(node);
+    node_box_[node] = {from + sweep.cwiseMin(0.0), from + sweep.cwiseMax(0.0)};
+    node_box_[node].inflate(0.5 * reach_ * cloth_.node_thickness[node] +
+                            budget_ * motion_.slack(node));
+}
+
+void Candidates::set_triangle_box(Index triangle) {
+    const auto& [a, b, c] = cloth_.triangles[triangle];
+    Box& box = triangle_box_[triangle];
+    box = node_box_[a];
+    box.include(node_box_[b]);
+    box.include(node_box_[c]);
 }
 
 void Candidates::list_pairs(const Points& x) {
     const auto pairs = near_triangles_.patch_pairs();
     const std::size_t count = parallel::chunk_count(pairs.size(), CHUNK);
     chunks_.resize(std::max(chunks_.size(), count));
+    const Outlook ahead{x, x, life_, true};
     const auto search = [&](std::size_t begin, std::size_t end, std::size_t c) {
         chunks_[c].list.clear();
         chunks_[c].watch.clear();
         for (std::size_t i = begin; i < end; ++i)
             near_triangles_.for_each_in(pairs[i], [&](Index a, Index b) {
-                if (!stay_apart(a, b, x)) list_pairs_of(a, b, x, chunks_[c]);
+                if (!stay_apart(a, b, ahead)) list_pairs_of(a, b, ahead, chunks_[c]);
             });
     };
     parallel::for_chunks(pairs.size(), search, CHUNK);
 
     list_.clear();
     watch_.clear();
+    dead_ = 0;
     for (std::size_t c = 0; c < count; ++c) {
         list_.insert(list_.end(), chunks_[c].list.begin(), chunks_[c].list.end());
         watch_.insert(watch_.end(), chunks_[c].watch.begin(), chunks_[c].watch.end());
@@ -136,7 +151,7 @@ void Candidates::list_pairs(const Points& x) {
 /// Will the two triangles, as they are predicted to fly, stay out of reach of each other while the
 /// lists live? Boxes of layers overlap long before the layers touch; seen along a layer's normal
 /// they are apart.
-bool Candidates::stay_apart(Index a, Index b, const Points& x) const {
+bool Candidates::stay_apart(Index a, Index b, const Outlook& ahead) const {
     double thickness = 0.0;
     for (const auto& of : cloth_.thickness) thickness = std::max(thickness, 0.5 * (of[a] + of[b]));
     const auto slack = [&](Index t) {
@@ -145,18 +160,21 @@ bool Candidates::stay_apart(Index a, Index b, const Points& x) const {
         return most;
     };
     const double apart = reach_ * thickness + budget_ * (slack(a) + slack(b));
-    return are_parted_along(normal_[a], apart, a, b, x) ||
-           are_parted_along(normal_[b], apart, a, b, x);
+    const auto normal = [&](Index t) {
+        return ahead.is_build ? normal_[t] : normal_of(cloth_.triangles[t], ahead.x);
+    };
+    return are_parted_along(normal(a), apart, a, b, ahead) ||
+           are_parted_along(normal(b), apart, a, b, ahead);
 }
 
 /// Along a fixed axis every node's place is linear in time, and so is each pair's distance: what is
 /// parted by more than `apart`, to the same side, at both ends of the time is so in between.
 bool Candidates::are_parted_along(const Vec3& axis, double apart, Index a, Index b,
-                                  const Points& x) const {
+                                  const Outlook& ahead) const {
     const auto span = [&](Index t, double time) {
         double low = INF, high = -INF;
         for (const Index n : cloth_.triangles[t]) {
-            const double at = axis.dot(x[n] + time * motion_.velocity(n));
+            const double at = axis.dot(ahead.x[n] + time * motion_.velocity(n));
             low = std::min(low, at);
             high = std::max(high, at);
         }
@@ -166,14 +184,14 @@ bool Candidates::are_parted_along(const Vec3& axis, double apart, Index a, Index
     const auto [low_b, high_b] = span(b, 0.0);
     const bool is_above = low_b - high_a > apart;
     if (!is_above && !(low_a - high_b > apart)) return false;
-    const auto [late_low_a, late_high_a] = span(a, life_);
-    const auto [late_low_b, late_high_b] = span(b, life_);
+    const auto [late_low_a, late_high_a] = span(a, ahead.life);
+    const auto [late_low_b, late_high_b] = span(b, ahead.life);
     return is_above ? late_low_b - late_high_a > apart : late_low_a - late_high_b > apart;
 }
 
 /// Nodes of a against b, of b against a, edges of a against edges of b, as far as they own them and
 /// a card has them touch.
-void Candidates::list_pairs_of(Index a, Index b, const Points& x, Chunk& out) const {
+void Candidates::list_pairs_of(Index a, Index b, const Outlook& ahead, Chunk& out) const {
     const Triangle& ta = cloth_.triangles[a];
     const Triangle& tb = cloth_.triangles[b];
     const Rules& rules = cloth_.rules;
@@ -185,7 +203,7 @@ void Candidates::list_pairs_of(Index a, Index b, const Points& x, Chunk& out) co
         const Triangle& n = cloth_.triangles[t];
         if (has_node(n, node) || !node_box_[node].overlaps(triangle_box_[t])) return;
         consider({{node, n[0], n[1], n[2]}, false}, card, key_of(false, node, t),
-                 {from, t, x, out});
+                 {from, t, ahead, out});
     };
     for (int k = 0; k < 3; ++k) {
         if (a_on_b != Rules::NONE && cloth_.owns_node(a, k)) node_against(a_on_b, a, ta[k], b);
@@ -198,7 +216,7 @@ void Candidates::list_pairs_of(Index a, Index b, const Points& x, Chunk& out) co
             if (!cloth_.owns_edge(b, m) || i == r || i == s || j == r || j == s) continue;
             if (!edge.overlaps(edge_box(r, s))) continue;
             consider({{i, j, r, s}, true}, edges,
-                     key_of(true, cloth_.edge[a][k], cloth_.edge[b][m]), {a, b, x, out});
+                     key_of(true, cloth_.edge[a][k], cloth_.edge[b][m]), {a, b, ahead, out});
         }
     }
 }
@@ -234,12 +252,15 @@ double Candidates::slack_of(const Pair& pair) const {
 void Candidates::consider(const Pair& pair, int card, std::uint64_t key,
                           const Meeting& where) const {
     const double thickness = cloth_.gap(card, where.a, where.b);
-    const double gap = nearest(pair, where.x).apart.norm();
+    const Outlook& ahead = where.ahead;
+    double gap = nearest(pair, ahead.x).apart.norm();
     const double certain = reach_ * thickness + budget_ * slack_of(pair);
-    if (gap > certain && gap > certain + life_ * approach_speed(pair)) return;
+    if (gap > certain && gap > certain + ahead.life * approach_speed(pair)) return;
     if (cloth_.is_held(pair) || std::binary_search(barred_.begin(), barred_.end(), key)) return;
     // only what is near has anything to remember
-    const Index memory = gap <= reach_ * thickness ? memory_row(key) : -1;
+    const bool may_know = ahead.is_build && gap <= reach_ * thickness;
+    const Index memory = may_know ? memory_row(key) : -1;
+    if (&ahead.x != &ahead.now) gap = nearest(pair, ahead.now).apart.norm();
     const Index p = cloth_.patch_of[where.a], q = cloth_.patch_of[where.b];
     const int side = cloth_.rules.side_of(card, cloth_.part[where.a], cloth_.part[where.b]);
     where.out.list.push_back({pair, memory, thickness, key, where.a, where.b,

@@ -13,10 +13,11 @@ namespace {
 /// candidates a triangle: in open cloth a wide list costs nothing, in folded cloth every thickness
 /// adds a layer.
 constexpr std::size_t FEW = 2, MANY = 20;
-constexpr double LEAST_BUDGET = 1.0;     ///< in contact thicknesses
+constexpr double LEAST_BUDGET = 0.5;     ///< in contact thicknesses
 constexpr double GREATEST_BUDGET = 0.2;  ///< in edge lengths: neighbours on the cloth would come in
 
 constexpr double LEAST_LIFE = 2.0, GREATEST_LIFE = 100.0;  ///< of the lists, in steps
+constexpr double MOST_STRAYED = 0.02;  ///< part of the nodes that is predicted anew by itself
 constexpr double ADAPTATION = 1.25;  ///< by which budget and life change from one build to the next
 
 }  // namespace
@@ -32,12 +33,13 @@ Candidates::Candidates(const Cloth& cloth, double reach)
 
 void Candidates::foresee(const Points& x, const Points& v, double t, double dt) {
     motion_.foresee(x, v, dt);
-    if (are_spent(dt)) build(x, v, t, dt);
-}
-
-/// Whether the lists might miss a pair in the step ahead.
-bool Candidates::are_spent(double dt) const {
-    return motion_.age() + dt > life_ || motion_.stray() > budget_;
+    if (motion_.age() + dt > life_) return build(x, v, t, dt);
+    if (motion_.stray() <= budget_) return;
+    motion_.list_strayed(budget_, strayed_);
+    if (static_cast<double>(strayed_.size()) > MOST_STRAYED * static_cast<double>(x.size()))
+        return build(x, v, t, dt);
+    renew(x);
+    motion_.foresee(x, v, dt);
 }
 
 bool Candidates::may_meet(std::size_t i) const {
@@ -87,7 +89,9 @@ void Candidates::set_budget(double dt) {
     if (builds_ > 0) {
         if (list_.size() < FEW * cloth_.triangles.size()) budget_ *= ADAPTATION;
         if (list_.size() > MANY * cloth_.triangles.size()) budget_ /= ADAPTATION;
-        steps_ *= motion_.age() + dt > life_ ? ADAPTATION : 1.0 / ADAPTATION;
+        const bool is_worth_it =
+            motion_.age() + dt > life_ && list_.size() <= MANY * cloth_.triangles.size();
+        steps_ *= is_worth_it ? ADAPTATION : 1.0 / ADAPTATION;
     }
     const double least = LEAST_BUDGET * cloth_.greatest_thickness;
     budget_ = std::clamp(budget_, least, std::max(least, GREATEST_BUDGET * cloth_.mean_edge));

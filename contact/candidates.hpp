@@ -27,8 +27,9 @@ struct PairMemory {
 /// Pairs that are near enough to be looked at.
 ///
 /// Lists are built from FCL's patch pairs for what is ahead: each patch sweeps on as it moves, and
-/// may stray from that within a budget. They live until that time is over or a patch is about to
-/// overspend. Between builds a pair is looked at only when the motion since could have brought it
+/// may stray from that within a budget. They live until that time is over. A few nodes that are
+/// about to overspend are predicted anew, and their pairs alone are listed again; only when many
+/// are, all is. Between builds a pair is looked at only when the motion since could have brought it
 /// within reach: a sum of two numbers tells.
 class Candidates {
 public:
@@ -53,7 +54,9 @@ public:
     /// v.
     void foresee(const Points& x, const Points& v, double t, double dt);
 
+    /// Rows, among them some that are no pairs any more.
     [[nodiscard]] std::size_t size() const { return list_.size(); }
+    [[nodiscard]] std::size_t pairs() const { return list_.size() - dead_; }
     [[nodiscard]] const Pair& operator[](std::size_t i) const { return list_[i].pair; }
 
     /// Row of the card by which pair i touches.
@@ -96,12 +99,15 @@ public:
         return close_starts_;
     }
     [[nodiscard]] std::size_t builds() const { return builds_; }
+    /// Times that the pairs of a few nodes were listed anew.
+    [[nodiscard]] std::size_t renewals() const { return renewals_; }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(motion_, budget_, steps_, life_, list_, watch_, memories_, parted_accounts_,
-                crossing_, close_starts_, was_on_, barred_, builds_);
+                crossing_, close_starts_, was_on_, barred_, builds_, renewals_, dead_, node_box_,
+                triangle_box_);
     }
 
 private:
@@ -127,19 +133,31 @@ private:
         const Watch& w = watch_[i];
         return w.sum - motion_.way(w.first) - motion_.way(w.second);
     }
-    [[nodiscard]] bool are_spent(double dt) const;
     void build(const Points& x, const Points& v, double t, double dt);
     void set_budget(double dt);
     void set_boxes(const Points& x);
+    void set_node_box(Index node, const Vec3& from, double time);
+    void set_triangle_box(Index triangle);
     void list_pairs(const Points& x);
+    void renew(const Points& x);
+    void find_renewed_triangles();
+    void drop_renewed_pairs();
+    void list_renewed_pairs(const Points& x);
+    void hand_on_memories(std::size_t first);
     [[nodiscard]] Box edge_box(Index a, Index b) const;
-    [[nodiscard]] bool stay_apart(Index a, Index b, const Points& x) const;
+    struct Outlook {        ///< from where and how far it is looked ahead
+        const Points& x;    ///< predicted positions, to within the budget
+        const Points& now;  ///< where the nodes are
+        double life;        ///< [s]
+        bool is_build;      ///< normals are known, memories sorted
+    };
+    [[nodiscard]] bool stay_apart(Index a, Index b, const Outlook& ahead) const;
     [[nodiscard]] bool are_parted_along(const Vec3& axis, double apart, Index a, Index b,
-                                        const Points& x) const;
-    void list_pairs_of(Index a, Index b, const Points& x, Chunk& out) const;
+                                        const Outlook& ahead) const;
+    void list_pairs_of(Index a, Index b, const Outlook& ahead, Chunk& out) const;
     struct Meeting {  ///< of two triangles
         Index a, b;   ///< rows; the pair's first is of a
-        const Points& x;
+        const Outlook& ahead;
         Chunk& out;
     };
     void consider(const Pair& pair, int card, std::uint64_t key, const Meeting& where) const;
@@ -172,7 +190,16 @@ private:
     std::vector<std::pair<Index, Index>> crossing_, close_starts_;
     std::vector<std::uint8_t> was_on_;   ///< by card: its pairs have met
     std::vector<std::uint64_t> barred_;  ///< pairs of crossing triangles, ascending
-    std::size_t builds_ = 0;
+    std::size_t builds_ = 0, renewals_ = 0;
+
+    /// Of what is listed anew between builds.
+    std::vector<Index> strayed_, renewed_;                    ///< nodes, triangles, ascending
+    std::vector<std::uint8_t> is_renewed_, has_renewed_;      ///< by triangle, by patch
+    std::vector<std::pair<std::uint64_t, Index>> handed_on_;  ///< key and memory of dropped pairs
+    Points predicted_;                                        ///< N × 3                     [m]
+    Chunk renewed_pairs_;
+    std::size_t dead_ = 0;      ///< rows of dropped pairs
+    bool knows_boxes_ = false;  ///< near_triangles_ does; not after a restart
 };
 
 }  // namespace corpuscle::contact

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "solver/base/error.hpp"
@@ -128,6 +129,18 @@ void find_near_nodes(double reach, Cloth& cloth) {
     }
 }
 
+void list_triangles_of_nodes(Cloth& cloth) {
+    cloth.node_start.assign(cloth.inverse_mass.size() + 1, 0);
+    for (const Triangle& t : cloth.triangles)
+        for (const Index n : t) ++cloth.node_start[n + 1];
+    std::partial_sum(cloth.node_start.begin(), cloth.node_start.end(), cloth.node_start.begin());
+    cloth.node_triangle.resize(static_cast<std::size_t>(cloth.node_start.back()));
+    std::vector<Index> next(cloth.node_start.begin(), cloth.node_start.end() - 1);
+    for (std::size_t t = 0; t < cloth.triangles.size(); ++t)
+        for (const Index n : cloth.triangles[t])
+            cloth.node_triangle[next[n]++] = static_cast<Index>(t);
+}
+
 void list_patch_nodes(Cloth& cloth) {
     cloth.patch_of.resize(cloth.triangles.size());
     cloth.patch_node_start.assign(1, 0);
@@ -168,6 +181,7 @@ Cloth::Cloth(const ContactSetup& setup)
         }
     find_owners(*this);
     find_near_nodes(2.0 * greatest_thickness, *this);
+    list_triangles_of_nodes(*this);
     list_patch_nodes(*this);
     list_body_nodes(*this);
 }

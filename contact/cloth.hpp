@@ -54,6 +54,9 @@ struct Cloth {
     std::vector<Index> patch_node;  ///< nodes of patch p: patch_node[patch_node_start[p]] ...
     std::vector<Index> patch_node_start;
 
+    std::vector<Index> node_triangle;  ///< triangles of node n, ascending
+    std::vector<Index> node_start;
+
     std::vector<Index> body_node;   ///< nodes of body b: body_node[body_start[b]] ...
     std::vector<Index> body_start;  ///< of numbers 0 ... greatest, and the end
 
@@ -65,6 +68,10 @@ struct Cloth {
     [[nodiscard]] std::span<const Index> nodes_of_patch(std::size_t p) const {
         return std::span(patch_node)
             .subspan(patch_node_start[p], patch_node_start[p + 1] - patch_node_start[p]);
+    }
+    [[nodiscard]] std::span<const Index> triangles_of(Index node) const {
+        return std::span(node_triangle)
+            .subspan(node_start[node], node_start[node + 1] - node_start[node]);
     }
     [[nodiscard]] bool owns_node(Index triangle, int k) const { return owned[triangle] >> k & 1; }
     [[nodiscard]] bool owns_edge(Index triangle, int k) const {

@@ -20,8 +20,10 @@ struct Contact {
     double rest = 0.0;  ///< gap below which it pushes                                  [m]
     double rest_rate = 0.0;  ///< growth of `rest`                                           [m/s]
     double stiffness = 0.0;  ///< [N/m]
-    double force = 0.0;      ///< repulsion, >= 0                                            [N]
-    double impulse = 0.0;    ///< of the repulsion and of what follows it, normal            [N s]
+    double share =
+        0.0;  ///< (omega)² that it was found for, all contacts of its softest node  [1/s^2]
+    double force = 0.0;    ///< repulsion, >= 0                                            [N]
+    double impulse = 0.0;  ///< of the repulsion and of what follows it, normal            [N s]
     Vec3 rubbed = Vec3::Zero();  ///< by friction, on the first place                          [N s]
     double rate_before = 0.0;    ///< before the kick                                          [m/s]
     std::size_t pair = 0;        ///< candidate row

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "contact/repulsion.hpp"
-
 namespace corpuscle::contact {
 namespace {
 
@@ -54,11 +52,9 @@ void Impulses::settle(double span, Contact& c, double& account, Movement& motion
     const double rate = motion.rate(c);
     const double repay = repay_debt(rate, c, account);
     const double repaid = -repay * (rate + 0.5 * repay / c.mass);
-    // c dt / m of a dashpot c = 2 zeta k / omega, with the omega dt that the stiffness was found
-    // for
+    // c dt / m of a dashpot c = 2 zeta k / omega, with the omega that the stiffness was found for
     const double zeta = 0.01 * card(c).damping;
-    const double strength =
-        2.0 * zeta * c.stiffness * span * span / (std::sqrt(STIFFNESS) * c.mass);
+    const double strength = 2.0 * zeta * c.stiffness * span / (std::sqrt(c.share) * c.mass);
     const double damp = -c.mass * (rate + repay / c.mass) * strength / (1.0 + strength);
     const double impulse = std::max(repay + damp, -c.impulse);  // contacts do not pull
     c.impulse += impulse;

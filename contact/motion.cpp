@@ -90,6 +90,20 @@ double Motion::fastest() const {
     return std::sqrt(square);
 }
 
+void Motion::list_strayed(double budget, std::vector<Index>& out) const {
+    out.clear();
+    for (const Index n : nodes_)
+        if (strays_[n] > budget * slack_[n]) out.push_back(n);
+}
+
+void Motion::renew(std::span<const Index> nodes, const Points& x) {
+    for (const Index n : nodes) {
+        slack_[n] = std::min(MOST_SLACK, MORE_SLACK * slack_[n]);
+        velocity_[n] = relative_[n];
+        base_[n] = x[n] - common_ - age_ * velocity_[n];
+    }
+}
+
 void Motion::restart(const Points& x, double budget) {
     for (const Index n : nodes_) {
         slack_[n] = strays_[n] > USED * budget * slack_[n]

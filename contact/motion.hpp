@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "contact/cloth.hpp"
@@ -26,6 +27,16 @@ public:
     /// Predicts from x on: each node keeps the velocity that was foreseen, less that of all. Nodes
     /// that have used much of their part of the budget get more of it, others less.
     void restart(const Points& x, double budget);
+
+    /// Predicts some nodes anew, from x on as they were foreseen last; they get more slack.
+    void renew(std::span<const Index> nodes, const Points& x);
+
+    /// Nodes that will be farther from their prediction after the step ahead than the budget and
+    /// their slack allow, ascending.
+    void list_strayed(double budget, std::vector<Index>& out) const;
+
+    /// Where a node is predicted to be now, less the motion of all since the restart.        [m]
+    [[nodiscard]] Vec3 predicted(Index node) const { return base_[node] + age_ * velocity_[node]; }
 
     /// Bound of a patch's displacements, summed since the start: two nodes of patches a and b
     /// cannot have come nearer to each other than by what way(a) + way(b) has grown. [m]

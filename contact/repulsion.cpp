@@ -6,10 +6,18 @@
 #include <cmath>
 
 namespace corpuscle::contact {
+namespace {
+
+/// In parts of 1 / dt²: what a step of 0.9 of the membrane's limit leaves free of 4, but for a
+/// margin; that and what the membrane has taken; the most that one pair makes use of.
+constexpr double LEAST = 0.5, ALL = 0.9 * 0.9 * 4.0 + LEAST, MOST = 2.0;
+
+}  // namespace
 
 Repulsion::Repulsion(const Cloth& cloth)
     : cloth_(cloth),
       shared_by_(cloth.inverse_mass.size()),
+      share_(cloth.inverse_mass.size()),
       body_shared_by_(cloth.body_start.size() - 1) {}
 
 void Repulsion::count_sharers(const ContactList& contacts) {
@@ -22,32 +30,49 @@ void Repulsion::count_sharers(const ContactList& contacts) {
     });
 }
 
-/// Least m / N of the contact's free nodes; INF: none of them is free.                    [kg]
-double Repulsion::softest_node(const Contact& c) const {
-    double softest = INF;
+/// What each node may give to its contacts.
+void Repulsion::share_limits(double dt, const OwnRates& own) {
+    body_share_ = LEAST / (dt * dt);
+    if (own.rate.empty()) {
+        std::fill(share_.begin(), share_.end(), body_share_);
+        return;
+    }
+    const double all = ALL / (dt * dt), most = MOST / (dt * dt);
+    for (std::size_t n = 0; n < share_.size(); ++n)
+        share_[n] = std::clamp(all - own.stiffening * own.rate[n], body_share_, most);
+}
+
+/// Of the node or body that bears least; none where the places that touch are held.
+void Repulsion::set_stiffness(const Points& x, std::span<const RigidMover> bodies,
+                              Contact& c) const {
+    double least = INF;
+    const auto bears = [&](double share, double inverse_mass, double shared_by) {
+        const double stiffness = share / (inverse_mass * shared_by);
+        if (stiffness >= least) return;
+        least = stiffness;
+        c.share = share;
+    };
     for (int i = 0; i < 4; ++i) {
         const double inverse = cloth_.inverse_mass[c.node[i]];
         if (c.weight[i] == 0.0 || inverse == 0.0) continue;
-        softest = std::min(softest, 1.0 / (inverse * shared_by_[c.node[i]]));
+        bears(c.on_body ? body_share_ : share_[c.node[i]], inverse, shared_by_[c.node[i]]);
     }
-    return softest;
+    if (c.on_body)
+        for_bodies_of(cloth_, c, [&](Index b) {
+            const double inverse = inverse_mass(bodies[b], b, cloth_, x, c, c.normal);
+            if (inverse > 0.0) bears(body_share_, inverse, body_shared_by_[b]);
+        });
+    if (least < INF) c.stiffness = least;
 }
 
 void Repulsion::find(double dt, const Points& x, std::span<const RigidMover> bodies,
-                     ContactList& contacts) {
+                     const OwnRates& own, ContactList& contacts) {
     count_sharers(contacts);
+    share_limits(dt, own);
     contacts.for_each_apart([&](Contact& c) {
         c.stiffness = c.force = 0.0;
         if (c.gap >= c.rest) return;
-        double softest = softest_node(c);
-        if (c.on_body)
-            for_bodies_of(cloth_, c, [&](Index b) {
-                const double inverse = inverse_mass(bodies[b], b, cloth_, x, c, c.normal);
-                if (inverse > 0.0)
-                    softest = std::min(softest, 1.0 / (inverse * body_shared_by_[b]));
-            });
-        if (softest == INF) return;  // the places that touch are held
-        c.stiffness = STIFFNESS / (dt * dt) * softest;
+        set_stiffness(x, bodies, c);
         c.force = c.stiffness * (c.rest - c.gap);
     });
 }

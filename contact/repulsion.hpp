@@ -8,25 +8,30 @@
 
 namespace corpuscle::contact {
 
-/// Share of the stability limit that contact takes: its stiffness keeps (omega dt)² <= STIFFNESS,
-/// and with a step of 0.9 of the membrane's limit (3.24) the sum stays below the 4 of central
-/// differences.
-inline constexpr double STIFFNESS = 0.5;
+/// What the membranes take of the nodes' stability: K <= diag(m · rate · stiffening). Without rates
+/// they are held to take all that a step of 0.9 of their limit leaves them, 3.24 / dt².
+struct OwnRates {
+    std::span<const double> rate = {};  ///< by node row; of free nodes                    [1/s^2]
+    double stiffening = 1.0;            ///< [-]
+};
 
 /// Elastic repulsion of contacts, linear in the missing gap:
 ///
-///     F = k max(0, rest - gap),   k = STIFFNESS / dt² · min over its nodes of m / N,
-///     N = sum of 2 |weight| over the contacts that push the node
+///     F = k max(0, rest - gap),   k = 1 / dt² · min over its nodes of s m / N,
+///     N = sum of 2 |weight| over the contacts that push the node,
+///     s = min(2, 3.74 - dt² · rate · stiffening), at least 0.5
 ///
-/// The row sums of M⁻¹K are then at most STIFFNESS / dt² [Gershgorin 1931], however many contacts
-/// share a node. A rigid body counts as one node, with the mass that it has at the contact and N
-/// twice the number of its contacts.
+/// The row sums of M⁻¹K are then at most s / dt² [Gershgorin 1931], however many contacts share a
+/// node, and with the membrane's own stay below the 4 / dt² of central differences. Of a pair alone
+/// s is (omega dt)²: with 2 it parts two steps after it has met, as fast as it came. A rigid body
+/// counts as one node, with the mass that it has at the contact and N twice the number of its
+/// contacts; s of a contact with it is 0.5.
 class Repulsion {
 public:
     explicit Repulsion(const Cloth& cloth);
 
     /// Sets stiffness and force of all contacts.
-    void find(double dt, const Points& x, std::span<const RigidMover> bodies,
+    void find(double dt, const Points& x, std::span<const RigidMover> bodies, const OwnRates& own,
               ContactList& contacts);
 
     /// Adds the forces to f; their sum is zero.
@@ -34,10 +39,13 @@ public:
 
 private:
     void count_sharers(const ContactList& contacts);
-    [[nodiscard]] double softest_node(const Contact& contact) const;
+    void share_limits(double dt, const OwnRates& own);
+    void set_stiffness(const Points& x, std::span<const RigidMover> bodies, Contact& c) const;
 
     const Cloth& cloth_;
     std::vector<double> shared_by_;       ///< N of each node row
+    std::vector<double> share_;           ///< s of each node row, over dt²                [1/s^2]
+    double body_share_ = 0.0;             ///< s of rigid bodies: the least, over dt²      [1/s^2]
     std::vector<double> body_shared_by_;  ///< N of each rigid body
 };
 

@@ -7,7 +7,6 @@
 
 #include "contact/crossing_guard.hpp"
 #include "contact/impulses.hpp"
-#include "contact/repulsion.hpp"
 
 namespace corpuscle::contact {
 namespace {
@@ -146,7 +145,8 @@ void SurfaceContact::State::set_rest_gap(double thickness, Contact& contact) {
 
 void SurfaceContact::State::count() {
     counts.builds = pairs.builds();
-    counts.candidates = pairs.size();
+    counts.renewals = pairs.renewals();
+    counts.candidates = pairs.pairs();
     counts.near = counts.touching = 0;
     counts.impacts = guard.impacts();
     counts.clumps = guard.clumps();
@@ -159,9 +159,9 @@ void SurfaceContact::State::count() {
 }
 
 void SurfaceContact::add_force(const Points& x, const Points& /*v*/, double dt, Points& f,
-                               std::span<const RigidMover> bodies) {
+                               std::span<const RigidMover> bodies, const OwnRates& own) {
     State& s = *state_;
-    s.repulsion.find(std::max(dt, s.dt_last), x, bodies, s.contacts);
+    s.repulsion.find(std::max(dt, s.dt_last), x, bodies, own, s.contacts);
     s.let_debtors_part();
     s.repulsion.add(s.contacts, f);
     s.span = 0.5 * (s.dt_last + dt);

@@ -10,6 +10,7 @@
 
 #include "contact/cloth.hpp"
 #include "contact/movers.hpp"
+#include "contact/repulsion.hpp"
 #include "solver/base/archive.hpp"
 
 namespace corpuscle::contact {
@@ -17,6 +18,7 @@ namespace corpuscle::contact {
 /// What contact has found and done.
 struct ContactCounts {
     std::size_t builds = 0;        ///< of the pair lists, so far
+    std::size_t renewals = 0;      ///< of the lists of a few nodes alone, so far
     std::size_t candidates = 0;    ///< pairs in the lists now
     std::size_t near = 0;          ///< pairs within reach in this step
     std::size_t touching = 0;      ///< pairs that push now
@@ -52,8 +54,9 @@ public:
               std::span<const RigidMover> bodies = {});
 
     /// Adds repulsion to f. It is taken to act for half the last step and half this one.
+    /// @param own  what the nodes' own forces take of the stability that the step has
     void add_force(const Points& x, const Points& v, double dt, Points& f,
-                   std::span<const RigidMover> bodies = {});
+                   std::span<const RigidMover> bodies = {}, const OwnRates& own = {});
 
     /// Damping, friction, and the limit of approach for the step ahead; changes velocities only,
     /// and what the bodies have taken.

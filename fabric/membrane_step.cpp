@@ -6,7 +6,6 @@
 #include "fabric/element_frequency.hpp"
 #include "fabric/membrane_block.hpp"
 #include "fabric/membranes.hpp"
-#include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::fabric {
@@ -91,18 +90,27 @@ void Membranes::find_rest_step() {
         for (std::size_t e = 0; e < block->size(); ++e)
             if (block->rate(e) > rate) {
                 rate = block->rate(e);
-                step_ = HeldStep(coat_.shortened(2.0 / std::sqrt(rate)), block->shells[e]);
+                step_ = HeldStep(2.0 / std::sqrt(rate), block->shells[e]);
             }
+    find_node_rates();
 }
 
-Membranes::AddedMass Membranes::scale_mass(double wish, Scaling where) {
+/// Every element has K_e <= rate_e M_e, so the sum over elements is below the diagonal of the
+/// nodes' mean rates, weighted by the mass that they have lent.
+void Membranes::find_node_rates() {
+    node_rate_.assign(node_count_, 0.0);
+    std::vector<double> lent(node_count_, 0.0);
+    for_corners(blocks_,
+                [&](const MembraneBlock& b, std::size_t e, std::size_t corner, std::size_t node) {
+                    node_rate_[node] += b.rate(e) * b.mass[corner];
+                    lent[node] += b.mass[corner];
+                });
+    for (std::size_t n = 0; n < node_count_; ++n)
+        if (lent[n] > 0.0) node_rate_[n] /= lent[n];
+}
+
+Membranes::AddedMass Membranes::scale_mass(double step, Scaling where) {
     AddedMass added{std::vector<double>(node_count_, 0.0), 0.0};
-    const double step = coat_.lengthened(wish);
-    if (step == INF)
-        throw InputError(fmt::format(
-            "DT2MS = {:g} is longer than bending of the coat (ECOAT, TCOAT) allows, expected less "
-            "than {:g}",
-            wish, 1.0 / std::sqrt(coat_.rate())));
     for (const auto& block : blocks_)
         for (std::size_t e = 0; e < block->size(); ++e) {
             const double factor =
@@ -113,6 +121,8 @@ Membranes::AddedMass Membranes::scale_mass(double wish, Scaling where) {
                     (factor - 1.0) * block->mass[e * static_cast<std::size_t>(block->corners) +
                                                  static_cast<std::size_t>(c)];
                 added.node[static_cast<std::size_t>(block->node(e, c))] += more;
+                block->mass[e * static_cast<std::size_t>(block->corners) +
+                            static_cast<std::size_t>(c)] += more;
                 added.total += more;
             }
             block->set_rate(e, 4.0 / (step * step));

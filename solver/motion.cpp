@@ -33,6 +33,12 @@ void Simulation::kick(double dt, double span) {
     supports_.hold(clock_.t, dt, span, nodes_);
 }
 
+/// What the fabric leaves of the nodes' stability is contact's.
+contact::OwnRates Simulation::fabric_rates() const {
+    if (fabric_.empty()) return {};
+    return {fabric_.front().node_rates(), fabric_.front().stiffening()};
+}
+
 void Simulation::move_bodies(double dt, double span) {
     if (bodies_.empty()) return;
     const RigidBody::Field field{loads_.acceleration(clock_.t), mass_damping()};

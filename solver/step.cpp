@@ -74,7 +74,8 @@ void Simulation::find_forces(double dt, double span, Stopwatch& lap) {
     std::fill(contact_force_.f.begin(), contact_force_.f.end(), Vec3::Zero());
     for (contact::SurfaceContact& contact : contacts_) {
         contact.find(nodes_.x, nodes_.v, clock_.t, dt, movers_);                lap("contact search");
-        contact.add_force(nodes_.x, nodes_.v, dt, contact_force_.f, movers_);   lap("contact force");
+        contact.add_force(nodes_.x, nodes_.v, dt, contact_force_.f, movers_,
+                          fabric_rates());                                      lap("contact force");
     }
     loads_.find_force(clock_.t, nodes_.x, nodes_.mass, load_force_.f);
     add_mass_damping();                                                         lap("loads");

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <map>
 #include <random>
 #include <set>
 
@@ -210,6 +211,54 @@ TEST_CASE("whatever is near is due, and whatever may meet is known, as in a list
     CHECK(near > 100);
     CHECK(pairs.builds() < 100);
     CHECK(pairs.builds() > 2);
+}
+
+TEST_CASE("nodes that dash off are predicted anew and nothing that they come near is missed",
+          "[contact]") {
+    support::Sheet sheet = support::square_sheet(12, 0.12);
+    sheet.append(support::square_sheet(12, 0.12), {0.001, 0.002, 4e-3});
+    support::SpringCloth cloth(sheet);
+    ContactCard card;
+    card.thickness = 1e-3;
+    const Cloth fixed(cloth.setup(card, sheet.x));
+    constexpr double REACH = 1.5, DT = 1e-5;
+    const auto everything = all_pairs(sheet.triangles, sheet.x.size());
+    Candidates pairs(fixed, REACH);
+    std::size_t near = 0, missed = 0;
+    for (int n = 0; n < 200; ++n) {
+        // four nodes stand, dash to the other sheet, stand there, and dash back, one after the
+        // other
+        const auto place = [&](double t) {
+            Points x = sheet.x;
+            for (const std::size_t node : {40, 97, 200, 260}) {
+                const double at = std::fmod(t / DT + 0.1 * static_cast<double>(node), 80.0);
+                const double a = std::clamp(0.1 * (at - 30.0), 0.0, 1.0) -
+                                 std::clamp(0.1 * (at - 70.0), 0.0, 1.0);
+                x[node].z() += (node < 169 ? 1.0 : -1.0) * 3.4e-3 * a;
+                x[node].x() += 8e-3 * a;
+            }
+            return x;
+        };
+        const Points x = place(n * DT), next = place((n + 1) * DT);
+        Points v(x.size());
+        for (std::size_t i = 0; i < x.size(); ++i) v[i] = (next[i] - x[i]) / DT;
+        if (n == 0)
+            pairs.start(x, v, 0.0, DT, std::vector<std::uint8_t>{1});
+        else
+            pairs.follow(x, n * DT);
+        pairs.foresee(x, v, n * DT, DT);
+        std::map<Named, int> due;
+        for (std::size_t i = 0; i < pairs.size(); ++i)
+            if (pairs.is_due(i)) ++due[name(pairs[i])];
+        for (const Pair& pair : everything) {
+            if (nearest(pair, corners(pair, x)).apart.norm() >= REACH * card.thickness) continue;
+            ++near;
+            missed += due[name(pair)] != 1;  // and none is listed twice
+        }
+    }
+    CHECK(near > 100);
+    CHECK(missed == 0);
+    CHECK(pairs.renewals() > 3);
 }
 
 TEST_CASE("cloth that flies without changing builds its lists once", "[contact]") {
