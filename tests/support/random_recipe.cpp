@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <random>
 
 namespace corpuscle::support {
@@ -80,6 +81,17 @@ std::string random_recipe(unsigned seed, bool is_oblique) {
     for (int i = 0, axis = draw.below(2); i < folds; ++i, axis = 1 - axis)
         text += fold(draw, half, is_oblique ? draw.in(-90.0, 90.0) : 90.0 * axis);
     return text;
+}
+
+std::string random_tuck_recipe(unsigned seed) {
+    Draw draw(seed);
+    double half = 0.0;
+    std::string text = pattern(draw, half);
+    const int axis = draw.below(2);
+    const char* side = std::array{"right", "left", "both"}[static_cast<std::size_t>(draw.below(3))];
+    text += fmt::format("[[fold]]\nkind = \"tuck\"\nangle = {}\nside = \"{}\"\nat = {}\n",
+                        90.0 * axis, side, draw.in(0.55, 0.75) * half);
+    return text + fold(draw, half, 90.0 * (1 - axis));
 }
 
 }  // namespace corpuscle::support

@@ -10,4 +10,7 @@ namespace corpuscle::support {
 /// three folds of any kind, along the axes or, with `is_oblique`, in any direction. Units: mm.
 [[nodiscard]] std::string random_recipe(unsigned seed, bool is_oblique);
 
+/// The same without holes and tethers: a side or both tucked in, then a fold across.
+[[nodiscard]] std::string random_tuck_recipe(unsigned seed);
+
 }  // namespace corpuscle::support
