@@ -52,7 +52,7 @@ std::vector<BlockInput> sort_into_blocks(const MembraneSetup& setup) {
         const Material& material = setup.materials[static_cast<std::size_t>(part.material)];
         if (const auto [law, is_new] = laws.try_emplace(shell.part); is_new) {
             try {
-                law->second = make_law(material, setup.curves);
+                law->second = make_law(material, setup.curves, part.thickness);
             } catch (const InputError& e) {
                 faults.insert(faults.end(), e.faults.begin(), e.faults.end());
             }
@@ -108,9 +108,12 @@ Membranes::Membranes(const MembraneSetup& setup)
     damping_gather_ = gather_of(setup.node_count, /*damped=*/true);
     gather_check_.resize(chunks_of(gather_));
     damping_check_.resize(chunks_of(damping_gather_));
-    find_rest_rates(setup.node_mass.empty()
-                        ? lumped_mass(setup)
-                        : std::vector<double>(setup.node_mass.begin(), setup.node_mass.end()));
+    const std::vector<double> mass =
+        setup.node_mass.empty()
+            ? lumped_mass(setup)
+            : std::vector<double>(setup.node_mass.begin(), setup.node_mass.end());
+    coat_ = CoatBending(setup, mass);
+    find_rest_rates(mass);
 }
 
 Membranes::~Membranes() = default;

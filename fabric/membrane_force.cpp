@@ -60,6 +60,7 @@ Index Membranes::add_force(const Points& x, const Points& v, Points& f) {
         },
         GATHER_NODES);
     gather_damping(f);
+    coat_.add_force(x, f);
     reduce();
     return all_finite() ? -1 : first_broken(x);
 }
@@ -97,7 +98,8 @@ void Membranes::reduce() {
             shell = found_[i].shell;
         }
     }
-    if (rate > 0.0) step_.take(2.0 / std::sqrt(rate), shell);
+    coat_.add_energy(part_energy_);
+    if (rate > 0.0) step_.take(coat_.shortened(2.0 / std::sqrt(rate)), shell);
     book_restored();
 }
 

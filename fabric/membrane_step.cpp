@@ -6,6 +6,7 @@
 #include "fabric/element_frequency.hpp"
 #include "fabric/membrane_block.hpp"
 #include "fabric/membranes.hpp"
+#include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::fabric {
@@ -90,7 +91,7 @@ void Membranes::find_rest_step() {
         for (std::size_t e = 0; e < block->size(); ++e)
             if (block->rate(e) > rate) {
                 rate = block->rate(e);
-                step_ = HeldStep(2.0 / std::sqrt(rate), block->shells[e]);
+                step_ = HeldStep(coat_.shortened(2.0 / std::sqrt(rate)), block->shells[e]);
             }
     find_node_rates();
 }
@@ -106,11 +107,17 @@ void Membranes::find_node_rates() {
                     lent[node] += b.mass[corner];
                 });
     for (std::size_t n = 0; n < node_count_; ++n)
-        if (lent[n] > 0.0) node_rate_[n] /= lent[n];
+        if (lent[n] > 0.0) node_rate_[n] = node_rate_[n] / lent[n] + coat_.rate();
 }
 
-Membranes::AddedMass Membranes::scale_mass(double step, Scaling where) {
+Membranes::AddedMass Membranes::scale_mass(double wish, Scaling where) {
     AddedMass added{std::vector<double>(node_count_, 0.0), 0.0};
+    const double step = coat_.lengthened(wish);
+    if (step == INF)
+        throw InputError(fmt::format(
+            "DT2MS = {:g} is longer than bending of the coat (ECOAT, TCOAT) allows, expected less "
+            "than {:g}",
+            wish, 1.0 / std::sqrt(coat_.rate())));
     for (const auto& block : blocks_)
         for (std::size_t e = 0; e < block->size(); ++e) {
             const double factor =

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "fabric/coat_bending.hpp"
 #include "fabric/held_step.hpp"
 #include "fabric/membrane_setup.hpp"
 
@@ -45,7 +46,8 @@ public:
     /// @returns  row of the first shell whose strain or force is not finite, -1 when all are
     [[nodiscard]] Index add_force(const Points& x, const Points& v, Points& f);
 
-    /// Energy stored at the last add_force, hourglass control included; all and by part row.    [J]
+    /// Energy stored at the last add_force, hourglass control and bent coats included; all and by
+    /// part row.    [J]
     [[nodiscard]] double strain_energy() const;
     [[nodiscard]] std::span<const double> part_strain_energy() const { return part_energy_; }
 
@@ -91,9 +93,9 @@ public:
         double total = 0.0;        ///< may be negative when the step was forced on all       [kg]
     };
     enum class Scaling { WHERE_NEEDED, EVERYWHERE };  ///< DT2MS < 0, DT2MS > 0
-    /// Gives elements the mass for which `step` is stable at their reference shape; stable_step()
-    /// knows of it from then on.
-    AddedMass scale_mass(double step, Scaling where);
+    /// Gives elements the mass for which the step `wish` is stable at their reference shape;
+    /// stable_step() knows of it from then on.
+    AddedMass scale_mass(double wish, Scaling where);
 
     /// For pictures, warp, weft and shear of every shell's mean strain, zeros for inactive ones (E
     /// × 3): Green strain E11, E22, 2·E12, and the true stress of cloth of unchanged volume on its
@@ -101,12 +103,14 @@ public:
     void stress_strain(const Points& x, std::span<std::array<float, 3>> stress,
                        std::span<std::array<float, 3>> strain) const;
 
-    /// Bound of the membranes' stiffness by node, K <= diag(m · rate · stiffening()): what else
-    /// acts on a node may take of a step's stability what this leaves. N [1/s^2]
+    /// Bound of the membranes' stiffness by node, coats included, K <= diag(m · rate ·
+    /// stiffening()): what else acts on a node may take of a step's stability what this leaves. N
+    /// [1/s^2]
     [[nodiscard]] const std::vector<double>& node_rates() const { return node_rate_; }
     /// Largest growth of an element's rate over that of its reference shape, in the last add_force.
     [[nodiscard]] double stiffening() const { return stiffening_; }
 
+    [[nodiscard]] const CoatBending& coat() const { return coat_; }
     [[nodiscard]] std::size_t element_count() const { return element_count_; }
 
 private:
@@ -167,6 +171,7 @@ private:
     double lost_energy_ = 0.0, restored_energy_ = 0.0;
     std::size_t element_count_ = 0, node_count_ = 0;
     HeldStep step_;
+    CoatBending coat_;
 };
 
 }  // namespace corpuscle::fabric

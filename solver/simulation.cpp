@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "solver/base/error.hpp"
@@ -158,6 +159,14 @@ void Simulation::build_fabric() {
     shell_mass_ = fabric::shell_mass(setup);
     active_shells_ = static_cast<std::size_t>(std::count(active_.begin(), active_.end(), 1));
     if (active_shells_ > 0) fabric_.push_back(membranes_at(0.0));
+    for (const fabric::Membranes& fabric : fabric_)
+        for (const auto& [part, inner, sewn] : fabric.coat().parts())
+            if (sewn > 0)
+                model_.warnings.push_back(fmt::format(
+                    "part {}: its coat bends at {} of {} inner nodes; at the others the reference "
+                    "shape has a seam, or is bent by more than {:.2g} degrees along an edge",
+                    model_.parts[part].id, inner - sewn, inner,
+                    fabric::CoatBending::SEAM * 180.0 / std::numbers::pi));
     using Scaling = fabric::Membranes::Scaling;
     for (fabric::Membranes& fabric : fabric_) {
         if (model_.step_mass_scaled == 0.0) break;

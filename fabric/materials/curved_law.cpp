@@ -25,13 +25,10 @@ LoadingLoop loop(const FabricCard& c, std::span<const Curve> curves, std::size_t
 }
 
 template <class Measure>
-Law curved(const FabricCard& c, YarnLoops loops) {
-    const bool has_liner = c.liner_E > 0 && c.liner_ratio > 0 && !c.liner_waits;
-    const PlaneModuli liner =
-        has_liner ? c.liner_ratio * isotropic_moduli(c.liner_E, c.liner_nu) : PlaneModuli{};
+Law curved(YarnLoops loops, const PlaneModuli& layers) {
     if (loops.warp.remembers() || loops.weft.remembers() || loops.shear.remembers())
-        return Looped<Measure>(std::move(loops), liner);
-    return Curved<Measure>(std::move(loops), liner);
+        return Looped<Measure>(std::move(loops), layers);
+    return Curved<Measure>(std::move(loops), layers);
 }
 
 }  // namespace
@@ -55,10 +52,10 @@ std::vector<CurveFault> curve_faults(const FabricCard& card, std::span<const Cur
     return faults;
 }
 
-Law curved_law(const FabricCard& card, std::span<const Curve> curves) {
+Law curved_law(const FabricCard& card, std::span<const Curve> curves, const PlaneModuli& layers) {
     YarnLoops loops{loop(card, curves, 0), loop(card, curves, 1), loop(card, curves, 2)};
-    return card.form == 14 ? curved<EngineeringMeasure>(card, std::move(loops))
-                           : curved<GreenMeasure>(card, std::move(loops));
+    return card.form == 14 ? curved<EngineeringMeasure>(std::move(loops), layers)
+                           : curved<GreenMeasure>(std::move(loops), layers);
 }
 
 }  // namespace corpuscle::fabric

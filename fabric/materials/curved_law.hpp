@@ -7,6 +7,7 @@
 namespace corpuscle::fabric {
 
 /// The law of a card with curves for which curve_faults() finds nothing.
-Law curved_law(const FabricCard& card, std::span<const Curve> curves);
+/// @param layers  that stretch with the cloth and always take compression
+Law curved_law(const FabricCard& card, std::span<const Curve> curves, const PlaneModuli& layers);
 
 }  // namespace corpuscle::fabric

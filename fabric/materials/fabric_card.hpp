@@ -48,6 +48,9 @@ struct FabricCard {
     double liner_nu = 0.0;          ///< PRL                                                   [-]
     double liner_ratio = 0.0;       ///< LRATIO: liner thickness / fabric thickness            [-]
     bool liner_waits = false;       ///< LNRC = 1: no compression until it has once been taut
+    double coat_E = 0.0;            ///< ECOAT                                                 [Pa]
+    double coat_thickness = 0.0;    ///< |TCOAT|, of the coat on each side                     [m]
+    bool coat_stretches = true;     ///< TCOAT > 0: it adds to the membrane; else it only bends
     double damping = 0.0;           ///< DAMP: share of critical, on the strain rate           [-]
     int axes = 0;                   ///< AOPT: 0 nodes 1-2 (+ BETA), 2 vector A, 3 V × normal
     Vec3 a = Vec3::UnitX();         ///< A1-A3, for AOPT 2
@@ -67,6 +70,7 @@ struct FabricCard {
     bool leak_from_reference = false;  ///< A0REF = 1: the reference shape's area counts
     std::optional<std::array<double, 4>> leak_growth;  ///< X0-X3, instead of FLC and FAC    [-]
 
+    [[nodiscard]] bool has_coat() const { return coat_E > 0.0 && coat_thickness > 0.0; }
     [[nodiscard]] bool leaks() const {
         const bool has_area = leak_area != 0.0 || leak_area_curve >= 0;
         const bool has_velocity = leak_velocity != 0.0 || leak_velocity_curve >= 0;

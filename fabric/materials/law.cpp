@@ -28,6 +28,8 @@ void check(Faults& faults, const Material& m, const FabricCard& c) {
     require(faults, c.damping >= 0, m, "DAMP", c.damping, ">= 0");
     require(faults, c.liner_E >= 0, m, "EL", c.liner_E, ">= 0");
     require(faults, c.liner_ratio >= 0, m, "LRATIO", c.liner_ratio, ">= 0");
+    require(faults, c.coat_E >= 0, m, "ECOAT", c.coat_E, ">= 0");
+    require(faults, c.coat_thickness >= 0, m, "TCOAT", c.coat_thickness, "a thickness");
     require(faults, c.liner_nu > -1 && c.liner_nu < 1, m, "PRL", c.liner_nu, "-1 < PRL < 1");
 }
 
@@ -38,9 +40,8 @@ void check(Faults& faults, const Material& m, const ElasticCard& c) {
 }
 
 template <class Fabric>
-Law maybe_lined(const Fabric& fabric, const FabricCard& c) {
-    const PlaneModuli liner = c.liner_ratio * isotropic_moduli(c.liner_E, c.liner_nu);
-    if (liner.warp > 0 && !c.liner_waits) return Lined<Fabric>(fabric, liner);
+Law maybe_lined(const Fabric& fabric, const PlaneModuli& layers) {
+    if (layers.warp > 0) return Lined<Fabric>(fabric, layers);
     return fabric;
 }
 
@@ -50,17 +51,26 @@ bool is_isotropic(const FabricCard& c) {
            std::abs(2.0 * c.G * (1.0 + c.nu_ba) - c.E_warp) < ROUNDING * c.E_warp;
 }
 
-Law fabric_law(const FabricCard& c, std::span<const Curve> curves) {
-    if (c.curves.any()) return curved_law(c, curves);
+Law fabric_law(const FabricCard& c, std::span<const Curve> curves, const PlaneModuli& layers) {
+    if (c.curves.any()) return curved_law(c, curves, layers);
     if (!c.no_compression)
-        return maybe_lined(Linear(orthotropic_moduli(c.E_warp, c.E_weft, c.nu_ba, c.G)), c);
-    if (is_isotropic(c)) return maybe_lined(IsotropicTensionField(c.E_warp, c.nu_ba), c);
-    return maybe_lined(OrthotropicTensionField(c.E_warp, c.E_weft, c.nu_ba, c.G), c);
+        return maybe_lined(Linear(orthotropic_moduli(c.E_warp, c.E_weft, c.nu_ba, c.G)), layers);
+    if (is_isotropic(c)) return maybe_lined(IsotropicTensionField(c.E_warp, c.nu_ba), layers);
+    return maybe_lined(OrthotropicTensionField(c.E_warp, c.E_weft, c.nu_ba, c.G), layers);
 }
 
 }  // namespace
 
-PartLaw make_law(const Material& material, std::span<const Curve> curves) {
+PlaneModuli layer_moduli(const FabricCard& c, double thickness) {
+    PlaneModuli all;
+    if (c.liner_E > 0 && c.liner_ratio > 0 && !c.liner_waits)
+        all = all + c.liner_ratio * isotropic_moduli(c.liner_E, c.liner_nu);
+    if (c.has_coat() && c.coat_stretches)
+        all = all + 2.0 * c.coat_thickness / thickness * isotropic_moduli(c.coat_E, 0.0);
+    return all;
+}
+
+PartLaw make_law(const Material& material, std::span<const Curve> curves, double thickness) {
     Faults faults;
     if (const auto* fabric = std::get_if<FabricCard>(&material.card)) {
         check(faults, material, *fabric);
@@ -68,7 +78,11 @@ PartLaw make_law(const Material& material, std::span<const Curve> curves) {
             faults.push_back(fmt::format("material {}: {}, expected {}", material.id, fault.field,
                                          fault.expected));
         if (faults.empty()) {
-            PartLaw law{fabric_law(*fabric, curves), fabric->density, fabric->damping, {}, {}};
+            PartLaw law{fabric_law(*fabric, curves, layer_moduli(*fabric, thickness)),
+                        fabric->density,
+                        fabric->damping,
+                        {},
+                        {}};
             const double liner = fabric->liner_E * fabric->liner_ratio;
             if (fabric->liner_waits && liner > 0) law.liner.emplace(liner, fabric->liner_nu);
             law.restoration = fabric->restoration;

@@ -35,8 +35,14 @@ struct PartLaw {
 /// The law that a card asks for. *MAT_NULL and *MAT_RIGID have none: InputError, as for moduli that
 /// are not positive or a Poisson's ratio for which the sheet would gain energy; each fault names
 /// the material.
-/// @param curves  that a card's rows mean
-PartLaw make_law(const Material& material, std::span<const Curve> curves = {});
+/// @param curves     that a card's rows mean
+/// @param thickness  of the cloth, for a coat that stretches with it                       [m]
+PartLaw make_law(const Material& material, std::span<const Curve> curves = {},
+                 double thickness = NaN);
+
+/// Stiffness of the layers that always take compression, over the cloth's thickness: the liner but
+/// for one that waits (LNRC), and both coats (TCOAT > 0), of which no Poisson's ratio is known: 0.
+PlaneModuli layer_moduli(const FabricCard& card, double thickness);
 
 /// A field of a card's curves that cannot be, and what was expected of it.
 struct CurveFault {

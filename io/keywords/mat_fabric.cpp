@@ -132,6 +132,19 @@ void stress_curves(Cards& cards, Draft& draft, FabricCard& cloth) {
         c.warn("LCA", "with curves warp and weft do not feel each other: PRBA does not count");
 }
 
+/// The card that FORM -14 has besides: here after the curves of 4 and 14, for the coat alone.
+void coat(Cards& cards, FabricCard& cloth) {
+    if ((cloth.form != 4 && cloth.form != 14) || !cards.more()) return;
+    Card c = cards.next("LCAA LCBB H DT - ECOAT SCOAT TCOAT");
+    cloth.coat_E = c.real("ECOAT", NON_NEGATIVE);
+    const double thickness = c.real("TCOAT");
+    if (!c.good()) return;
+    if (cloth.coat_E > 0.0 && thickness == 0.0) c.fault("TCOAT", "a thickness, for ECOAT is given");
+    if (cloth.coat_E == 0.0 && thickness != 0.0) c.fault("ECOAT", "> 0, for TCOAT is given");
+    cloth.coat_thickness = std::abs(thickness);
+    cloth.coat_stretches = thickness > 0.0;
+}
+
 void directions(Cards& cards, FabricCard& cloth) {
     {
         Card c = cards.next("- RGBRTH A0REF A1 A2 A3 X0 X1");
@@ -161,6 +174,7 @@ void mat_fabric(Cards& cards, Draft& draft) {
     if (axes_and_leakage(cards, draft, cloth)) cards.next("L R C1 C2 C3").harmless("L R C1 C2 C3");
     directions(cards, cloth);
     stress_curves(cards, draft, cloth);
+    coat(cards, cloth);
     if ((cloth.form == 4 || cloth.form == 14) && !cloth.curves.any())
         cards.warn(
             "has no load curves: it is linear in the Green-Lagrange strain of warp and weft");

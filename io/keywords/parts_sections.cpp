@@ -22,7 +22,9 @@ void section_shell(Cards& cards, Draft& draft) {
             if (is_plane)
                 c.fault("ELFORM", "a membrane, 5 or 9, or a thin shell of 3 or 4 nodes");
             else if (form != 5 && form != 9)
-                c.warn("ELFORM", "this shell is taken as a membrane, without bending stiffness");
+                c.warn("ELFORM",
+                       "this shell is taken as a membrane: only a coat bends (ECOAT, TCOAT of "
+                       "*MAT_FABRIC)");
         }
         Card c = cards.next("T1 T2 T3 T4 NLOC MAREA IDOF EDGSET");
         const double first = c.real("T1", POSITIVE);

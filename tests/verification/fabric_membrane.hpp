@@ -41,7 +41,8 @@ struct Quarter {
 
 private:
     fabric::Membranes build(const fabric::MaterialCard& card, double thickness, Kind kind) {
-        const std::vector<Part> parts{{1, "sheet", 0, thickness, kind == Kind::FOUR_POINT ? 9 : 5}};
+        const std::vector<Part> parts{
+            {1, "sheet", 0, thickness, NaN, kind == Kind::FOUR_POINT ? 9 : 5}};
         const std::vector<fabric::Material> materials{{1, "film", card}};
         std::vector<std::array<Vec3, 4>> reference;
         for (const Shell& s : mesh.shells) {

@@ -22,15 +22,8 @@ double sign(std::size_t strip) {
     return strip % 2 == 0 ? 1.0 : -1.0;
 }
 
-/// (x, y, z) <-> (s, t, z) with s towards the side that is folded and z the way it is folded.
 Mat3 frame(const Accordion& f) {
-    const double side = f.is_left ? -1.0 : 1.0, up = f.is_down ? -1.0 : 1.0;
-    // multiples of 90 degrees are exact: lines that the mesh was made for are met to the last bit
-    const auto exact = [](double v) { return std::abs(v) < 1e-15 ? 0.0 : v; };
-    const double c = exact(std::cos(f.angle)), s = exact(std::sin(f.angle));
-    Mat3 to;
-    to << side * c, side * s, 0.0, -s, c, 0.0, 0.0, 0.0, up;
-    return to;
+    return fold_frame(f.angle, f.is_left, f.is_down);
 }
 
 std::size_t strip_of(const Accordion& f, double s) {
@@ -158,9 +151,31 @@ Vec3 turned(const Accordion& f, const Heights& h, std::size_t i, const Vec3& p) 
 
 }  // namespace
 
+Mat3 fold_frame(double angle, bool is_left, bool is_down) {
+    const double side = is_left ? -1.0 : 1.0, up = is_down ? -1.0 : 1.0;
+    // multiples of 90 degrees are exact: lines that the mesh was made for are met to the last bit
+    const auto exact = [](double v) { return std::abs(v) < 1e-15 ? 0.0 : v; };
+    const double c = exact(std::cos(angle)), s = exact(std::sin(angle));
+    Mat3 to;
+    to << side * c, side * s, 0.0, -s, c, 0.0, 0.0, 0.0, up;
+    return to;
+}
+
 double mirrored(const Accordion& f, std::size_t strip, double s) {
     for (std::size_t i = strip; i-- > 0;) s = 2.0 * f.lines[i] - s;
     return s;
+}
+
+std::vector<double> before(const Accordion& f, double /*gap*/, double after) {
+    std::vector<double> all;
+    for (std::size_t i = 0; i <= f.lines.size(); ++i) {
+        const double s = (i % 2 ? -1.0 : 1.0) * (after - mirrored(f, i, 0.0));
+        const double tiny = 1e-9 * f.bands.front();
+        if (i > 0 && s < f.lines[i - 1] + f.bands[i - 1] - tiny) continue;
+        if (i < f.lines.size() && s > f.lines[i] - f.bands[i] + tiny) continue;
+        all.push_back(s);
+    }
+    return all;
 }
 
 bool is_turned(const Accordion& f, const Vec3& x) {

@@ -70,6 +70,13 @@ void apply(const Accordion& fold, double gap, Points& x);
 [[nodiscard]] bool is_turned(const Accordion& fold, const Vec3& x);
 [[nodiscard]] Vec3 direction(const Accordion& fold);
 
+/// (x, y, z) -> (s, t, z) with s towards the side that is folded and z the way it is folded; its
+/// transpose leads back.
+[[nodiscard]] Mat3 fold_frame(double angle, bool is_left, bool is_down);
+
+/// Places s outside of all bends that the fold takes to `after`.
+[[nodiscard]] std::vector<double> before(const Accordion& fold, double gap, double after);
+
 /// Where the ideal fold, without thickness, takes place `s` of the strip i.
 [[nodiscard]] double mirrored(const Accordion& fold, std::size_t strip, double s);
 

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "solver/base/error.hpp"
+#include "tools/fold/deck_pattern.hpp"
 
 namespace corpuscle::fold {
 namespace {
@@ -176,22 +177,7 @@ private:
                       {r_.parts.vent, "vents", false},
                       {r_.parts.tether, "tethers", false}};
         bag_.has_vents = !r_.vents.empty();
-        drop_loose_nodes(bag_);
-    }
-
-    /// Nodes of the back panel inside an open hole belong to nothing.
-    static void drop_loose_nodes(Bag& bag) {
-        std::vector<char> is_used(bag.sheet.X.size(), 0);
-        for (const Cell& c : bag.sheet.cells)
-            for (const Index n : c) is_used[n] = 1;
-        std::vector<Index> row(is_used.size());
-        Index next = 0;
-        for (std::size_t n = 0; n < row.size(); ++n) row[n] = is_used[n] ? next++ : -1;
-        for (auto* set : {&bag.seam, &bag.module}) {
-            std::erase_if(*set, [&](Index n) { return row[n] < 0; });
-            for (Index& n : *set) n = row[n];
-        }
-        fold::drop_loose_nodes(bag.sheet);
+        drop_loose_nodes(bag_.sheet, {&bag_.seam, &bag_.module});  // of an open hole
     }
 
     static constexpr int SEAM = -1000000;  ///< a line that counts as curved: its nodes stay
@@ -217,6 +203,7 @@ void turn_front(Bag& bag) {
 }
 
 Bag make_bag(const Recipe& recipe, const PlanLines& lines) {
+    if (recipe.pattern.kind == PatternKind::DECK) return make_deck_bag(recipe);
     return Sewing(recipe, make_plan(recipe, lines)).run();
 }
 

@@ -22,37 +22,44 @@ constexpr std::array WAYS{Way{0.35, 1}, Way{0.25, 1}, Way{0.35, 2}, Way{0.25, 2}
 constexpr double GIVES_WAY = 0.08;
 constexpr int FIRST_NAME = 2000000;
 
-/// All accordions, with the bands that the draft needs.
-std::vector<Accordion> plan_folds(const Recipe& r, Points x, double size) {
-    std::vector<Accordion> all;
+/// All moves, with the bands that the draft needs.
+std::vector<Move> plan_folds(const Recipe& r, Points x, double size) {
+    std::vector<Move> all;
     for (const Step& step : r.steps)
-        for (Accordion fold : step.accordions) {
-            choose_bands(fold, x, r.pattern.gap, size);
-            apply(fold, r.pattern.gap, x);
-            all.push_back(fold);
+        for (Move move : step.moves) {
+            std::visit(
+                [&](auto& fold) {
+                    choose_bands(fold, x, r.pattern.gap, size);
+                    apply(fold, r.pattern.gap, x);
+                },
+                move);
+            all.push_back(move);
         }
     return all;
 }
 
 /// Quads count as two triangles, cut from their first corner to their third. Those that come to lie
 /// on each other shall be cut alike, so a quad that is turned over gets the other diagonal.
-void turn_diagonals(const Accordion& fold, Sheet& s) {
+template <class Fold>
+void turn_diagonals(const Fold& fold, Sheet& s) {
     for (Cell& c : s.cells)
         if (corner_count(c) == 4 &&
             is_turned(fold, (s.x[c[0]] + s.x[c[1]] + s.x[c[2]] + s.x[c[3]]) / 4.0))
             std::rotate(c.begin(), c.begin() + 1, c.end());
 }
 
-Bag fold_once(const Recipe& recipe, const std::vector<Accordion>& folds, Way way) {
-    Bag bag = make_bag(recipe, plan_lines(folds, way.parts));
+Bag fold_once(const Recipe& recipe, const std::vector<Move>& folds, Way way) {
+    const double gap = recipe.pattern.gap;
+    Bag bag = make_bag(recipe, plan_lines(folds, gap, way.parts));
     int name = FIRST_NAME;
-    for (const Accordion& fold : folds) {
+    const auto do_move = [&](const auto& fold) {
         for (const double border : borders(fold, way.parts))
             imprint(bag.sheet,
                     {name++, distance(fold, border, bag.sheet.x), way.snap, GIVES_WAY, {}});
         turn_diagonals(fold, bag.sheet);
-        apply(fold, recipe.pattern.gap, bag.sheet.x);
-    }
+        apply(fold, gap, bag.sheet.x);
+    };
+    for (const Move& move : folds) std::visit(do_move, move);
     turn_front(bag);
     return bag;
 }
@@ -74,7 +81,7 @@ void press_dish(double depth, Bag& bag) {
 }  // namespace
 
 Bag fold(const Recipe& recipe) {
-    const std::vector<Accordion> folds =
+    const std::vector<Move> folds =
         plan_folds(recipe, make_bag(recipe, {}).sheet.x, recipe.pattern.element);
     Bag best;
     for (const auto& way : WAYS) {

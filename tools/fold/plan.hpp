@@ -12,10 +12,10 @@ struct PlanLines {
     std::vector<double> x, y;  ///< at constant x, at constant y: ascending [m]
 };
 
-/// Where the borders of accordions along x or y, their bands in `parts` parts, lie in the flat
+/// Where the borders of folds along x or y, their bands in `parts` parts, lie in the flat
 /// pattern, traced back through those before them. Borders that lie in the bend of another fold are
 /// left out: cutting finds them.
-[[nodiscard]] PlanLines plan_lines(const std::vector<Accordion>& folds, int parts);
+[[nodiscard]] PlanLines plan_lines(const std::vector<Move>& folds, double gap, int parts);
 
 /// What a cell of a panel is; vent i is VENT + i.
 enum Region { CLOTH = 0, HOLE = 1, RING = 2, VENT = 3 };

@@ -15,7 +15,8 @@ struct Axis {
     double sign = 1.0;
 };
 
-Axis axis(const Accordion& f) {
+template <class Fold>
+Axis axis(const Fold& f) {
     const double quarters = f.angle / (0.5 * std::numbers::pi);
     const double whole = std::round(quarters);
     if (std::abs(quarters - whole) > 1e-12) return {};
@@ -24,17 +25,8 @@ Axis axis(const Accordion& f) {
     return {turn % 2, turn < 2 ? side : -side};
 }
 
-/// Places s that the fold takes to `after`.
-std::vector<double> before(const Accordion& f, double after) {
-    std::vector<double> all;
-    for (std::size_t i = 0; i <= f.lines.size(); ++i) {
-        const double s = (i % 2 ? -1.0 : 1.0) * (after - mirrored(f, i, 0.0));
-        const double tiny = 1e-9 * f.bands.front();
-        if (i > 0 && s < f.lines[i - 1] + f.bands[i - 1] - tiny) continue;
-        if (i < f.lines.size() && s > f.lines[i] - f.bands[i] + tiny) continue;
-        all.push_back(s);
-    }
-    return all;
+Axis axis_of(const Move& move) {
+    return std::visit([](const auto& f) { return borders(f, 1).empty() ? Axis{} : axis(f); }, move);
 }
 
 void sort_unique(std::vector<double>& lines) {
@@ -47,19 +39,22 @@ void sort_unique(std::vector<double>& lines) {
 
 }  // namespace
 
-PlanLines plan_lines(const std::vector<Accordion>& folds, int parts) {
+PlanLines plan_lines(const std::vector<Move>& folds, double gap, int parts) {
     PlanLines all;
     for (std::size_t j = 0; j < folds.size(); ++j) {
-        const Axis mine = axis(folds[j]);
-        if (mine.index < 0 || folds[j].lines.empty()) continue;
+        const Axis mine = axis_of(folds[j]);
+        if (mine.index < 0) continue;
         std::vector<double> places;  // x or y, as they are before fold j
-        for (const double s : borders(folds[j], parts)) places.push_back(mine.sign * s);
+        for (const double s :
+             std::visit([&](const auto& f) { return borders(f, parts); }, folds[j]))
+            places.push_back(mine.sign * s);
         for (std::size_t i = j; i-- > 0;) {
-            const Axis other = axis(folds[i]);
-            if (other.index != mine.index || folds[i].lines.empty()) continue;
+            const Axis other = axis_of(folds[i]);
+            if (other.index != mine.index) continue;
             std::vector<double> earlier;
             for (const double v : places)
-                for (const double s : before(folds[i], other.sign * v))
+                for (const double s : std::visit(
+                         [&](const auto& f) { return before(f, gap, other.sign * v); }, folds[i]))
                     earlier.push_back(other.sign * s);
             places = std::move(earlier);
         }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -14,16 +15,39 @@
 namespace corpuscle::fold {
 namespace {
 
+std::vector<int> read_parts_of(TableReader& at, const char* key) {
+    std::vector<int> all;
+    if (!at.has(key)) return all;
+    for (const double id : at.numbers(key, 0, true)) {
+        if (id != std::floor(id) || id > 99999999) at.fault(key, "part numbers");
+        all.push_back(static_cast<int>(id));
+    }
+    return all;
+}
+
+void read_deck_pattern(TableReader& at, Pattern& p, const RecipeFaults& faults) {
+    p.kind = PatternKind::DECK;
+    const std::string file = at.text_or("file", "");
+    if (file.empty()) at.fault("file", "the deck that holds the two panels");
+    p.deck = std::filesystem::path(faults.file).parent_path() / file;
+    p.front = read_parts_of(at, "front");
+    p.back = read_parts_of(at, "back");
+    if (p.front.empty() != p.back.empty())
+        at.fault(p.front.empty() ? "front" : "back",
+                 "part numbers, for the other panel's are given");
+}
+
 Pattern read_pattern(const toml::table& table, RecipeFaults& faults) {
     TableReader at(table, "[pattern]", faults);
     Pattern p;
-    const std::string kind = at.choice("kind", {"disc", "rectangle"});
+    const std::string kind = at.choice("kind", {"disc", "rectangle", "deck"});
     if (kind == "disc") p.diameter = at.positive("diameter");
     if (kind == "rectangle") {
         p.kind = PatternKind::RECTANGLE;
         p.length = at.positive("length");
         p.width = at.positive("width");
     }
+    if (kind == "deck") read_deck_pattern(at, p, faults);
     p.element = at.positive("element");
     p.gap = at.positive("gap");
     p.closing = at.positive_or("closing", 1.5 * p.element);
@@ -111,6 +135,11 @@ Recipe read(const toml::table& root, const std::string& name) {
     if (const auto* table = at.table("package")) r.package = read_package(*table, faults);
     for (const auto* table : at.tables("vent")) r.vents.push_back(read_vent(*table, faults));
     for (const auto* table : at.tables("tether")) r.tethers.push_back(read_tether(*table, faults));
+    if (r.pattern.kind == PatternKind::DECK)
+        for (const auto& [key, is_there] :
+             {std::pair("hole", r.hole.has_value()), std::pair("vent", !r.vents.empty()),
+              std::pair("tether", !r.tethers.empty())})
+            if (is_there) at.fault(key, "none: a deck's panels have their own");
     int number = 0;
     for (const auto* table : at.tables("fold"))
         r.steps.push_back(read_step(*table, ++number, faults));

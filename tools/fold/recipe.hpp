@@ -7,17 +7,19 @@
 #include <string>
 #include <vector>
 
-#include "tools/fold/accordion.hpp"
+#include "tools/fold/move.hpp"
 
 /// How a bag is cut and folded, as its recipe says. Lengths are in the recipe's own unit.
 namespace corpuscle::fold {
 
-enum class PatternKind { DISC, RECTANGLE };
+enum class PatternKind { DISC, RECTANGLE, DECK };
 
 struct Pattern {
     PatternKind kind = PatternKind::DISC;
     double diameter = NaN;             ///< of the disc                                        [m]
     double length = NaN, width = NaN;  ///< of the rectangle along x and y                     [m]
+    std::filesystem::path deck;        ///< that holds the panels
+    std::vector<int> front, back;      ///< its parts; both empty: told apart by height
     double element = NaN;              ///< size of the elements                               [m]
     double gap = NaN;                  ///< between layers, middle to middle                   [m]
     double closing = NaN;              ///< over which the panels close towards the seam       [m]
@@ -53,10 +55,10 @@ struct Package {
     double length = NaN, width = NaN, height = NaN;  ///< along x, y, z                        [m]
 };
 
-/// One [[fold]]: accordions that are done one after the other.
+/// One [[fold]]: moves that are done one after the other.
 struct Step {
     std::string name;  ///< "fold 2 (zigzag)"
-    std::vector<Accordion> accordions;
+    std::vector<Move> moves;
 };
 
 struct Recipe {

@@ -95,7 +95,7 @@ std::vector<Cell> best_cells(const std::vector<Index>& p, const Points& X) {
     });
 }
 
-void drop_loose_nodes(Sheet& sheet) {
+void drop_loose_nodes(Sheet& sheet, const std::vector<std::vector<Index>*>& sets) {
     std::vector<Index> row(sheet.X.size(), -1);
     for (const Cell& c : sheet.cells)
         for (const Index n : c) row[n] = 0;
@@ -107,6 +107,10 @@ void drop_loose_nodes(Sheet& sheet) {
         sheet.x[kept] = sheet.x[n];
         sheet.on[kept] = sheet.on[n];
         ++kept;
+    }
+    for (std::vector<Index>* set : sets) {
+        std::erase_if(*set, [&](Index n) { return row[n] < 0; });
+        for (Index& n : *set) n = row[n];
     }
     sheet.X.resize(kept);
     sheet.x.resize(kept);

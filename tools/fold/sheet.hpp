@@ -50,7 +50,7 @@ struct Sheet {
 /// A polygon of 3 to 5 corners as triangles and quads, of all ways the one of the best quality.
 [[nodiscard]] std::vector<Cell> best_cells(const std::vector<Index>& polygon, const Points& X);
 
-/// Drops nodes that no cell has.
-void drop_loose_nodes(Sheet& sheet);
+/// Drops nodes that no cell has, from sets of nodes too.
+void drop_loose_nodes(Sheet& sheet, const std::vector<std::vector<Index>*>& sets = {});
 
 }  // namespace corpuscle::fold

@@ -51,7 +51,7 @@ inline FabricCard fabric_card() {
 inline void add_part(Sheet& sheet, const MaterialCard& card, Mesh mesh, double thickness = 0.3e-3) {
     const int n = static_cast<int>(sheet.parts.size());
     sheet.materials.push_back({10 + n, "cloth", card});
-    sheet.parts.push_back({1 + n, "sheet", n, thickness, mesh == Mesh::FOUR_POINT ? 9 : 5});
+    sheet.parts.push_back({1 + n, "sheet", n, thickness, NaN, mesh == Mesh::FOUR_POINT ? 9 : 5});
 }
 
 /// n × m cells on [0, length] × [0, width] in the plane z = 0; triangles alternate their diagonal.

@@ -129,6 +129,32 @@ TEST_CASE("MAT_FABRIC: a liner that waits, strains that come back, a birth", "[i
     CHECK(!cloth(folder.read(fabric_deck("0.4", "0"))).restoration.any());
 }
 
+TEST_CASE("MAT_FABRIC: a coat after the curves of forms 4 and 14", "[io]") {
+    const DeckFolder folder;
+    const auto deck = [&](const std::string& form, const std::string& card) {
+        return fabric_deck("0.4", "0", "0,,,,," + form, "0\n" + card + "\n");
+    };
+    const Model both = folder.read(deck("14", ",,,,,0.05,,0.1"));
+    CHECK(cloth(both).coat_E == 0.05);
+    CHECK(cloth(both).coat_thickness == 0.1);
+    CHECK(cloth(both).coat_stretches);
+    const Model bends = folder.read(deck("4", ",,,,,0.05,,-0.1"));
+    CHECK(cloth(bends).coat_thickness == 0.1);
+    CHECK(!cloth(bends).coat_stretches);
+    CHECK(!cloth(folder.read(deck("14", "0"))).has_coat());
+    const auto one = [&](const std::string& form, const std::string& card) {
+        const auto faults = folder.faults(deck(form, card));
+        CAPTURE(faults);
+        REQUIRE(faults.size() == 1);
+        return faults[0];
+    };
+    CHECK(contains(one("14", ",,,,,0.05,,0"), "(TCOAT)"));
+    CHECK(contains(one("14", ",,,,,0,,0.1"), "(ECOAT)"));
+    CHECK(contains(one("14", ",,,,,0.05,0.01,0.1"), "(SCOAT) = 0.01, expected 0 or blank"));
+    CHECK(contains(one("14", "7,,,,,0.05,,0.1"), "(LCAA) = 7, expected 0 or blank"));
+    CHECK(contains(one("-14", ""), "(FORM) = -14, expected"));
+}
+
 TEST_CASE("MAT_FABRIC: curves of forms 4 and 14, loading and unloading", "[io]") {
     const DeckFolder folder;
     const std::string curves =

@@ -30,10 +30,10 @@ TEST_CASE("a recipe's zigzag has its lines where the pleats end", "[fold]") {
                                       "\"both\"\nstart = 70\npleats = [60, 50]\n",
                                   "bag.toml");
     REQUIRE(r.steps.size() == 1);
-    REQUIRE(r.steps[0].accordions.size() == 2);
-    CHECK(r.steps[0].accordions[0].lines == std::vector{70.0, 130.0, 180.0});
-    CHECK_FALSE(r.steps[0].accordions[0].is_left);
-    CHECK(r.steps[0].accordions[1].is_left);
+    REQUIRE(r.steps[0].moves.size() == 2);
+    CHECK(std::get<Accordion>(r.steps[0].moves[0]).lines == std::vector{70.0, 130.0, 180.0});
+    CHECK_FALSE(std::get<Accordion>(r.steps[0].moves[0]).is_left);
+    CHECK(std::get<Accordion>(r.steps[0].moves[1]).is_left);
 }
 
 TEST_CASE("a roll is a half fold after the other, each further in", "[fold]") {
@@ -41,9 +41,9 @@ TEST_CASE("a roll is a half fold after the other, each further in", "[fold]") {
         PATTERN +
             "[[fold]]\nkind = \"roll\"\nonto = \"back\"\nstart = 300\nwidth = 40\ncount = 3\n",
         "bag.toml");
-    REQUIRE(r.steps[0].accordions.size() == 3);
-    CHECK(r.steps[0].accordions[2].lines == std::vector{220.0});
-    CHECK(r.steps[0].accordions[2].is_down);
+    REQUIRE(r.steps[0].moves.size() == 3);
+    CHECK(std::get<Accordion>(r.steps[0].moves[2]).lines == std::vector{220.0});
+    CHECK(std::get<Accordion>(r.steps[0].moves[2]).is_down);
 }
 
 TEST_CASE("every fault of a recipe is told with its line", "[fold]") {
@@ -75,7 +75,7 @@ TEST_CASE("values of another kind are faults, not numbers", "[fold]") {
     CHECK(faults(PATTERN + "[[tether]]\nfrom = [0, 0]\ndirection = 45\nlength = 10\nwidth = 5\n")
               .size() == 1);
     CHECK(faults(PATTERN + "[[fold]]\nkind = \"crumple\"\n").size() == 1);
-    CHECK(faults(PATTERN + "[[fold]]\nkind = \"tuck\"\n").size() == 1);  // not there yet: refused
-    CHECK(faults("[pattern]\nkind = \"deck\"\nelement = 12\ngap = 0.7\n").size() == 2);
+    CHECK(faults(PATTERN + "[[fold]]\nkind = \"tuck\"\n").size() == 1);  // nowhere
+    CHECK(faults("[pattern]\nkind = \"star\"\nelement = 12\ngap = 0.7\n").size() == 2);
     CHECK(faults(PATTERN + "fold = 3\n").size() == 1);
 }

@@ -1,0 +1,56 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "io/deck_mesh.hpp"
+
+#include "io/draft.hpp"
+#include "io/keyword_reader.hpp"
+#include "io/keywords/keywords.hpp"
+#include "solver/base/error.hpp"
+
+namespace corpuscle::io {
+namespace {
+
+void read_shells(Cards& cards, Draft& draft, DeckMesh& mesh) {
+    static const Layout layout("EID:8 PID:8 N1:8 N2:8 N3:8 N4:8 N5:8 N6:8 N7:8 N8:8");
+    while (cards.rows()) {
+        Card c = cards.next(layout);
+        mesh.shell_id.push_back(c.new_id(std::size_t{0}, draft.shells, mesh.shells.size()));
+        mesh.part_id.push_back(c.integer(std::size_t{1}, {1.0}));
+        std::array<Index, 4> nodes{};
+        for (std::size_t k = 0; k < 3; ++k) nodes[k] = c.row(k + 2, draft.nodes);
+        const Index fourth = c.raw(4) == c.raw(5) ? -1 : c.row_or_none("N4", draft.nodes);
+        nodes[3] = fourth < 0 ? nodes[2] : fourth;
+        mesh.shells.push_back(nodes);
+    }
+}
+
+}  // namespace
+
+DeckMesh read_deck_mesh(const std::filesystem::path& file) {
+    Faults faults;
+    Parameters parameters({});
+    const DeckText text = read_keywords(file, parameters, faults);
+    Model model;
+    Draft draft(model);
+    DeckMesh mesh;
+    const auto for_blocks = [&](std::string_view keyword, const auto& read) {
+        for (const Block& block : text.blocks) {
+            if (block.keyword != keyword) continue;
+            faults.begin_block();
+            Cards cards(block, faults, parameters);
+            read(cards);
+            cards.finish();
+            faults.end_block(block.place, block.keyword);
+        }
+    };
+    for_blocks("NODE", [&](Cards& cards) { keywords::node(cards, draft); });
+    for_blocks("ELEMENT_SHELL", [&](Cards& cards) { read_shells(cards, draft, mesh); });
+    if (!text.files.empty() && mesh.shells.empty())
+        faults.fault(text.end, "*ELEMENT_SHELL is missing, expected a mesh");
+    if (faults.any()) throw InputError(faults.faults());
+    mesh.x = std::move(model.x);
+    mesh.node_id = std::move(model.node_id);
+    return mesh;
+}
+
+}  // namespace corpuscle::io
