@@ -16,19 +16,6 @@ namespace {
 constexpr double SWEEP = 0.5;  ///< farthest that a node may sweep while lists live, in edge lengths
 constexpr std::size_t CHUNK = 8;  ///< patch pairs; some thousand triangle pairs
 
-std::uint64_t key_of(bool is_edges, Index first, Index second) {
-    return static_cast<std::uint64_t>(is_edges) << 63 | static_cast<std::uint64_t>(first) << 32 |
-           static_cast<std::uint64_t>(second);
-}
-
-Vec3 normal_of(const Triangle& t, const Points& x) {
-    return (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).stableNormalized();
-}
-
-bool has_node(const Triangle& t, Index node) {
-    return t[0] == node || t[1] == node || t[2] == node;
-}
-
 }  // namespace
 
 void Candidates::start(const Points& x, const Points& v, double t, double dt,
@@ -101,11 +88,8 @@ void Candidates::build(const Points& x, const Points& v, double t, double dt) {
 void Candidates::set_boxes(const Points& x) {
     parallel::for_each(x.size(),
                        [&](std::size_t n) { set_node_box(static_cast<Index>(n), x[n], life_); });
-    normal_.resize(triangle_box_.size());
-    parallel::for_each(triangle_box_.size(), [&](std::size_t t) {
-        set_triangle_box(static_cast<Index>(t));
-        normal_[t] = normal_of(cloth_.triangles[t], x);
-    });
+    parallel::for_each(triangle_box_.size(),
+                       [&](std::size_t t) { set_triangle_box(static_cast<Index>(t)); });
 }
 
 /// @param time  for which the node is predicted [s]
@@ -124,17 +108,29 @@ void Candidates::set_triangle_box(Index triangle) {
     box.include(node_box_[c]);
 }
 
+/// Where nodes are predicted to be after so long.
+void Candidates::find_late(const Points& x, double time) {
+    late_.resize(x.size());
+    parallel::for_each(x.size(), [&](std::size_t n) {
+        late_[n] = x[n] + time * motion_.velocity(static_cast<Index>(n));
+    });
+}
+
 void Candidates::list_pairs(const Points& x) {
     const auto pairs = near_triangles_.patch_pairs();
     const std::size_t count = parallel::chunk_count(pairs.size(), CHUNK);
     chunks_.resize(std::max(chunks_.size(), count));
-    const Outlook ahead{x, x, life_, true};
+    find_late(x, life_);
+    const Outlook ahead{x, late_, x, life_, true};
+    slab_.resize(cloth_.triangles.size());
+    parallel::for_each(slab_.size(),
+                       [&](std::size_t t) { slab_[t] = slab_of(static_cast<Index>(t), ahead); });
     const auto search = [&](std::size_t begin, std::size_t end, std::size_t c) {
         chunks_[c].list.clear();
         chunks_[c].watch.clear();
         for (std::size_t i = begin; i < end; ++i)
             near_triangles_.for_each_in(pairs[i], [&](Index a, Index b) {
-                if (!stay_apart(a, b, ahead)) list_pairs_of(a, b, ahead, chunks_[c]);
+                list_pairs_of(a, slab_[a], b, slab_[b], ahead, chunks_[c]);
             });
     };
     parallel::for_chunks(pairs.size(), search, CHUNK);
@@ -146,127 +142,6 @@ void Candidates::list_pairs(const Points& x) {
         list_.insert(list_.end(), chunks_[c].list.begin(), chunks_[c].list.end());
         watch_.insert(watch_.end(), chunks_[c].watch.begin(), chunks_[c].watch.end());
     }
-}
-
-/// Will the two triangles, as they are predicted to fly, stay out of reach of each other while the
-/// lists live? Boxes of layers overlap long before the layers touch; seen along a layer's normal
-/// they are apart.
-bool Candidates::stay_apart(Index a, Index b, const Outlook& ahead) const {
-    double thickness = 0.0;
-    for (const auto& of : cloth_.thickness) thickness = std::max(thickness, 0.5 * (of[a] + of[b]));
-    const auto slack = [&](Index t) {
-        double most = 0.0;
-        for (const Index n : cloth_.triangles[t]) most = std::max(most, motion_.slack(n));
-        return most;
-    };
-    const double apart = reach_ * thickness + budget_ * (slack(a) + slack(b));
-    const auto normal = [&](Index t) {
-        return ahead.is_build ? normal_[t] : normal_of(cloth_.triangles[t], ahead.x);
-    };
-    return are_parted_along(normal(a), apart, a, b, ahead) ||
-           are_parted_along(normal(b), apart, a, b, ahead);
-}
-
-/// Along a fixed axis every node's place is linear in time, and so is each pair's distance: what is
-/// parted by more than `apart`, to the same side, at both ends of the time is so in between.
-bool Candidates::are_parted_along(const Vec3& axis, double apart, Index a, Index b,
-                                  const Outlook& ahead) const {
-    const auto span = [&](Index t, double time) {
-        double low = INF, high = -INF;
-        for (const Index n : cloth_.triangles[t]) {
-            const double at = axis.dot(ahead.x[n] + time * motion_.velocity(n));
-            low = std::min(low, at);
-            high = std::max(high, at);
-        }
-        return std::pair(low, high);
-    };
-    const auto [low_a, high_a] = span(a, 0.0);
-    const auto [low_b, high_b] = span(b, 0.0);
-    const bool is_above = low_b - high_a > apart;
-    if (!is_above && !(low_a - high_b > apart)) return false;
-    const auto [late_low_a, late_high_a] = span(a, ahead.life);
-    const auto [late_low_b, late_high_b] = span(b, ahead.life);
-    return is_above ? late_low_b - late_high_a > apart : late_low_a - late_high_b > apart;
-}
-
-/// Nodes of a against b, of b against a, edges of a against edges of b, as far as they own them and
-/// a card has them touch.
-void Candidates::list_pairs_of(Index a, Index b, const Outlook& ahead, Chunk& out) const {
-    const Triangle& ta = cloth_.triangles[a];
-    const Triangle& tb = cloth_.triangles[b];
-    const Rules& rules = cloth_.rules;
-    const Index part_a = cloth_.part[a], part_b = cloth_.part[b];
-    const int a_on_b = rules.nodes_against(part_a, part_b),
-              b_on_a = rules.nodes_against(part_b, part_a),
-              edges = rules.edges_against(part_a, part_b);
-    const auto node_against = [&](int card, Index from, Index node, Index t) {
-        const Triangle& n = cloth_.triangles[t];
-        if (has_node(n, node) || !node_box_[node].overlaps(triangle_box_[t])) return;
-        consider({{node, n[0], n[1], n[2]}, false}, card, key_of(false, node, t),
-                 {from, t, ahead, out});
-    };
-    for (int k = 0; k < 3; ++k) {
-        if (a_on_b != Rules::NONE && cloth_.owns_node(a, k)) node_against(a_on_b, a, ta[k], b);
-        if (b_on_a != Rules::NONE && cloth_.owns_node(b, k)) node_against(b_on_a, b, tb[k], a);
-        if (edges == Rules::NONE || !cloth_.owns_edge(a, k)) continue;
-        const Index i = ta[k], j = ta[(k + 1) % 3];
-        const Box edge = edge_box(i, j);
-        for (int m = 0; m < 3; ++m) {
-            const Index r = tb[m], s = tb[(m + 1) % 3];
-            if (!cloth_.owns_edge(b, m) || i == r || i == s || j == r || j == s) continue;
-            if (!edge.overlaps(edge_box(r, s))) continue;
-            consider({{i, j, r, s}, true}, edges,
-                     key_of(true, cloth_.edge[a][k], cloth_.edge[b][m]), {a, b, ahead, out});
-        }
-    }
-}
-
-Box Candidates::edge_box(Index a, Index b) const {
-    Box box = node_box_[a];
-    box.include(node_box_[b]);
-    return box;
-}
-
-/// Bound of the predicted rate at which a pair's gap shrinks.
-double Candidates::approach_speed(const Pair& pair) const {
-    const auto& n = pair.node;
-    Vec3 mean = Vec3::Zero();
-    for (const Index node : n) mean += 0.25 * motion_.velocity(node);
-    std::array<double, 4> square;
-    for (int k = 0; k < 4; ++k) square[k] = (motion_.velocity(n[k]) - mean).squaredNorm();
-    return pair.is_edges
-               ? std::sqrt(std::max(square[0], square[1])) +
-                     std::sqrt(std::max(square[2], square[3]))
-               : std::sqrt(square[0]) + std::sqrt(std::max({square[1], square[2], square[3]}));
-}
-
-/// Of both sides together, in budgets.
-double Candidates::slack_of(const Pair& pair) const {
-    std::array<double, 4> of;
-    for (int k = 0; k < 4; ++k) of[k] = motion_.slack(pair.node[k]);
-    return pair.is_edges ? std::max(of[0], of[1]) + std::max(of[2], of[3])
-                         : of[0] + std::max({of[1], of[2], of[3]});
-}
-
-/// Keeps a pair that may come within reach while the lists live.
-void Candidates::consider(const Pair& pair, int card, std::uint64_t key,
-                          const Meeting& where) const {
-    const double thickness = cloth_.gap(card, where.a, where.b);
-    const Outlook& ahead = where.ahead;
-    double gap = nearest(pair, ahead.x).apart.norm();
-    const double certain = reach_ * thickness + budget_ * slack_of(pair);
-    if (gap > certain && gap > certain + ahead.life * approach_speed(pair)) return;
-    if (cloth_.is_held(pair) || std::binary_search(barred_.begin(), barred_.end(), key)) return;
-    // only what is near has anything to remember
-    const bool may_know = ahead.is_build && gap <= reach_ * thickness;
-    const Index memory = may_know ? memory_row(key) : -1;
-    if (&ahead.x != &ahead.now) gap = nearest(pair, ahead.now).apart.norm();
-    const Index p = cloth_.patch_of[where.a], q = cloth_.patch_of[where.b];
-    const int side = cloth_.rules.side_of(card, cloth_.part[where.a], cloth_.part[where.b]);
-    where.out.list.push_back({pair, memory, thickness, key, where.a, where.b,
-                              static_cast<std::int16_t>(card), static_cast<std::int16_t>(side),
-                              false});
-    where.out.watch.push_back({gap + motion_.way(p) + motion_.way(q), p, q});
 }
 
 /// Bars the pairs of all triangles that crossed at the start and still do.

@@ -65,14 +65,17 @@ void Candidates::list_renewed_pairs(const Points& x) {
     for (std::size_t n = 0; n < x.size(); ++n)
         predicted_[n] = motion_.predicted(static_cast<Index>(n));
 
-    const Outlook ahead{predicted_, x, rest_of_life, false};
+    find_late(predicted_, rest_of_life);
+    const Outlook ahead{predicted_, late_, x, rest_of_life, false};
     renewed_pairs_.list.clear();
     renewed_pairs_.watch.clear();
-    for (const Index a : renewed_)
+    for (const Index a : renewed_) {
+        const Slab slab_a = slab_of(a, ahead);
         near_triangles_.for_each_near(a, [&](Index b) {
             if (is_renewed_[b] && b < a) return;
-            if (!stay_apart(a, b, ahead)) list_pairs_of(a, b, ahead, renewed_pairs_);
+            list_pairs_of(a, slab_a, b, slab_of(b, ahead), ahead, renewed_pairs_);
         });
+    }
     const std::size_t first = list_.size();
     list_.insert(list_.end(), renewed_pairs_.list.begin(), renewed_pairs_.list.end());
     watch_.insert(watch_.end(), renewed_pairs_.watch.begin(), renewed_pairs_.watch.end());

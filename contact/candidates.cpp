@@ -59,6 +59,7 @@ double Candidates::thickness(std::size_t i) {
     if (!c.is_settled) {
         c.thickness = std::min(c.thickness, neighbours_thickness(c.pair));
         c.is_settled = true;
+        watch_[i].reach = reach_ * c.thickness;
     }
     return c.thickness;
 }

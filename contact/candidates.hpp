@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -69,9 +70,7 @@ public:
     [[nodiscard]] double thickness(std::size_t i);
 
     /// Whether pair i may be within reach now.
-    [[nodiscard]] bool is_due(std::size_t i) const {
-        return least_distance(i) <= reach_ * list_[i].thickness;
-    }
+    [[nodiscard]] bool is_due(std::size_t i) const { return least_distance(i) <= watch_[i].reach; }
 
     /// Whether pair i may meet in the step that was foreseen last.
     [[nodiscard]] bool may_meet(std::size_t i) const;
@@ -122,6 +121,7 @@ private:
     };
     struct Watch {
         double sum;           ///< distance when it was last known, and the patches' ways then   [m]
+        double reach;         ///< gap from which it matters                                     [m]
         Index first, second;  ///< patches
     };
     struct Chunk {
@@ -145,21 +145,34 @@ private:
     void list_renewed_pairs(const Points& x);
     void hand_on_memories(std::size_t first);
     [[nodiscard]] Box edge_box(Index a, Index b) const;
-    struct Outlook {        ///< from where and how far it is looked ahead
-        const Points& x;    ///< predicted positions, to within the budget
-        const Points& now;  ///< where the nodes are
-        double life;        ///< [s]
-        bool is_build;      ///< normals are known, memories sorted
+    struct Outlook {         ///< from where and how far it is looked ahead
+        const Points& x;     ///< predicted positions, to within the budget             [m]
+        const Points& late;  ///< likewise, at the end of the lists' life               [m]
+        const Points& now;   ///< where the nodes are                                   [m]
+        double life;         ///< [s]
+        bool is_build;       ///< memories are sorted
     };
-    [[nodiscard]] bool stay_apart(Index a, Index b, const Outlook& ahead) const;
-    [[nodiscard]] bool are_parted_along(const Vec3& axis, double apart, Index a, Index b,
-                                        const Outlook& ahead) const;
-    void list_pairs_of(Index a, Index b, const Outlook& ahead, Chunk& out) const;
+    /// A triangle seen along its normal, now and late.
+    struct Slab {
+        Vec3 normal;                            ///< zero: without area
+        double low, high, late_low, late_high;  ///< [m]
+        double margin;  ///< what it takes of a gap that matters                       [m]
+    };
+    [[nodiscard]] Slab slab_of(Index triangle, const Outlook& ahead) const;
+    [[nodiscard]] static std::array<int, 3> sides_of(const Slab& slab, const Triangle& nodes,
+                                                     double apart, const Outlook& ahead);
+    void find_late(const Points& x, double time);
+    void list_pairs_of(Index a, const Slab& slab_a, Index b, const Slab& slab_b,
+                       const Outlook& ahead, Chunk& out) const;
     struct Meeting {  ///< of two triangles
         Index a, b;   ///< rows; the pair's first is of a
         const Outlook& ahead;
         Chunk& out;
     };
+    static std::uint64_t key_of(bool is_edges, Index first, Index second) {
+        return static_cast<std::uint64_t>(is_edges) << 63 |
+               static_cast<std::uint64_t>(first) << 32 | static_cast<std::uint64_t>(second);
+    }
     void consider(const Pair& pair, int card, std::uint64_t key, const Meeting& where) const;
     [[nodiscard]] double approach_speed(const Pair& pair) const;
     [[nodiscard]] double slack_of(const Pair& pair) const;
@@ -181,7 +194,8 @@ private:
     double steps_ = 4.0;  ///< that they are meant to live
     double life_ = 0.0;   ///< age at which they are spent                    [s]
     std::vector<Box> node_box_, triangle_box_;  ///< of what they may reach                     [m]
-    Points normal_;                             ///< of the triangles; zero: without area
+    std::vector<Slab> slab_;                    ///< by triangle, in a build
+    Points late_;                               ///< N × 3                                  [m]
     std::vector<Candidate> list_;
     std::vector<Watch> watch_;
     std::vector<Chunk> chunks_;
