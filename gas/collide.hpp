@@ -59,6 +59,8 @@ struct CollisionReport {
 
 CollisionReport collide_pairs(const CollisionStep& step, Particles& particles);
 CollisionReport collide_lin(const CollisionStep& step, Particles& particles);
+/// The same map, group by group and sum by sum: what collide_lin() is held to.
+CollisionReport collide_lin_plainly(const CollisionStep& step, Particles& particles);
 CollisionReport collide_ntc(const CollisionStep& step, Particles& particles);
 CollisionReport collide_spheres(const CollisionStep& step, Particles& particles);
 

@@ -10,6 +10,8 @@
 
 #include "gas/collide.hpp"
 #include "gas/each_group.hpp"
+#include "gas/lin.hpp"
+#include "gas/lin_lanes.hpp"
 #include "gas/relax.hpp"
 
 /// LIN: a group's thermal velocities are mapped by one matrix, such that its stress is reversed
@@ -24,21 +26,13 @@ namespace corpuscle::gas {
 
 namespace {
 
-/// Share of the stress that is turned round: 1 would leave no viscosity and be unstable.
-constexpr double BETA = 0.8;
-constexpr double NOISE = 0.6;  ///< sqrt(1 - β²): keeps thermal fluctuations of the stress alive
-/// The least that a pressure may be turned to, as the cube root of its share in the mean.
-constexpr double LEAST_TURNED = 0.1;
 /// Particles that a velocity gradient can be fitted to.
 constexpr std::size_t FIT_FROM = 8;
 /// Degrees of freedom along each axis from which a group has a stress to speak of; at least 3.
 constexpr double STRESS_FROM = 5.0;
-/// Of a matrix's trace: with smaller pivots it is singular but for noise.
-constexpr double FLATTEST = 1e-9;
-
 /// L with L Lᵀ = P, unless P is all but singular: Cholesky, 3 sqrt.
 std::optional<Mat3> lower_factor(const Mat3& P) {
-    const double least = FLATTEST * P.trace();
+    const double least = lin::FLATTEST * P.trace();
     Mat3 L = Mat3::Zero();
     for (int j = 0; j < 3; ++j) {
         double pivot = P(j, j);
@@ -121,11 +115,13 @@ Mat3 turned_factor(const Mat3& P, double n, Random& draw) {
     Mat3 F = Mat3::Zero();
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < i; ++j)
-            F(axis[i], j) = -BETA * (*L)(i, j) + NOISE * std::sqrt(kT) * nearly_normal(draw);
+            F(axis[i], j) =
+                -lin::BETA * (*L)(i, j) + lin::NOISE * std::sqrt(kT) * nearly_normal(draw);
         const double k = n - i, variance = 2.0 / (9.0 * k), mean = 1.0 - variance;
         const double z = std::cbrt((*L)(i, i) * (*L)(i, i) / (k * kT)) - mean;
-        const double turned = mean - BETA * z + NOISE * std::sqrt(variance) * nearly_normal(draw);
-        const double kept = std::max(turned, LEAST_TURNED);
+        const double turned =
+            mean - lin::BETA * z + lin::NOISE * std::sqrt(variance) * nearly_normal(draw);
+        const double kept = std::max(turned, lin::LEAST_TURNED);
         F(axis[i], i) = std::sqrt(k * kT * kept * kept * kept);
     }
     return F;
@@ -161,7 +157,7 @@ bool collide_group(const CollisionStep& step, Swarm& swarm, Random& draw) {
     const double E_gradient = E_all - E_0;
 
     // Its energy at equilibrium, E_1.
-    const double along_each_axis = static_cast<double>(swarm.size()) - (fit ? 4.0 : 1.0);
+    const double along_each_axis = static_cast<double>(swarm.size()) - (fit ? lin::FITTED : 1.0);
     const double freedom = 3.0 * along_each_axis;
     std::optional<double> E_1;
     if (!is_rigid(swarm, E_0)) E_1 = share(energy - E_gradient, freedom, step.mixture, swarm, draw);
@@ -183,11 +179,44 @@ bool collide_group(const CollisionStep& step, Swarm& swarm, Random& draw) {
 
 }  // namespace
 
-CollisionReport collide_lin(const CollisionStep& step, Particles& particles) {
+CollisionReport collide_lin_plainly(const CollisionStep& step, Particles& particles) {
     return for_each_group(step, particles, [&](Swarm& swarm, Random& draw, auto rows) {
         swarm.gather_places(rows, particles);
         return collide_group(step, swarm, draw);
     });
+}
+
+/// Large groups of one species by fours; all others one by one.
+CollisionReport collide_lin(const CollisionStep& step, Particles& particles) {
+    constexpr std::size_t GROUPS_A_CHUNK = 64;
+    const auto plainly = [&](std::size_t g) {
+        return collide_one_group(step, g, particles, [&](Swarm& swarm, Random& draw, auto rows) {
+            swarm.gather_places(rows, particles);
+            return collide_group(step, swarm, draw);
+        });
+    };
+    const auto some = [&](std::size_t chunk) {
+        CollisionReport report;
+        LinLanes four(step.mixture, step.heat);
+        const auto collide_four = [&] {
+            const auto thermal =
+                four.collide(particles, [&](std::uint64_t g) { report += plainly(g); });
+            for (const double energy : thermal) report.thermal += energy;
+        };
+        const std::size_t end = std::min(step.groups.size(), (chunk + 1) * GROUPS_A_CHUNK);
+        for (std::size_t g = chunk * GROUPS_A_CHUNK; g < end; ++g) {
+            const auto rows = step.groups[g];
+            const Random draw(step.seed, Stream::COLLISION, step.step, g);
+            if (rows.size() < LinLanes::FEWEST || !four.add(rows, g, draw, particles))
+                report += plainly(g);
+            else if (four.size() == lanes::LANES)
+                collide_four();
+        }
+        if (four.size() > 0) collide_four();
+        return report;
+    };
+    return parallel::sum(parallel::chunk_count(step.groups.size(), GROUPS_A_CHUNK),
+                         CollisionReport{}, some, 1);
 }
 
 }  // namespace corpuscle::gas

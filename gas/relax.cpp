@@ -10,16 +10,6 @@
 
 namespace corpuscle::gas {
 
-namespace {
-
-/// What a particle keeps of its e's deviation from the mean in a group of one species. At 0 every
-/// collision step would conduct heat across the whole cell and smear contacts (Sod's tube at 10^5
-/// particles: L1 of density .0118, here .0105).
-constexpr double MEMORY = 0.95;
-constexpr double MOST_NOISE = 0.8;  ///< share of the smaller part that fluctuation may take away
-
-}  // namespace
-
 double thermal_energy(const Lists& groups, const Mixture& mixture, const Particles& particles) {
     constexpr std::size_t GROUPS_A_CHUNK = 64;
     return parallel::sum(
@@ -41,12 +31,12 @@ double equilibrium_temperature(double energy, double freedom, double half_heat,
 }
 
 bool is_rigid(const Swarm& swarm, double translational) {
-    constexpr double ROUNDING = 1e-26;  // (the rounding of c = v - U, some 1e-16 v, times 1000)²
-    return translational <= ROUNDING * 0.5 * swarm.mass * swarm.U.squaredNorm();
+    return translational <= RIGID * 0.5 * swarm.mass * swarm.U.squaredNorm();
 }
 
 std::optional<double> share(double energy, double freedom, const Mixture& mixture, Swarm& swarm,
                             Random& draw) {
+    const double chance = nearly_normal(draw);
     const EnergyPolynomial& internal_at = swarm.internal_at();
     const double T = equilibrium_temperature(energy, freedom, mixture.half_heat(), internal_at);
     if (!(T > 0.0)) return std::nullopt;
@@ -57,8 +47,7 @@ std::optional<double> share(double energy, double freedom, const Mixture& mixtur
     if (!(C_i > 0.0 && least > 0.0)) return energy - internal;  // a monatomic gas
     const double spread = T * std::sqrt(2.0 * mixture.half_heat() * C_t * C_i / (C_t + C_i));
     // In groups of two or three the tails are cut, evenly, so that no part is used up.
-    const double more =
-        std::clamp(spread * nearly_normal(draw), -MOST_NOISE * least, MOST_NOISE * least);
+    const double more = std::clamp(spread * chance, -MOST_NOISE * least, MOST_NOISE * least);
     swarm.scale_internal(1.0 + more / internal);
     return energy - swarm.internal();
 }

@@ -18,6 +18,16 @@ double thermal_energy(const Lists& groups, const Mixture& mixture, const Particl
 double equilibrium_temperature(double energy, double freedom, double half_heat,
                                const EnergyPolynomial& internal);
 
+/// What a particle keeps of its e's deviation from the mean in a group of one species. At 0 every
+/// collision step would conduct heat across the whole cell and smear contacts (Sod's tube at 10^5
+/// particles: L1 of density .0118, here .0105).
+inline constexpr double MEMORY = 0.95;
+inline constexpr double MOST_NOISE =
+    0.8;  ///< share of the smaller part that fluctuation may take away
+
+/// Of the energy of a swarm's common motion: (the rounding of c = v - U, some 1e-16 v, times 1000)²
+inline constexpr double RIGID = 1e-26;
+
 /// Is c nothing but rounding? A lone particle and a cold jet have no thermal motion to be scaled.
 bool is_rigid(const Swarm& swarm, double translational);
 
