@@ -32,7 +32,14 @@ constexpr double FLIGHT_CELL = 1.5;
 /// thermal speed. Longer: more candidates a cell.
 constexpr double REACH = 2.0;
 
+/// Cells, in facet edges, where layers lie closer than that reach: there a particle asks cell after
+/// cell of its way, and the first few hold its next hit. Smaller: more entries in the lists.
+constexpr double THIN_CELL = 0.5;
+
 constexpr std::size_t MOST_CELLS = 2'000'000;
+
+/// Particles for which memory is set aside at once; pages are taken only when particles come.
+constexpr std::size_t MOST_RESERVED = 4'000'000;
 
 constexpr std::size_t MOST_LOSSES = 20;  ///< that are told one by one
 
@@ -108,6 +115,7 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
                          ": the bag encloses no volume at the start, expected some: "
                          "particles have no place to enter");
     if (card.air && !card.air->is_particles) air_.emplace(*card.air, card.gas_constant, volume_);
+    particles_.reserve(std::min(inflators_.particles() + inflators_.resident(), MOST_RESERVED));
     if (inflators_.resident() > 0) fill_with_air(x, seed);
     if (enclosure_.turned() > 0)
         warnings_.push_back(
@@ -187,7 +195,10 @@ void BagGas::prepare(double dt, const Points& x_0, const Points& x_1) {
     if (card_.normal_damping > 0.0)
         store_.feel_motion(x_0, x_1, dt, area_, card_.normal_damping / speed_);
     if (lists_.hold_for(x_1)) return;
-    build(lists_, FLIGHT_CELL * facet_size_, REACH * speed_ * dt, x_0, x_1);
+    const double reach = REACH * speed_ * dt;
+    const bool is_thin = 2.0 * volume_ < reach * enclosure_.area(x_0);
+    build(lists_, (is_thin ? THIN_CELL : FLIGHT_CELL) * facet_size_, is_thin ? 0.0 : reach, x_0,
+          x_1);
 }
 
 /// Facet lists over the whole bag in cells of the wanted edge: neither finer than a hundredth of
@@ -260,6 +271,7 @@ void BagGas::fly(double t, double dt, const Points& x_0, const Points& x_1) {
     if (!heat_loss_.empty()) cool(t, dt, x_0);
     std::sort(gone_.begin(), gone_.end());
     particles_.erase(gone_);
+    if (!gone_.empty()) flight_.ways.forget(gone_[0]);
 }
 
 /// Adds up what hits give to triangles and parts: outward on the closing ones, along the normal

@@ -15,13 +15,16 @@ constexpr std::size_t SMALLEST_SLICE = 8192;  ///< particles worth a thread
 
 }  // namespace
 
-void CellSort::sort(const Grid& grid, Particles& particles) {
+void CellSort::sort(const Grid& grid, Particles& particles, bool moves_rows) {
     const std::span<const Vec3> x = particles.x;
     cells_ = grid.size();
+    // They change places with the particles' columns, so they must hold as many.
+    cell_.reserve(particles.id.capacity());
+    spare_.reserve(particles.x.capacity());
     cell_.resize(x.size());
-    sorted_.resize(x.size());
+    order_.reserve(particles.id.capacity());
+    order_.resize(x.size());
     start_.resize(cells_ + 1);
-    while (row_.size() < x.size()) row_.push_back(static_cast<Index>(row_.size()));
 
     // One slice of the particles a thread. A stable sort has one result, however it is cut.
     const auto threads = static_cast<std::size_t>(parallel::threads());
@@ -38,8 +41,8 @@ void CellSort::sort(const Grid& grid, Particles& particles) {
     }
     start_[cells_] = next;
     parallel::for_each(
-        slices, [&](std::size_t s) { place(particles, s); }, 1);
-    std::swap(particles, sorted_);
+        slices, [&](std::size_t s) { place(s); }, 1);
+    if (moves_rows) move_rows(particles);
 }
 
 void CellSort::count(const Grid& grid, std::span<const Vec3> x, std::size_t slice) {
@@ -52,17 +55,32 @@ void CellSort::count(const Grid& grid, std::span<const Vec3> x, std::size_t slic
     }
 }
 
-void CellSort::place(const Particles& from, std::size_t slice) {
+void CellSort::place(std::size_t slice) {
     Index* const next = fill_.data() + slice * cells_;
-    const std::size_t end = std::min(from.size(), (slice + 1) * slice_length_);
-    for (std::size_t i = slice * slice_length_; i < end; ++i) {
-        const auto to = static_cast<std::size_t>(next[cell_[i]]++);
-        sorted_.x[to] = from.x[i];
-        sorted_.v[to] = from.v[i];
-        sorted_.e[to] = from.e[i];
-        sorted_.species[to] = from.species[i];
-        sorted_.id[to] = from.id[i];
+    const std::size_t end = std::min(cell_.size(), (slice + 1) * slice_length_);
+    for (std::size_t i = slice * slice_length_; i < end; ++i)
+        order_[static_cast<std::size_t>(next[cell_[i]]++)] = static_cast<Index>(i);
+}
+
+/// Column by column, so that one spare column does for all.
+void CellSort::move_rows(Particles& particles) {
+    const std::size_t n = order_.size();
+    const auto pick = [&](const auto* from, auto* to) {
+        parallel::for_each(n, [&](std::size_t i) { to[i] = from[order_[i]]; });
+    };
+    spare_.resize(n);
+    for (auto* column : {&particles.x, &particles.v}) {
+        pick(column->data(), spare_.data());
+        std::swap(*column, spare_);
     }
+    for (auto* column : {&particles.species, &particles.id}) {
+        pick(column->data(), cell_.data());
+        std::swap(*column, cell_);
+    }
+    double* const spare = n > 0 ? spare_[0].data() : nullptr;
+    pick(particles.e.data(), spare);
+    std::copy(spare, spare + n, particles.e.begin());
+    parallel::for_each(n, [&](std::size_t i) { order_[i] = static_cast<Index>(i); });
 }
 
 }  // namespace corpuscle::gas

@@ -23,27 +23,32 @@ struct Lists {
     }
 };
 
-/// Puts particles in the order of their grid cells: neighbours in space become neighbours in
-/// memory. A stable counting sort, so the order is that of cells, then of former rows, on any
-/// number of threads. Memory: 4 bytes a particle and a second set of particles, 4 bytes a cell and
-/// thread.
+/// Lists particles by grid cell, and now and then puts them in that order: neighbours in space
+/// become neighbours in memory. A stable counting sort, so the order is that of cells, then of
+/// rows, on any number of threads. Memory: 8 bytes a particle and a second set of places, 4 bytes a
+/// cell and thread.
 class CellSort {
 public:
-    void sort(const Grid& grid, Particles& particles);
+    /// Lists rows by cell; `moves_rows`: and puts the particles in that order. A few steps without
+    /// leave neighbours near enough, and save most of the time.
+    void sort(const Grid& grid, Particles& particles, bool moves_rows = true);
 
     /// Rows by cell, as sorted last.
-    [[nodiscard]] Lists cells() const { return {start_, std::span(row_).first(cell_.size())}; }
+    [[nodiscard]] Lists cells() const { return {start_, order_}; }
+    /// The same, for who orders a cell's rows further.
+    [[nodiscard]] std::span<Index> order() { return order_; }
 
 private:
     void count(const Grid& grid, std::span<const Vec3> x, std::size_t slice);
-    void place(const Particles& from, std::size_t slice);
+    void place(std::size_t slice);
+    void move_rows(Particles& particles);
 
     std::size_t cells_ = 0, slice_length_ = 1;
-    std::vector<Index> cell_;  ///< of each particle, before
+    std::vector<Index> cell_;  ///< of each particle; afterwards spare
     std::vector<Index> fill_;  ///< slices × cells: first count, then next place
     std::vector<Index> start_;
-    std::vector<Index> row_;  ///< 0, 1, 2, ...
-    Particles sorted_;
+    std::vector<Index> order_;  ///< rows
+    std::vector<Vec3> spare_;
 };
 
 /// Edge of cubic cells that hold `per_cell` particles on average.                          [m]

@@ -17,10 +17,11 @@ Collider::Collider(std::vector<Species> species, double moles_each, std::uint64_
       model_(model),
       mean_free_path_(mean_free_path) {}
 
-void Collider::find_groups(const Grid& grid, const FabricInCells& fabric, Particles& particles) {
-    cells_.sort(grid, particles);
+void Collider::find_groups(const Grid& grid, const FabricInCells& fabric, Particles& particles,
+                           bool moves_rows) {
+    cells_.sort(grid, particles, moves_rows);
     cell_volume_ = grid.edge * grid.edge * grid.edge;
-    groups_.find(cells_.cells(), fabric, particles, std::sqrt(3.0) * grid.edge);
+    groups_.find(cells_, fabric, particles, std::sqrt(3.0) * grid.edge);
 }
 
 double Collider::thermal_energy(const Particles& particles) const {

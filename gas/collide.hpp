@@ -77,9 +77,10 @@ public:
     Collider(std::vector<Species> species, double moles_each, std::uint64_t seed,
              CollisionModel model = CollisionModel::LIN, double mean_free_path = NaN);
 
-    /// Puts particles in the order of cells, and in cells with fabric tells sides apart. Valid
-    /// until rows or places change.
-    void find_groups(const Grid& grid, const FabricInCells& fabric, Particles& particles);
+    /// Lists particles by cell, and in cells with fabric tells sides apart; `moves_rows`: puts them
+    /// in the order of cells, too (CellSort). Valid until rows or places change.
+    void find_groups(const Grid& grid, const FabricInCells& fabric, Particles& particles,
+                     bool moves_rows = true);
 
     /// Energy of all motion relative to the groups' mean velocities, and all internal energy. [J]
     /// What collide(heat) multiplies.

@@ -3,6 +3,7 @@
 #include "gas/crossing.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "solver/base/predicates.hpp"
@@ -75,22 +76,25 @@ std::optional<Crossing> cross(const Path& path, const Triangle& triangle, const 
     if (all_on_one_side(r)) return std::nullopt;
 
     std::array<double, FACES> value;
-    std::array<bool, FACES>
-        positive;  // an exact zero counts as positive, on both sides of the face
-    for (int f = 0; f < FACES; ++f) {
-        const auto& c = FACE_CORNERS[f];
-        const Determinant d = determinant(r[c[0]], r[c[1]], r[c[2]]);
-        value[f] = d.value;
-        positive[f] = d.sign >= 0;
-    }
+    std::array<std::int8_t, FACES> sign{};  // 0: not yet asked for
+    // An exact zero counts as positive, on both sides of the face.
+    const auto is_positive = [&](Face f) {
+        if (sign[f] == 0) {
+            const auto& c = FACE_CORNERS[f];
+            const Determinant d = determinant(r[c[0]], r[c[1]], r[c[2]]);
+            value[f] = d.value;
+            sign[f] = d.sign >= 0 ? 1 : -1;
+        }
+        return sign[f] > 0;
+    };
     std::optional<Crossing> first;
     for (int p = 0; p < 3; ++p) {
         if (p == ignored) continue;
         const auto& [corner, face] = PIECES[p];
         // Barycentric weights of the origin are ± the face determinants, with alternating signs.
-        const bool inside = positive[face[0]] == !positive[face[1]] &&
-                            positive[face[1]] == !positive[face[2]] &&
-                            positive[face[2]] == !positive[face[3]];
+        const bool inside = is_positive(face[0]) == !is_positive(face[1]) &&
+                            is_positive(face[1]) == !is_positive(face[2]) &&
+                            is_positive(face[2]) == !is_positive(face[3]);
         if (!inside) continue;
         std::array<double, 4> weight;
         double total = 0.0;

@@ -27,12 +27,12 @@ inline bool any_greater(const Eight& a, const Eight& b) {
 #endif
 }
 
-/// The rest of a path, from some instant of the step to its end, in single precision: what
+/// A piece of a path, from one instant of the step to another, in single precision: what
 /// FacetBounds compare.
 struct SmallPath {
     Eight box;                      ///< high, 0, -low, 0                                   [m]
     std::array<float, 3> from, to;  ///< from the bounds' origin                            [m]
-    float after;                    ///< share of the step that is over                     [-]
+    float after, before;            ///< shares of the step at its two ends                 [-]
     float slack;                    ///< more than rounding can be wrong                    [m]
 };
 
@@ -57,10 +57,12 @@ struct FacetBound {
             h_0 += normal[a] * path.from[a];
             h_1 += normal[a] * path.to[a];
         }
-        const float low_0 = at_0 + path.after * (low_1 - at_0),
-                    high_0 = at_0 + path.after * (high_1 - at_0);
-        return (h_0 < low_0 - path.slack && h_1 < low_1 - path.slack) ||
-               (h_0 > high_0 + path.slack && h_1 > high_1 + path.slack);
+        const float low = low_1 - at_0, high = high_1 - at_0;
+        const float below_0 = at_0 + path.after * low - path.slack,
+                    below_1 = at_0 + path.before * low - path.slack,
+                    above_0 = at_0 + path.after * high + path.slack,
+                    above_1 = at_0 + path.before * high + path.slack;
+        return (h_0 < below_0 && h_1 < below_1) || (h_0 > above_0 && h_1 > above_1);
     }
 };
 
@@ -72,17 +74,22 @@ public:
 
     [[nodiscard]] const FacetBound& operator[](Index facet) const { return bound_[facet]; }
 
-    /// The path from `from`, at the share `after` of the step, to `to` at its end.
-    [[nodiscard]] SmallPath small(const Vec3& from, double after, const Vec3& to) const {
+    /// Between the shares `enters` and `leaves` of the way from `from`, where the particle is at
+    /// the share `now` of the step, to `to` at its end.
+    [[nodiscard]] SmallPath small(const Vec3& from, const Vec3& to, double now, double enters,
+                                  double leaves) const {
         SmallPath out;
         double size = size_;
         for (int a = 0; a < 3; ++a) {
-            const double p = from[a] - origin_[a], q = to[a] - origin_[a];
+            const double way = to[a] - from[a];
+            const double p = from[a] + enters * way - origin_[a],
+                         q = from[a] + leaves * way - origin_[a];
             out.from[a] = static_cast<float>(p);
             out.to[a] = static_cast<float>(q);
             size = std::max({size, std::abs(p), std::abs(q)});
         }
-        out.after = static_cast<float>(after);
+        out.after = static_cast<float>(now + enters * (1.0 - now));
+        out.before = static_cast<float>(now + leaves * (1.0 - now));
         out.slack = static_cast<float>(ROUNDING * size);
         const auto high = [&](int a) { return std::max(out.from[a], out.to[a]) + out.slack; };
         const auto less = [&](int a) { return out.slack - std::min(out.from[a], out.to[a]); };

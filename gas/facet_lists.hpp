@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -79,18 +80,109 @@ public:
         };
         return slab(grid_.row(along(0), along(1), along(2)));
     }
-    /// visit(slab) for the slabs that the straight way from one point to another does not miss,
-    /// until it returns true; did it? One cell for a short way; for a long one all that its box
-    /// overlaps.
+    /// visit(slab, from_share, to_share) for the slabs that the straight way from one point to
+    /// another does not miss, in the order in which it comes to their cells, with the shares of the
+    /// way at which it enters and leaves; until it returns true: did it? One cell for a short way.
     template <class Visit>
     bool any_slab(const Vec3& from, const Vec3& to, Visit&& visit) const {
         const auto a = small(from), b = small(to);
         const Vec3 way = (to - from).cwiseAbs();
         if ((way[0] <= reach_) & (way[1] <= reach_) & (way[2] <= reach_)) {
             const Slab& slab = slab_at(a);
-            return !slab.is_missed_by(a, b) && visit(slab);
+            return !slab.is_missed_by(a, b) && visit(slab, 0.0, 1.0);
         }
-        const bool is_far = way.maxCoeff() > size_;  // single precision would not do
+        if (way.maxCoeff() > size_) return any_slab_far(from, to, visit);
+        return walk(from, to, [&](std::size_t cell, double enters, double leaves) {
+            const Slab& here = slab(cell);
+            return here.begin != here.end && !here.is_missed_by(a, b) &&
+                   visit(here, enters, leaves);
+        });
+    }
+    /// Of many particles' ways, x[i] to x[i] + way[i], those that may meet facets as far as one
+    /// cell can tell: a bit each. No branches, so it is quick.
+    template <std::size_t N>
+    [[nodiscard]] std::uint64_t unclear(const Vec3* x, const std::array<Vec3, N>& way,
+                                        std::size_t count) const {
+        static_assert(N <= 64);
+        std::array<Index, N> row;
+        std::array<std::array<float, N>, 3> from, to;
+        std::array<bool, N> is_long;
+        const float reach = static_cast<float>(reach_ * (1.0 - ROUNDING_OF_REACH));
+        for (std::size_t i = 0; i < count; ++i) {
+            std::array<int, 3> cell;
+            bool beyond = false;
+            for (int a = 0; a < 3; ++a) {
+                const double p = x[i][a] - grid_.low[a];
+                from[a][i] = static_cast<float>(p);
+                to[a][i] = static_cast<float>(x[i][a] + way[i][a] - grid_.low[a]);
+                cell[a] =
+                    std::clamp(static_cast<int>(from[a][i] * per_edge_), 0, grid_.count[a] - 1);
+                beyond |= !(std::abs(static_cast<float>(way[i][a])) <= reach);
+            }
+            is_long[i] = beyond;
+            row[i] = slab_row_[grid_.row(cell[0], cell[1], cell[2])];
+        }
+        std::uint64_t bits = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const Slab& slab = slab_[row[i]];
+            const bool is_missed = slab.is_missed_by({from[0][i], from[1][i], from[2][i]},
+                                                     {to[0][i], to[1][i], to[2][i]});
+            bits |= static_cast<std::uint64_t>(!is_missed | is_long[i]) << i;
+        }
+        return bits;
+    }
+    /// A point that moves no farther than this along any axis certainly meets no facet.    [m]
+    [[nodiscard]] double free_way(const Vec3& x) const { return free_way_[grid_.cell_of(x)]; }
+    [[nodiscard]] std::span<const Index> starts() const { return start_; }
+    [[nodiscard]] std::span<const Index> facets() const { return facet_; }
+    [[nodiscard]] std::size_t builds() const { return builds_; }
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(grid_, margin_, reach_, size_, per_edge_, builds_, built_at_, start_, facet_, slab_,
+                slab_row_, free_way_);
+    }
+
+private:
+    static constexpr double ROUNDING_OF_REACH = 1e-6;
+
+    /// visit(cell, enters, leaves) for the cells that a way passes through, in order, with the
+    /// shares of the way [Amanatides & Woo 1987], until it returns true.
+    template <class Visit>
+    bool walk(const Vec3& from, const Vec3& to, Visit&& visit) const {
+        std::array<int, 3> cell, end, step;
+        std::array<double, 3> next, per_cell;
+        int steps = 0;
+        for (int a = 0; a < 3; ++a) {
+            const double p = (from[a] - grid_.low[a]) * grid_.per_edge,
+                         q = (to[a] - grid_.low[a]) * grid_.per_edge;
+            cell[a] = static_cast<int>(std::floor(p));
+            end[a] = static_cast<int>(std::floor(q));
+            step[a] = end[a] > cell[a] ? 1 : -1;
+            steps += std::abs(end[a] - cell[a]);
+            per_cell[a] = 1.0 / std::abs(q - p);
+            const double face = cell[a] + (step[a] > 0 ? 1.0 : 0.0);
+            next[a] = cell[a] == end[a] ? INF : std::abs(face - p) * per_cell[a];
+        }
+        const auto along = [&](int a) { return std::clamp(cell[a], 0, grid_.count[a] - 1); };
+        double enters = 0.0;
+        for (int i = 0;; ++i) {
+            const int a =
+                next[0] < next[1] ? (next[0] < next[2] ? 0 : 2) : (next[1] < next[2] ? 1 : 2);
+            const double leaves = i == steps ? 1.0 : std::min(next[a], 1.0);
+            if (visit(grid_.row(along(0), along(1), along(2)), enters, leaves)) return true;
+            if (i == steps) return false;
+            enters = leaves;
+            cell[a] += step[a];
+            next[a] = cell[a] == end[a] ? INF : next[a] + per_cell[a];
+        }
+    }
+
+    /// For ways longer than the grid, where single precision would not do: all cells that their box
+    /// overlaps, in any order.
+    template <class Visit>
+    bool any_slab_far(const Vec3& from, const Vec3& to, Visit&& visit) const {
         std::array<int, 3> first, last;
         for (int k = 0; k < 3; ++k) {
             first[k] = grid_.along(k, std::min(from[k], to[k]));
@@ -100,29 +192,15 @@ public:
             for (int j = first[1]; j <= last[1]; ++j)
                 for (int i = first[0]; i <= last[0]; ++i) {
                     const Slab& cell = slab(grid_.row(i, j, k));
-                    if (cell.begin == cell.end || (!is_far && cell.is_missed_by(a, b))) continue;
-                    if (visit(cell)) return true;
+                    // Nothing is known of the order: each is told that the way ends nowhere in it.
+                    if (cell.begin != cell.end && visit(cell, 0.0, 0.0)) return true;
                 }
         return false;
     }
-    /// Does the straight way from one point to another certainly meet no facet?
-    [[nodiscard]] bool is_clear(const Vec3& from, const Vec3& to) const {
-        return !any_slab(from, to, [](const Slab&) { return true; });
-    }
-    [[nodiscard]] std::span<const Index> starts() const { return start_; }
-    [[nodiscard]] std::span<const Index> facets() const { return facet_; }
-    [[nodiscard]] std::size_t builds() const { return builds_; }
 
-    /// What a checkpoint holds of it (solver/base/archive.hpp).
-    template <class Archive>
-    void visit_state(Archive& archive) {
-        archive(grid_, margin_, reach_, size_, per_edge_, builds_, built_at_, start_, facet_, slab_,
-                slab_row_);
-    }
-
-private:
     void pair_patches_with_blocks();
     void find_slabs(std::span<const Vec3> x_0, std::span<const Vec3> x_1);
+    void find_free_ways();
     template <class Enter>
     void for_each_entry(Enter&& enter) const;
 
@@ -142,7 +220,9 @@ private:
     std::vector<Index> start_, fill_, facet_;     ///< cells -> facets, compressed rows
     std::vector<Slab> slab_;       ///< first that of all empty cells, then one a cell
     std::vector<Index> slab_row_;  ///< per cell
-    Points normal_;                ///< of the facets, not of unit length
+    std::vector<float> free_way_;  ///< per cell                                         [m]
+    std::vector<std::uint8_t> cells_off_, cells_off_before_;  ///< per cell
+    Points normal_;                                           ///< of the facets, not of unit length
 };
 
 }  // namespace corpuscle::gas

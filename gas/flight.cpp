@@ -48,15 +48,6 @@ struct Flyer {
 
 enum class End : std::uint8_t { FLOWN, CAUGHT, GONE };
 
-/// look(facets) for the lists that a path from one point to another must ask.
-template <class Look>
-void for_lists(const FacetLists& lists, const Vec3& from, const Vec3& to, Look&& look) {
-    lists.any_slab(from, to, [&](const Slab& slab) {
-        look(lists.in(slab));
-        return false;
-    });
-}
-
 /// Keeps the facet in `first` if the path crosses it earlier.
 void meet(const Scene& scene, const Path& path, Index facet, double after, const Meeting& last,
           Meeting& first) {
@@ -71,18 +62,27 @@ void meet(const Scene& scene, const Path& path, Index facet, double after, const
 Meeting first_meeting(const Scene& scene, const Path& path, const Vec3& from, double now,
                       double after, const Meeting& last) {
     Meeting first;
+    // A meeting later than where the way leaves the cell may yet be preceded by another.
+    const auto is_settled = [&](double leaves) {
+        return first.facet >= 0 && first.where.tau <= now + leaves * (1.0 - now);
+    };
     if (!scene.bounds) {
-        for_lists(scene.lists, from, path.at_1, [&](std::span<const Index> facets) {
-            for (const Index facet : facets) meet(scene, path, facet, after, last, first);
+        scene.lists.any_slab(from, path.at_1, [&](const Slab& slab, double, double leaves) {
+            for (const Index facet : scene.lists.in(slab))
+                meet(scene, path, facet, after, last, first);
+            return is_settled(leaves);
         });
         return first;
     }
     const FacetBounds& bounds = *scene.bounds;
-    const SmallPath small = bounds.small(from, now, path.at_1);
-    for_lists(scene.lists, from, path.at_1, [&](std::span<const Index> facets) {
-        for (const Index facet : facets)
+    scene.lists.any_slab(from, path.at_1, [&](const Slab& slab, double enters, double leaves) {
+        const bool is_part = leaves > enters;  // else nothing is known of the order
+        const SmallPath small =
+            bounds.small(from, path.at_1, now, is_part ? enters : 0.0, is_part ? leaves : 1.0);
+        for (const Index facet : scene.lists.in(slab))
             if (bounds[facet].is_near(small) && !bounds[facet].is_missed_by(small))
                 meet(scene, path, facet, after, last, first);
+        return is_settled(leaves);
     });
     return first;
 }
@@ -258,28 +258,44 @@ void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec
         gas.e[who.row] = who.internal;
     };
 
+    const auto fly_near = [&](std::size_t i, std::size_t chunk) {
+        Flyer who = flyer(i, chunk);
+        const std::size_t hits = who.hits.size(), arrivals = who.arrivals.size();
+        switch (fly_one(scene, start(i), who)) {
+            case End::FLOWN:
+                land(who);
+                break;
+            case End::GONE:
+                break;
+            case End::CAUGHT:
+                who.hits.resize(hits);
+                who.arrivals.resize(arrivals);
+                result.caught[chunk].push_back(i);
+        }
+    };
+    const auto fly_rows = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        std::array<Vec3, FreeWays::BLOCK> way;
+        for (std::size_t i = begin; i < end; ++i) way[i - begin] = (1.0 - start(i)) * dt * gas.v[i];
+        std::uint64_t unclear = lists.unclear(&gas.x[begin], way, end - begin);
+        for (std::size_t i = begin; i < end; ++i, unclear >>= 1) {
+            if ((unclear & 1) == 0)
+                gas.x[i] += way[i - begin];
+            else
+                fly_near(i, chunk);
+        }
+    };
+
+    FreeWays& ways = result.ways;
+    ways.begin_flight(lists, gas.size());
     parallel::for_chunks(
         gas.size(),
         [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-            for (std::size_t i = begin; i < end; ++i) {
-                const Vec3 way = (1.0 - start(i)) * dt * gas.v[i];
-                if (lists.is_clear(gas.x[i], gas.x[i] + way)) {
-                    gas.x[i] += way;
-                    continue;
-                }
-                Flyer who = flyer(i, chunk);
-                const std::size_t hits = who.hits.size(), arrivals = who.arrivals.size();
-                switch (fly_one(scene, start(i), who)) {
-                    case End::FLOWN:
-                        land(who);
-                        break;
-                    case End::GONE:
-                        break;
-                    case End::CAUGHT:
-                        who.hits.resize(hits);
-                        who.arrivals.resize(arrivals);
-                        result.caught[chunk].push_back(i);
-                }
+            for (std::size_t i = begin; i < end; i += FreeWays::BLOCK) {
+                const std::size_t block = i / FreeWays::BLOCK,
+                                  after = std::min(end, i + FreeWays::BLOCK);
+                if (i + FreeWays::BLOCK <= old && ways.stream(lists, block, dt, gas)) continue;
+                fly_rows(i, after, chunk);
+                ways.forget_block(block);
             }
         },
         parallel::CHUNK);

@@ -200,9 +200,10 @@ private:
 
 }  // namespace
 
-void Groups::find(const Lists& cells, const FabricInCells& fabric, const Particles& particles,
+void Groups::find(CellSort& sorted, const FabricInCells& fabric, const Particles& particles,
                   double reach) {
-    order_.assign(cells.order.begin(), cells.order.end());
+    const Lists cells = sorted.cells();
+    order_ = sorted.order();
     begins_.assign(order_.size(), 0);
     count_.assign(parallel::chunk_count(cells.size(), CELLS_A_CHUNK), 0);
     parallel::for_chunks(
@@ -215,7 +216,7 @@ void Groups::find(const Lists& cells, const FabricInCells& fabric, const Particl
                 if (begin == end) continue;
                 begins_[begin] = 1;
                 if (!fabric.lists || fabric.lists->is_empty(c)) continue;
-                const auto rows = std::span(order_).subspan(begin, end - begin);
+                const auto rows = order_.subspan(begin, end - begin);
                 if (divider.divide(c, rows, begins_.data() + begin) > 1) ++count_[chunk];
             }
         },

@@ -30,7 +30,8 @@ struct FabricInCells {
 class Groups {
 public:
     /// @param reach  longest distance within a cell                                      [m]
-    void find(const Lists& cells, const FabricInCells& fabric, const Particles& particles,
+    /// The cells' rows are put in the order of groups, and serve until they are sorted again.
+    void find(CellSort& cells, const FabricInCells& fabric, const Particles& particles,
               double reach);
 
     [[nodiscard]] Lists lists() const { return {start_, order_}; }
@@ -39,7 +40,8 @@ public:
 private:
     void number_groups();
 
-    std::vector<Index> start_, order_;
+    std::vector<Index> start_;
+    std::span<Index> order_;
     std::vector<std::uint8_t> begins_;  ///< does a group begin at this place of order_?
     std::vector<std::size_t> count_;    ///< per chunk
     std::size_t divided_cells_ = 0;     ///< that hold more than one group

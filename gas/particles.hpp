@@ -36,6 +36,14 @@ struct Particles {
         species.resize(n);
         id.resize(n);
     }
+    /// Room for n in all: growing bit by bit would take up to twice the memory.
+    void reserve(std::size_t n) {
+        x.reserve(n);
+        v.reserve(n);
+        e.reserve(n);
+        species.reserve(n);
+        id.reserve(n);
+    }
     /// Takes out rows, ascending; the order of the others stays.
     void erase(std::span<const std::size_t> rows) {
         if (rows.empty()) return;

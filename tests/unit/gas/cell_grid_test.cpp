@@ -45,3 +45,25 @@ TEST_CASE("sorting puts whole particles in the order of cells, on any number of 
     }
     CHECK(seen == n);
 }
+
+TEST_CASE("a sort that leaves rows where they are lists each in its cell", "[gas]") {
+    const Mixture mixture = mixture_of({AIR, HELIUM});
+    const Particles before = random_gas(20000, Vec3(1, 0.7, 0.3), mixture, {300, 400});
+    const Grid grid = Grid::over(Vec3::Zero(), Vec3(1, 0.7, 0.3), 0.11, 1000);
+    Particles gas = before;
+    CellSort sort;
+    sort.sort(grid, gas, /*moves_rows=*/false);
+    CHECK(gas.id == before.id);
+    const Lists cells = sort.cells();
+    std::size_t seen = 0;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        Index last = -1;
+        for (const Index row : cells[c]) {
+            REQUIRE(grid.cell_of(gas.x[row]) == c);
+            REQUIRE(row > last);
+            last = row;
+            ++seen;
+        }
+    }
+    CHECK(seen == gas.size());
+}

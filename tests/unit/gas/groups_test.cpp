@@ -55,7 +55,7 @@ struct Scene {
         CellSort cells;
         cells.sort(grid, gas);
         Groups groups;
-        groups.find(cells.cells(), {&lists, x}, gas, 2.0 * std::sqrt(3.0));
+        groups.find(cells, {&lists, x}, gas, 2.0 * std::sqrt(3.0));
         std::vector<int> group(gas.size(), -1);
         for (std::size_t g = 0; g < groups.lists().size(); ++g)
             for (const Index row : groups.lists()[g]) group[gas.id[row]] = static_cast<int>(g);
@@ -244,7 +244,7 @@ TEST_CASE("without fabric a cell is a group, and empty cells are none", "[gas]")
     Groups groups;
     for (const int threads : {1, 2}) {
         parallel::set_threads(threads);
-        groups.find(cells.cells(), {}, gas, 1.0);
+        groups.find(cells, {}, gas, 1.0);
         const Lists lists = groups.lists();
         std::size_t seen = 0;
         for (std::size_t g = 0; g < lists.size(); ++g) {

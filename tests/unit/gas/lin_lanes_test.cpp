@@ -39,7 +39,7 @@ TEST_CASE("four groups at once collide as one by one", "[gas][lanes]") {
     CellSort cells;
     cells.sort(grid, fast);
     Groups groups;
-    groups.find(cells.cells(), {}, fast, 1.0);
+    groups.find(cells, {}, fast, 1.0);
     Particles plain = fast;
     const CollisionStep step{groups.lists(), mixture, 1.01, 1e-5, 1.0, 0.0, 7, 3};
     const CollisionReport a = collide_lin(step, fast), b = collide_lin_plainly(step, plain);
