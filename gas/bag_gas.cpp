@@ -41,6 +41,16 @@ constexpr std::size_t MOST_CELLS = 2'000'000;
 /// Particles for which memory is set aside at once; pages are taken only when particles come.
 constexpr std::size_t MOST_RESERVED = 4'000'000;
 
+/// Entries of a step whose memory is kept for the next: a burst's is given back.
+constexpr std::size_t MOST_KEPT = 10'000;
+
+/// Empties a list that is filled anew in each step.
+template <class T>
+void begin_anew(std::vector<T>& list) {
+    list.clear();
+    if (list.capacity() > MOST_KEPT) list.shrink_to_fit();
+}
+
 constexpr std::size_t MOST_LOSSES = 20;  ///< that are told one by one
 
 std::string name_of(const BagCard& card) {
@@ -219,8 +229,8 @@ void BagGas::build(FacetLists& lists, double edge, double reach, const Points& x
 void BagGas::inject(double t, double dt, const Points& x_0, const Points& x_1) {
     time_ = t + dt;
     if (uniform_) return flow_uniform(t, dt, x_0, x_1);
-    entries_.clear();
-    born_.clear();
+    begin_anew(entries_);
+    begin_anew(born_);
     if (const int passed = orifices_.passed_by_fabric(lists_, x_0, x_1); passed >= 0) {
         const Vec3 at = orifices_.place(static_cast<std::size_t>(passed), x_1);
         throw PhysicsError(t, fmt::format("{}: fabric passes over orifice {} at ({:g}, {:g}, {:g})",

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "gas/collide.hpp"
 #include "gas/each_group.hpp"
 #include "gas/lin.hpp"
+#include "gas/lin_few.hpp"
 #include "gas/lin_lanes.hpp"
 #include "gas/relax.hpp"
 
@@ -83,16 +83,6 @@ private:
     Mat3 inverse_L_;  ///< S = L Lᵀ
 };
 
-/// Uniform on SO(3), from a uniform unit quaternion [Shoemake 1992].
-Mat3 random_rotation(Random& draw) {
-    const double u = draw.uniform();
-    const double a = 2.0 * std::numbers::pi * draw.uniform();
-    const double b = 2.0 * std::numbers::pi * draw.uniform();
-    const double r = std::sqrt(1.0 - u), s = std::sqrt(u);
-    return Eigen::Quaterniond(s * std::cos(b), r * std::sin(a), r * std::cos(a), s * std::sin(b))
-        .toRotationMatrix();
-}
-
 /// A factor, F Fᵀ ~ P', of the stress wanted after the collision: that of P turned round.
 ///
 /// At equilibrium P has Wishart's distribution with n degrees of freedom, and the entries of its
@@ -138,35 +128,38 @@ Mat3 mapping(const Mat3& P, const Mat3& F, Random& draw) {
 /// temperature but slowly. They would lose angular momentum: so c, which has no gradient, is lent a
 /// thermal one, and whatever gradient it has afterwards is taken out. At equilibrium that leaves c
 /// as it was distributed.
-void exchange(const std::optional<GradientFit>& fit, double kT, Swarm& swarm, Random& draw) {
-    if (fit) swarm.add_gradient(fit->thermal(kT, draw));
+void exchange(const GradientFit& fit, double kT, Swarm& swarm, Random& draw) {
+    swarm.add_gradient(fit.thermal(kT, draw));
     swarm.collide_pairs(draw);
-    if (fit) fit->take_out(swarm);
+    fit.take_out(swarm);
 }
 
 bool collide_group(const CollisionStep& step, Swarm& swarm, Random& draw) {
     const double E_all = swarm.translational();
     if (is_rigid(swarm, E_all)) return relax(step.heat, step.mixture, swarm, draw);
+    const std::optional<GradientFit> fit = GradientFit::of(swarm);
+    if (!fit) return collide_few(step, swarm, draw);
     const double energy = step.heat * (E_all + swarm.internal());
 
-    // Motion in common: U and, where it can be fitted, G. What is left is c, of energy E_0.
-    const std::optional<GradientFit> fit = GradientFit::of(swarm);
-    const Mat3 G = fit ? fit->take_out(swarm) : Mat3::Zero();
+    // Motion in common: U and G. What is left is c, of energy E_0.
+    const Mat3 G = fit->take_out(swarm);
     const Mat3 P_0 = swarm.moment(swarm.c, swarm.c);
     const double E_0 = 0.5 * P_0.trace();
     const double E_gradient = E_all - E_0;
 
     // Its energy at equilibrium, E_1.
-    const double along_each_axis = static_cast<double>(swarm.size()) - (fit ? lin::FITTED : 1.0);
+    const double along_each_axis = static_cast<double>(swarm.size()) - lin::FITTED;
     const double freedom = 3.0 * along_each_axis;
+    const bool has_heat = !is_rigid(swarm, E_0);
     std::optional<double> E_1;
-    if (!is_rigid(swarm, E_0)) E_1 = share(energy - E_gradient, freedom, step.mixture, swarm, draw);
+    if (has_heat) E_1 = share(energy - E_gradient, freedom, step.mixture, swarm, draw);
     if (!E_1) {
         swarm.add_gradient(G);
-        return relax(step.heat, step.mixture, swarm, draw);
+        return has_heat ? relax(step.heat, step.mixture, swarm, draw)
+                        : heat_rigid(step, E_all, swarm, draw);
     }
 
-    if (swarm.is_mixed()) exchange(fit, 2.0 * E_0 / freedom, swarm, draw);
+    if (swarm.is_mixed()) exchange(*fit, 2.0 * E_0 / freedom, swarm, draw);
     const Mat3 P = swarm.is_mixed() ? swarm.moment(swarm.c, swarm.c) : P_0;
     const Mat3 A = along_each_axis >= STRESS_FROM
                        ? mapping(P, turned_factor(P_0, along_each_axis, draw), draw)
@@ -175,6 +168,16 @@ bool collide_group(const CollisionStep& step, Swarm& swarm, Random& draw) {
     swarm.transform(exact * A);
     swarm.add_gradient(G);
     return true;
+}
+
+/// Asks the memory for particles that will be collided soon: rows of a group lie apart until they
+/// are moved again (CellSort), which no processor foresees.
+void fetch(std::span<const Index> rows, const Particles& particles) {
+    for (const Index row : rows) {
+        __builtin_prefetch(&particles.x[row]);
+        __builtin_prefetch(&particles.v[row]);
+        __builtin_prefetch(&particles.e[row]);
+    }
 }
 
 }  // namespace
@@ -188,7 +191,7 @@ CollisionReport collide_lin_plainly(const CollisionStep& step, Particles& partic
 
 /// Large groups of one species by fours; all others one by one.
 CollisionReport collide_lin(const CollisionStep& step, Particles& particles) {
-    constexpr std::size_t GROUPS_A_CHUNK = 64;
+    constexpr std::size_t GROUPS_A_CHUNK = 64, AHEAD = 2;
     const auto plainly = [&](std::size_t g) {
         return collide_one_group(step, g, particles, [&](Swarm& swarm, Random& draw, auto rows) {
             swarm.gather_places(rows, particles);
@@ -206,6 +209,7 @@ CollisionReport collide_lin(const CollisionStep& step, Particles& particles) {
         const std::size_t end = std::min(step.groups.size(), (chunk + 1) * GROUPS_A_CHUNK);
         for (std::size_t g = chunk * GROUPS_A_CHUNK; g < end; ++g) {
             const auto rows = step.groups[g];
+            if (g + AHEAD < end) fetch(step.groups[g + AHEAD], particles);
             const Random draw(step.seed, Stream::COLLISION, step.step, g);
             if (rows.size() < LinLanes::FEWEST || !four.add(rows, g, draw, particles))
                 report += plainly(g);

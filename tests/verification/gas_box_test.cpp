@@ -44,12 +44,11 @@ TEST_CASE("a gas at rest presses with n R T / V on its walls", "[gas]") {
     const double energy = Invariants(box.gas, mixture).energy;
 
     const double dt = 0.25 * box.edge() / thermal_speed(mixture, 0, T);
-    const int steps = 800;
+    const int steps = 3200;
     for (int i = 0; i < steps; ++i) box.step(dt);
     const double p = box.impulse / (box.area() * dt * steps);
     const double ideal = 2.0 * static_cast<double>(n) * mixture.half_heat() * T / box.volume();
-    // Statistics of some 2 million hits: .1 %. LIN at 20 particles a cell keeps .2 % too little
-    // motion.
+    WARN((model == CollisionModel::LIN ? "LIN" : "PAIRS") << ": " << p / ideal);
     CHECK(p == Approx(ideal).epsilon(0.003));
     CHECK(Invariants(box.gas, mixture).energy == Approx(energy).epsilon(1e-11));
 }
@@ -209,12 +208,10 @@ TEST_CASE("twenty collision steps bring a mixture to one temperature, its motion
     CHECK(Invariants(box.gas, mixture).energy == Approx(before.energy).epsilon(1e-11));
 }
 
-TEST_CASE(
-    "what collisions of a mixture keep: momentum and energy exactly, angular momentum but in "
-    "cells of few",
-    "[gas]") {
+TEST_CASE("collisions of a mixture keep momentum and energy and angular momentum to rounding",
+          "[gas]") {
     const Pair& pair = PAIRS_OF_GASES[GENERATE(0, 1)];
-    const double per_cell = GENERATE(20.0, 60.0);
+    const double per_cell = GENERATE(4.0, 20.0, 60.0);
     const Mixture mixture = mixture_of({pair.gas[0], pair.gas[1]});
     const Vec3 size = Vec3::Constant(0.1);
     const std::size_t n = 40000;
@@ -241,5 +238,5 @@ TEST_CASE(
                    << turned.norm() / spin / STEPS << " of the particles' own in a step");
     CHECK(after.energy == Approx(before.energy).epsilon(1e-12));
     CHECK((after.momentum - before.momentum).norm() < 1e-12 * momentum);
-    CHECK(turned.norm() < (per_cell > 50.0 ? 1e-13 * STEPS : 1e-4 * STEPS) * spin);
+    CHECK(turned.norm() < 1e-14 * STEPS * spin);
 }
