@@ -7,7 +7,7 @@ import numpy as np
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from results import open_results, plt, save
 
-INSTANTS = (0.0, 2.0, 4.0, 6.0, 8.0, 10.0, 15.0, 20.0, 30.0)  # [ms], as far as the run goes
+INSTANTS = (0.0, 3.0, 6.0, 10.0, 15.0, 20.0, 30.0)  # [ms], as far as the run goes
 HOUSING = 7
 LIGHT = np.array([-0.4, -0.5, 0.77])
 CLOTH = np.array([0.93, 0.91, 0.86])
