@@ -34,7 +34,8 @@ double thermal_speed(const Mixture& mixture, std::int32_t s, double T) {
 
 TEST_CASE("a gas at rest presses with n R T / V on its walls", "[gas]") {
     const auto model = GENERATE(CollisionModel::PAIRS, CollisionModel::LIN);
-    const Mixture mixture = mixture_of({GENERATE(AIR, CARBON_DIOXIDE)});
+    const bool is_air = GENERATE(true, false);
+    const Mixture mixture = mixture_of({is_air ? AIR : CARBON_DIOXIDE});
     const double T = 400.0;
     const std::size_t n = 10000;
     const Vec3 size(0.1, 0.1, 0.1);
@@ -49,7 +50,9 @@ TEST_CASE("a gas at rest presses with n R T / V on its walls", "[gas]") {
     const double p = box.impulse / (box.area() * dt * steps);
     const double ideal = 2.0 * static_cast<double>(n) * mixture.half_heat() * T / box.volume();
     WARN((model == CollisionModel::LIN ? "LIN" : "PAIRS") << ": " << p / ideal);
-    CHECK(p == Approx(ideal).epsilon(0.003));
+    // Some 9 million hits: .05 %. Where the heat capacity rises with temperature the mean of the
+    // groups' temperatures is below that of the mean energy: .17 % of motion at 20 a cell.
+    CHECK(p == Approx(ideal).epsilon(is_air ? 0.001 : 0.003));
     CHECK(Invariants(box.gas, mixture).energy == Approx(energy).epsilon(1e-11));
 }
 
