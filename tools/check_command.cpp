@@ -17,6 +17,8 @@ namespace {
 constexpr double SECONDS_PER_PARTICLE_STEP = 60e-9;
 constexpr double SECONDS_PER_ELEMENT_STEP = 60e-9;
 constexpr double SECONDS_PER_CONTACT_FACET_STEP = 100e-9;
+/// Of a pair that is near at the start, over the whole run: a folded bag's come apart as it opens.
+constexpr double SECONDS_PER_NEAR_PAIR_STEP = 500e-9;
 
 void print_scene(const Simulation& simulation) {
     const Model& model = simulation.model();
@@ -79,6 +81,8 @@ void print_estimate(const Simulation& simulation) {
         seconds += static_cast<double>(bag.particles) * SECONDS_PER_PARTICLE_STEP;
     if (!model.contacts.empty())
         seconds += 2.0 * static_cast<double>(model.shells.size()) * SECONDS_PER_CONTACT_FACET_STEP;
+    for (const contact::SurfaceContact& contact : simulation.contacts())
+        seconds += static_cast<double>(contact.counts().near) * SECONDS_PER_NEAR_PAIR_STEP;
     seconds *= steps / parallel::threads();
     fmt::print(
         "estimate: first step {:.4g} (set by {}), {:.3g} steps if it stays, some {:.2g} s on {} "
