@@ -51,8 +51,9 @@ public:
     }
     /// 0.9 of the stable step of the springs alone.                                        [s]
     [[nodiscard]] double stable_step() const {
-        const std::vector<double> rate = own_rates();
-        return 0.9 * 2.0 / std::sqrt(*std::max_element(rate.begin(), rate.end()));
+        double most = 0.0;
+        for (const double rate : own_rates()) most = std::max(most, rate);
+        return 0.9 * 2.0 / std::sqrt(most);
     }
     /// @param card  with all of the cloth as its part 0
     [[nodiscard]] contact::ContactSetup setup(contact::ContactCard card,
