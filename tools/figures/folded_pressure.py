@@ -27,11 +27,12 @@ def curves_of(folder):
         bag = run["history/airbag/1"]
         kept = {name: bag[name][:].astype(float) for name in ("pressure", "volume", "particles", "particles_out")}
         time = run["history/time"][:].astype(float)
-    # a bag that has become uniform has no particles any more
-    ends = kept["particles"] > 0
-    switch = time[ends][-1] if not ends[-1] else np.inf
+    # in a bag that has become uniform no particle comes or goes any more
+    number = kept["particles"] + kept["particles_out"]
+    last = time[np.flatnonzero(np.diff(number))[-1]]
+    switch = last if last < time[-1] - 2.0 else np.inf
     wall = json.loads((folder / "run.json").read_text())["wall"]
-    return {"time": time, "switch": switch, "wall": wall, "number": int((kept["particles"] + kept["particles_out"]).max()), **kept}
+    return {"time": time, "switch": switch, "wall": wall, "number": int(number.max()), **kept}
 
 
 def label(run):
@@ -49,7 +50,7 @@ def main():
         style = "--" if np.isfinite(run["switch"]) else "-"
         left.plot(run["time"], 1e6 * run["pressure"], style, linewidth=0.9, label=label(run))
         right.plot(run["time"], 1e-6 * run["volume"], style)
-    left.set(xlabel="time [ms]", ylabel="pressure [kPa]", yscale="log")
+    left.set(xlabel="time [ms]", ylabel="pressure [kPa]")
     right.set(xlabel="time [ms]", ylabel="volume [l]")
     left.legend(fontsize=7)
     save(figure, "driver_bag_folded", "pressure.png")
