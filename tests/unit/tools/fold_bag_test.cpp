@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/fold/bag.hpp"
 
+#include <unistd.h>
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -104,7 +105,8 @@ TEST_CASE("the deck holds the folded bag and its flat shape", "[fold]") {
     const Bag bag = fold::fold(recipe);
     const Inspection found = inspect(bag, recipe.pattern.gap);
     CHECK(found.crossings.empty());
-    const auto folder = std::filesystem::temp_directory_path() / "corpuscle_test_fold";
+    const auto folder =
+        std::filesystem::temp_directory_path() / ("corpuscle_fold_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "mesh.k") << bag_deck(bag, recipe, found);
     std::ofstream deck(folder / "bag.k");

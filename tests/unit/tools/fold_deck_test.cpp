@@ -3,11 +3,13 @@
 #include "tools/fold/deck_pattern.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 #include <catch2/catch.hpp>
 
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <string>
 
 #include "solver/base/error.hpp"
 #include "tools/fold/fold.hpp"
@@ -28,7 +30,9 @@ public:
     double jitter = 0.0;    ///< of the back's inner nodes, so that the meshes differ
     int broken = 0;         ///< 1: a rim node away, 2: a shell upright, 3: a hole in the back
 
-    PanelDeck() : folder_(std::filesystem::temp_directory_path() / "corpuscle_test_fold_deck") {
+    PanelDeck()
+        : folder_(std::filesystem::temp_directory_path() /
+                  ("corpuscle_fold_deck_" + std::to_string(getpid()))) {
         std::filesystem::create_directories(folder_);
     }
     ~PanelDeck() { std::filesystem::remove_all(folder_); }
