@@ -118,7 +118,7 @@ std::string Simulation::growing_shell(Index node) const {
         if (!active_[s] || std::find(nodes.begin(), nodes.end(), node) == nodes.end()) continue;
         double energy = 0.0;
         for (const Index n : nodes) energy += nodes_.mass[n] * growth_.kick(n).squaredNorm();
-        if (energy > most) {
+        if (energy > most || most < 0.0) {  // whatever it is, NaN too, there is one
             most = energy;
             who = s;
         }
@@ -197,13 +197,21 @@ void Simulation::stop_for(Index broken_shell) const {
 
 void Simulation::check_finite() const {
     if (std::isfinite(ledger_.after.kinetic)) return;
-    for (std::size_t n = 0; n < nodes_.size(); ++n)
+    std::size_t fastest = 0;
+    double most = -1.0;
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
         if (!nodes_.v[n].allFinite())
-            throw PhysicsError(clock_.t, fmt::format("node {} near ({:.6g}, {:.6g}, {:.6g}) has no "
-                                                     "finite velocity: the fabric became unstable",
-                                                     model_.node_id[n], nodes_.x[n][0],
-                                                     nodes_.x[n][1], nodes_.x[n][2]));
-    throw PhysicsError(clock_.t, "the kinetic energy overflows: the fabric became unstable");
+            throw PhysicsError(
+                clock_.t, fmt::format("{}: node {} has no finite velocity: the "
+                                      "fabric became unstable",
+                                      growing_shell(static_cast<Index>(n)), model_.node_id[n]));
+        if (const double speed = nodes_.v[n].cwiseAbs().maxCoeff(); speed > most) {
+            most = speed;
+            fastest = n;
+        }
+    }
+    throw PhysicsError(clock_.t, growing_shell(static_cast<Index>(fastest)) +
+                                     ": the kinetic energy overflows: the fabric became unstable");
 }
 
 }  // namespace corpuscle

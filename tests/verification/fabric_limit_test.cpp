@@ -5,6 +5,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "solver/base/error.hpp"
@@ -17,6 +19,7 @@ using namespace corpuscle::fabric::test;
 
 namespace {
 
+constexpr std::array KINDS = {"linear cloth", "cloth of FORM 14", "cloth of FORM 4", "film"};
 constexpr double TAUT = 1.01;  ///< stretch, for cloth has no stiffness where it is slack
 
 /// The limit of the step, 2/ω of the free nodes of the taut mesh, and the program's bound. [s]
@@ -84,18 +87,23 @@ Model scene(const Sheet& sheet, const Points& x, const Points& v) {
     return model;
 }
 
-/// What stops it within so many steps; empty when nothing does.
-std::string stop(Model model, double factor, double dt, int steps) {
+struct Outcome {
+    std::string stopped_by;  ///< empty: nothing
+    int steps = 0;           ///< until then
+};
+
+/// Takes so many steps, each `factor` of the program's bound.
+Outcome run(Model model, double factor, int steps) {
     model.step_factor = factor;
-    model.end_time = dt * steps;
+    model.end_time = INF;
     Simulation simulation(std::move(model));
+    Outcome outcome;
     try {
-        for (int i = 0; i < steps && !simulation.is_over(); ++i)
-            simulation.step([](Simulation&) {});
+        for (; outcome.steps < steps; ++outcome.steps) simulation.step([](Simulation&) {});
     } catch (const PhysicsError& error) {
-        return error.what();
+        outcome.stopped_by = error.what();
     }
-    return {};
+    return outcome;
 }
 
 bool names_a_shell(const std::string& what) {
@@ -127,8 +135,8 @@ void check_taut(unsigned first, unsigned last) {
         for (std::size_t n = 0; n < x.size(); ++n)
             if (std::find(free.begin(), free.end(), n) == free.end())
                 model.supports.push_back({static_cast<Index>(n), 7U});
-        beyond.add(names_a_shell(stop(model, 1.1 * limit.exact / limit.bound, limit.exact, 2000)));
-        below.add(!stop(model, 0.9, limit.exact, 2000).empty());
+        beyond.add(names_a_shell(run(model, 1.1 * limit.exact / limit.bound, 2000).stopped_by));
+        below.add(!run(model, 0.9, 2000).stopped_by.empty());
     }
     fmt::print(
         "Taut meshes {} to {}: found unstable {} of {} at 1.1 of the limit, {} of {} at 0.9 of "
@@ -159,29 +167,55 @@ void check_sharpness(unsigned first, unsigned last) {
     CHECK(most <= TAUT);  // the bound is of the state at rest: a stretch raises the limit's ω
 }
 
-/// The same meshes folded and crumpled, free, at 10 m/s.
+/// The same meshes folded and crumpled, free, at 10 m/s. Film is over its limit at once. Cloth has
+/// no stiffness while it is slack, so it grows only while it is taut, and now and then: the slowest
+/// of a thousand takes 31 700 steps.
 void check_folded(unsigned first, unsigned last) {
-    Tally film, cloth;
+    std::array<std::vector<int>, 4> steps;  // until found, by kind of cloth
+    unsigned missed = 0;
     for (unsigned seed = first; seed <= last; ++seed) {
         Folded mesh(seed);
         const Limit limit = limit_of(mesh.sheet, all_nodes(mesh.sheet));
-        const std::string what = stop(scene(mesh.sheet, mesh.x, mesh.v),
-                                      1.1 * limit.exact / limit.bound, limit.exact, 10000);
-        (seed % 4 == 3 ? film : cloth).add(names_a_shell(what));
+        const Outcome outcome =
+            run(scene(mesh.sheet, mesh.x, mesh.v), 1.1 * limit.exact / limit.bound, 40000);
+        if (names_a_shell(outcome.stopped_by)) {
+            steps[seed % 4].push_back(outcome.steps);
+        } else {
+            ++missed;
+            UNSCOPED_INFO("mesh " << seed << ": " << outcome.stopped_by);
+        }
     }
-    fmt::print(
-        "Folded meshes {} to {} at 1.1 of the limit, 10 000 steps: found unstable {} of {} of "
-        "film, "
-        "{} of {} of cloth\n",
-        first, last, film.found, film.all, cloth.found, cloth.all);
-    CHECK(film.found == film.all);
-    CHECK(cloth.found > cloth.all / 2);  // slack cloth has no limit: it may stay slack
+    CHECK(missed == 0);
+    fmt::print("Folded meshes {} to {} at 1.1 of the limit, {} missed in 40 000 steps\n", first,
+               last, missed);
+    for (std::size_t kind = 0; kind < steps.size(); ++kind) {
+        std::vector<int>& s = steps[kind];
+        REQUIRE(!s.empty());
+        std::sort(s.begin(), s.end());
+        const auto early = std::upper_bound(s.begin(), s.end(), 10000) - s.begin();
+        fmt::print(
+            "  {}: {} found, {} of them in 10 000 steps; after {} steps (median), {} (last)\n",
+            KINDS[kind], s.size(), early, s[s.size() / 2], s.back());
+    }
+}
+
+/// The same at 0.9 of the program's own bound: energy of cloth drifts up while it turns slack and
+/// taut (README), and one linear cloth of a thousand has doubled it by step 9 399.
+void check_folded_below(unsigned first, unsigned last) {
+    Tally below;
+    for (unsigned seed = first; seed <= last; ++seed) {
+        Folded mesh(seed);
+        below.add(!run(scene(mesh.sheet, mesh.x, mesh.v), 0.9, 10000).stopped_by.empty());
+    }
+    fmt::print("Folded meshes {} to {} at 0.9 of the step: {} stopped in 10 000 steps\n", first,
+               last, below.found);
+    CHECK(below.found <= 1);
 }
 
 }  // namespace
 
 TEST_CASE("taut meshes at 1.1 of the largest eigenvalue's step stop and name a shell") {
-    check_taut(1, 100);
+    check_taut(1, 1000);
 }
 
 TEST_CASE("the step is no more than the largest eigenvalue's and not much less") {
@@ -189,5 +223,9 @@ TEST_CASE("the step is no more than the largest eigenvalue's and not much less")
 }
 
 TEST_CASE("folded meshes at 1.1 of the largest eigenvalue's step stop and name a shell") {
-    check_folded(1, 20);
+    check_folded(1, 1000);
+}
+
+TEST_CASE("folded meshes at 0.9 of the step go on", "[.long]") {
+    check_folded_below(1, 1000);
 }
