@@ -73,8 +73,14 @@ double Candidates::neighbours_thickness(const Pair& pair) const {
         pair.is_edges ? are_beside(0, 2) || are_beside(0, 3) || are_beside(1, 2) || are_beside(1, 3)
                       : are_beside(0, 1) || are_beside(0, 2) || are_beside(0, 3);
     if (!is_neighbour) return INF;
-    return 0.5 * std::max(nearest(pair, cloth_.reference_x).apart.norm(),
-                          nearest(pair, cloth_.x0).apart.norm());
+    // Two panels lie on each other in the reference shape; along the cloth, round the seam, they
+    // are farther apart
+    const auto height = [&](int i) { return cloth_.star_height[n[i]]; };
+    const double along =
+        pair.is_edges ? std::max(std::min(height(0), height(1)), std::min(height(2), height(3)))
+                      : height(0);
+    return 0.5 * std::max({along, nearest(pair, cloth_.reference_x).apart.norm(),
+                           nearest(pair, cloth_.x0).apart.norm()});
 }
 
 PairMemory& Candidates::make_memory(std::size_t i) {

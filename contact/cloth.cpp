@@ -141,6 +141,20 @@ void list_triangles_of_nodes(Cloth& cloth) {
             cloth.node_triangle[next[n]++] = static_cast<Index>(t);
 }
 
+void find_star_heights(Cloth& cloth) {
+    cloth.star_height.assign(cloth.inverse_mass.size(), INF);
+    for (const Triangle& t : cloth.triangles) {
+        const Vec3 &a = cloth.reference_x[t[0]], &b = cloth.reference_x[t[1]],
+                   &c = cloth.reference_x[t[2]];
+        const double twice_area = (b - a).cross(c - a).norm();
+        const std::array<double, 3> opposite = {(c - b).norm(), (a - c).norm(), (b - a).norm()};
+        for (int k = 0; k < 3; ++k)
+            if (opposite[k] > 0.0)
+                cloth.star_height[t[k]] =
+                    std::min(cloth.star_height[t[k]], twice_area / opposite[k]);
+    }
+}
+
 void list_patch_nodes(Cloth& cloth) {
     cloth.patch_of.resize(cloth.triangles.size());
     cloth.patch_node_start.assign(1, 0);
@@ -182,6 +196,7 @@ Cloth::Cloth(const ContactSetup& setup)
     find_owners(*this);
     find_near_nodes(2.0 * greatest_thickness, *this);
     list_triangles_of_nodes(*this);
+    find_star_heights(*this);
     list_patch_nodes(*this);
     list_body_nodes(*this);
 }

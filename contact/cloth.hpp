@@ -54,6 +54,10 @@ struct Cloth {
     std::vector<Index> patch_node;  ///< nodes of patch p: patch_node[patch_node_start[p]] ...
     std::vector<Index> patch_node_start;
 
+    /// By node row: least height over the opposite side of its triangles in the reference shape.
+    /// Along the cloth, what does not have the node is at least this far from it.             [m]
+    std::vector<double> star_height;
+
     std::vector<Index> node_triangle;  ///< triangles of node n, ascending
     std::vector<Index> node_start;
 

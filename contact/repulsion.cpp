@@ -12,6 +12,13 @@ namespace {
 /// margin; that and what the membrane has taken; the most that one pair makes use of.
 constexpr double LEAST = 0.5, ALL = 0.9 * 0.9 * 4.0 + LEAST, MOST = 2.0;
 
+/// What a contact weighs when its nodes share out what they bear. With F = S d²/sum of d a force
+/// changes with its own depth or another's by no more than the whole share S. Contacts with rigid
+/// bodies share alike: what a stiffness that changes takes from the motion would be missing there.
+double weight(const Contact& c) {
+    return c.on_body ? 1.0 : (c.rest - c.gap) / c.rest;
+}
+
 }  // namespace
 
 Repulsion::Repulsion(const Cloth& cloth)
@@ -25,7 +32,8 @@ void Repulsion::count_sharers(const ContactList& contacts) {
     std::fill(body_shared_by_.begin(), body_shared_by_.end(), 0.0);
     contacts.for_each([&](const Contact& c) {
         if (c.gap >= c.rest) return;
-        for (int i = 0; i < 4; ++i) shared_by_[c.node[i]] += 2.0 * std::abs(c.weight[i]);
+        for (int i = 0; i < 4; ++i)
+            shared_by_[c.node[i]] += 2.0 * weight(c) * std::abs(c.weight[i]);
         if (c.on_body) for_bodies_of(cloth_, c, [&](Index b) { body_shared_by_[b] += 2.0; });
     });
 }
@@ -47,7 +55,7 @@ void Repulsion::set_stiffness(const Points& x, std::span<const RigidMover> bodie
                               Contact& c) const {
     double least = INF;
     const auto bears = [&](double share, double inverse_mass, double shared_by) {
-        const double stiffness = share / (inverse_mass * shared_by);
+        const double stiffness = weight(c) * share / (inverse_mass * shared_by);
         if (stiffness >= least) return;
         least = stiffness;
         c.share = share;

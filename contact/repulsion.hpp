@@ -17,15 +17,17 @@ struct OwnRates {
 
 /// Elastic repulsion of contacts, linear in the missing gap:
 ///
-///     F = k max(0, rest - gap),   k = 1 / dt² · min over its nodes of s m / N,
-///     N = sum of 2 |weight| over the contacts that push the node,
+///     F = k max(0, rest - gap),   k = 1 / dt² · min over its nodes of s m d / N,
+///     N = sum of 2 d |weight| over the contacts that push the node,
+///     d = 1 - gap / rest; 1 of a contact with a rigid body,
 ///     s = min(2, 3.74 - dt² · rate · stiffening), at least 0.5
 ///
 /// The row sums of M⁻¹K are then at most s / dt² [Gershgorin 1931], however many contacts share a
-/// node, and with the membrane's own stay below the 4 / dt² of central differences. Of a pair alone
-/// s is (omega dt)²: with 2 it parts two steps after it has met, as fast as it came. A rigid body
-/// counts as one node, with the mass that it has at the contact and N twice the number of its
-/// contacts; s of a contact with it is 0.5.
+/// node, and with the membrane's own stay below the 4 / dt² of central differences. What is nearly
+/// pressed through gets the most of it: of many that share a node alike, none would hold. Of a pair
+/// alone s is (omega dt)²: with 2 it parts two steps after it has met, as fast as it came. A rigid
+/// body counts as one node, with the mass that it has at the contact and N twice the number of
+/// its contacts; s of a contact with it is 0.5.
 class Repulsion {
 public:
     explicit Repulsion(const Cloth& cloth);

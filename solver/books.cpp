@@ -84,7 +84,7 @@ void Simulation::book_forces(double span) {
 /// Stops when the step has become too long for the fabric.
 void Simulation::watch_growth(double span) {
     if (fabric_.empty()) return;
-    if (const Index node = growth_.zigzag(v_before_, nodes_.v); node >= 0)
+    if (const Index node = growth_.zigzag(fabric_force_.f, nodes_.mass, span); node >= 0)
         throw PhysicsError(clock_.t, growing_shell(node) +
                                          " swings further in every step: the step is too "
                                          "long for it, the fabric became unstable");

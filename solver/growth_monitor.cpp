@@ -3,24 +3,31 @@
 #include "solver/growth_monitor.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle {
 
-Index GrowthMonitor::zigzag(const Points& v_0, const Points& v_1) {
+Index GrowthMonitor::zigzag(const Points& f, const std::vector<double>& mass, double span) {
     const auto found = parallel::least(nodes_.size(), 0.0, [&](std::size_t i) {
         const Index n = nodes_[i];
-        const Vec3 kick = v_1[n] - v_0[n];
-        const double now = kick.squaredNorm();
+        const Vec3 kick = span / mass[n] * f[n];
+        const Vec3 change = kick - kick_[n];
+        const double now = change.squaredNorm();
         Trace& trace = trace_[n];
-        if (kick.dot(last_[n]) < 0.0 && now > last_[n].squaredNorm()) {
+        if (change.dot(change_[n]) < 0.0 && now > change_[n].squaredNorm()) {
             if (trace.turns++ == 0) trace.first = now;
         } else {
             trace.turns = 0;
         }
-        last_[n] = kick;
-        return trace.turns >= TURNS && now > GROWN * GROWN * trace.first ? -1.0 : 0.0;
+        kick_[n] = kick;
+        change_[n] = change;
+        // A place that swings by ±X from step to step changes its kick by 8 X / span at the limit
+        const double swing = 0.125 * span * std::sqrt(now);
+        const bool is_unstable =
+            trace.turns >= TURNS && now > GROWN * GROWN * trace.first && swing > SWING * size_[n];
+        return is_unstable ? -1.0 : 0.0;
     });
     return found.value < 0.0 ? nodes_[found.at] : -1;
 }
@@ -55,7 +62,7 @@ bool GrowthMonitor::gains(const Instant& now, const std::vector<double>& mass, c
 
 Index GrowthMonitor::most_kicked(const std::vector<double>& mass) const {
     const auto most = parallel::least(nodes_.size(), 0.0, [&](std::size_t i) {
-        return -mass[nodes_[i]] * last_[nodes_[i]].squaredNorm();
+        return -mass[nodes_[i]] * kick_[nodes_[i]].squaredNorm();
     });
     return nodes_[std::min(most.at, nodes_.size() - 1)];
 }

@@ -14,8 +14,10 @@ namespace corpuscle {
 ///
 /// *Zigzag.* Beyond its limit a mode turns round in every step and grows by eˣ, cosh x = (ω dt)²/2
 /// - 1: by a tenth at 0.1 % above the limit, by a third at 1 %. A stable mode at 0.9 of its limit
-/// grows for two steps in a row at most. So a node whose kicks turn round and grow TURNS times in a
-/// row, to GROWN times what they were, is part of an unstable mode.
+/// grows for two steps in a row at most. So a node where the change of the fabric's own kick turns
+/// round and grows TURNS times in a row, to GROWN times what it was, and swings by SWING of its
+/// shells' size, is part of an unstable mode. Contacts that come and go from step to step shake
+/// fabric in the same way, by far less.
 ///
 /// *Energy.* Where fabric goes slack within a step nothing grows by a law; but the fabric then
 /// holds energy that nothing has given to it. Of a linear mode leapfrog keeps, stable or not,
@@ -30,18 +32,25 @@ class GrowthMonitor {
 public:
     static constexpr int TURNS = 24;
     static constexpr double GROWN = 10.0;
+    static constexpr double SWING = 1e-3;
     static constexpr double MOST = 1.0;
     static constexpr double MOST_WITH_SWING = 5.0;
 
     GrowthMonitor() = default;
     /// @param nodes  of the fabric, that are free to move
-    /// @param count  of all nodes
-    GrowthMonitor(std::vector<Index> nodes, std::size_t count)
-        : nodes_(std::move(nodes)), last_(count, Vec3::Zero()), trace_(count) {}
+    /// @param size   of all nodes: the shortest edge of the shells there                [m]
+    GrowthMonitor(std::vector<Index> nodes, std::vector<double> size)
+        : nodes_(std::move(nodes)),
+          size_(std::move(size)),
+          kick_(size_.size(), Vec3::Zero()),
+          change_(kick_),
+          trace_(size_.size()) {}
 
-    /// Takes the kicks v_1 - v_0 of this step.
+    /// Takes the fabric's forces in this step.
+    /// @param f     of the fabric alone, N × 3                                         [N]
+    /// @param span  time for which they act                                            [s]
     /// @returns  row of a node that zigzags, -1 when none does
-    [[nodiscard]] Index zigzag(const Points& v_0, const Points& v_1);
+    [[nodiscard]] Index zigzag(const Points& f, const std::vector<double>& mass, double span);
 
     struct Instant {
         double strain;       ///< at t, with what loops have lost                        [J]
@@ -55,8 +64,8 @@ public:
     /// Energy that came otherwise: a reference shape that begins to count.               [J]
     void give(double energy) { given_ += energy; }
 
-    /// Kick of a node in the last step.                                                [m/s]
-    [[nodiscard]] const Vec3& kick(Index node) const { return last_[node]; }
+    /// What the fabric's forces gave a node in the last step.                          [m/s]
+    [[nodiscard]] const Vec3& kick(Index node) const { return kick_[node]; }
     /// The node whose last kick holds most energy.
     [[nodiscard]] Index most_kicked(const std::vector<double>& mass) const;
     [[nodiscard]] double gained() const { return gained_; }  ///< [J]
@@ -65,8 +74,9 @@ public:
     /// All of it, for a checkpoint.
     template <class Archive>
     void visit_state(Archive& archive) {
-        for (Vec3& kick : last_)
-            for (int i = 0; i < 3; ++i) archive(kick[i]);
+        for (Points* const all : {&kick_, &change_})
+            for (Vec3& v : *all)
+                for (int i = 0; i < 3; ++i) archive(v[i]);
         for (Trace& trace : trace_) {
             archive(trace.first);
             archive(trace.turns);
@@ -78,12 +88,13 @@ public:
 
 private:
     struct Trace {
-        double first = 0.0;      ///< |kick|² when it began to turn and grow  [m²/s²]
+        double first = 0.0;      ///< |change|² when it began to turn and grow  [m²/s²]
         std::int32_t turns = 0;  ///< since then
     };
 
     std::vector<Index> nodes_;
-    Points last_;               ///< kicks                                       N × 3 [m/s]
+    std::vector<double> size_;  ///< of the shells at each node                  N [m]
+    Points kick_, change_;      ///< by the fabric, and from that before         N × 3 [m/s]
     std::vector<Trace> trace_;  ///< N
     double start_ = 0.0;        ///< E* at the start
     double open_ = 0.0;         ///< K + W at the start

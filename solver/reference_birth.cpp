@@ -20,6 +20,22 @@ std::vector<Index> Simulation::fabric_nodes() const {
     return nodes;
 }
 
+/// Shortest edge of the shells at each node, in the reference shape; INF where there are none. [m]
+std::vector<double> Simulation::fabric_sizes() const {
+    std::vector<double> size(nodes_.size(), INF);
+    for (std::size_t s = 0; s < active_.size(); ++s) {
+        if (!active_[s]) continue;
+        const auto& nodes = model_.shells[s].nodes;
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            const std::size_t next = (k + 1) % nodes.size();
+            const double length = (reference_[s][next] - reference_[s][k]).norm();
+            if (nodes[k] == nodes[next]) continue;  // a triangle
+            for (const Index n : {nodes[k], nodes[next]}) size[n] = std::min(size[n], length);
+        }
+    }
+    return size;
+}
+
 /// The membranes with the reference geometry that counts at t, on the masses of the reference
 /// shape.
 fabric::Membranes Simulation::membranes_at(double t) const {

@@ -137,7 +137,7 @@ Simulation::Simulation(Model model, std::uint64_t seed)
 
     build_fabric();
     build_bodies();
-    if (active_shells_ > 0) growth_ = GrowthMonitor(fabric_nodes(), nodes_.size());
+    if (active_shells_ > 0) growth_ = GrowthMonitor(fabric_nodes(), fabric_sizes());
     build_bags(seed);
     build_contacts();
     build_walls();

@@ -103,6 +103,7 @@ private:
     [[nodiscard]] fabric::Membranes membranes_at(double t) const;
     void bear_references();
     [[nodiscard]] std::vector<Index> fabric_nodes() const;
+    [[nodiscard]] std::vector<double> fabric_sizes() const;  // by node
     [[nodiscard]] contact::OwnRates fabric_rates() const;
     void build_bags(std::uint64_t seed);
     void build_bodies();

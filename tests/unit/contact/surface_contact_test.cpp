@@ -118,6 +118,53 @@ TEST_CASE("neighbours on the cloth do not push each other, however thick it is",
     for (const Vec3& force : f) CHECK(force.isZero());
 }
 
+TEST_CASE("panels that a seam joins keep their thickness next to it", "[contact]") {
+    // Flat, the panels lie on each other: their distance there says nothing of the way round the
+    // seam
+    support::Sheet sheet = support::square_sheet(8, 0.04);
+    const double seam = 0.02;
+    Points reference = sheet.x;
+    for (Vec3& x : reference)
+        if (x.x() > seam) x.x() = 2.0 * seam - x.x();
+    for (Vec3& x : sheet.x) {
+        x.z() = x.x() > seam + 1e-9 ? 0.1 * H : 0.0;
+        if (x.x() > seam) x.x() = 2.0 * seam - x.x();
+    }
+    SpringCloth cloth(sheet);
+    SurfaceContact contact(cloth.setup({}, reference));
+    const double dt = 1e-6;
+    Points f(cloth.x.size(), Vec3::Zero());
+    for (int step = 0; step <= 1000; ++step) contact.find(cloth.x, cloth.v, step * dt, dt);
+    contact.add_force(cloth.x, cloth.v, dt, f);
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        const bool is_beside_seam = std::abs(std::abs(sheet.x[i].x() - seam) - 0.005) < 1e-6;
+        if (is_beside_seam) CHECK(std::abs(f[i].z()) > 0.0);
+    }
+    CHECK(contact.counts().touching > 0);
+}
+
+TEST_CASE("of the contacts that share a node the deeper one is the stiffer", "[contact]") {
+    // Three sheets: the middle one is near the lower one, and a little too near the upper one
+    support::Sheet all = support::square_sheet(3, 0.02);
+    all.append(support::square_sheet(3, 0.02), Vec3(1.3e-3, 1.7e-3, 2.0 * H));
+    all.append(support::square_sheet(3, 0.02), Vec3(2.6e-3, 3.1e-3, 4.0 * H));
+    SpringCloth cloth(all);
+    SurfaceContact contact(cloth.setup({}, cloth.x));
+    contact.find(cloth.x, cloth.v, 0.0, 1e-6);
+    const double low = 0.5, high = 0.1;  // depths, in contact thicknesses
+    for (std::size_t i = 16; i < 32; ++i) cloth.x[i].z() = (1.0 - low) * H;
+    for (std::size_t i = 32; i < 48; ++i) cloth.x[i].z() = (2.0 - low - high) * H;
+    Points f(cloth.x.size(), Vec3::Zero());
+    contact.find(cloth.x, cloth.v, 1e-6, 1e-6);
+    contact.add_force(cloth.x, cloth.v, 1e-6, f);
+    double below = 0.0, above = 0.0;
+    for (std::size_t i = 0; i < 16; ++i) below -= f[i].z();
+    for (std::size_t i = 32; i < 48; ++i) above += f[i].z();
+    // Shared alike, forces would be as the depths
+    CHECK(above > 0.0);
+    CHECK(below > 1.5 * low / high * above);
+}
+
 TEST_CASE("there is no contact before its birth and after its death", "[contact]") {
     SpringCloth cloth(pair_of_sheets(0.5 * H));
     ContactCard card;
