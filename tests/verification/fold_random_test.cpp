@@ -4,6 +4,7 @@
 // Claim: folding never makes cloth cross itself, whatever is folded; counted exactly.
 #include <catch2/catch.hpp>
 
+#include <map>
 #include <numbers>
 
 #include "solver/base/error.hpp"
@@ -31,6 +32,23 @@ double panel_area(const Bag& bag) {
         if (bag.parts[bag.sheet.part[e]].title != "tethers")
             sum += area(bag.sheet.cells[e], bag.sheet.X);
     return sum;
+}
+
+/// Edges of the closed surface at which not two facets meet; quads are cut from their first corner.
+int wrong_edges(const Bag& bag) {
+    std::map<std::pair<Index, Index>, int> facets;
+    const auto add = [&](Index a, Index b, Index c) {
+        for (const auto& [p, q] : {std::pair{a, b}, {b, c}, {c, a}})
+            ++facets[{std::min(p, q), std::max(p, q)}];
+    };
+    for (std::size_t e = 0; e < bag.sheet.cells.size(); ++e) {
+        const Cell& c = bag.sheet.cells[e];
+        if (bag.parts[bag.sheet.part[e]].title == "tethers") continue;
+        add(c[0], c[1], c[2]);
+        if (corner_count(c) == 4) add(c[0], c[2], c[3]);
+    }
+    return static_cast<int>(std::count_if(facets.begin(), facets.end(),
+                                          [](const auto& edge) { return edge.second != 2; }));
 }
 
 /// The recipe folded, or nothing if one of its lines has no cloth on both sides, or too little for
@@ -68,6 +86,7 @@ void fold_many(unsigned first_seed, const Text& random_text, double stretch, int
         }
         ++folded;
         CHECK(found.layers >= 4);
+        CHECK(wrong_edges(*bag) == 0);
         CHECK(found.greatest_strain < stretch);
         CHECK(found.least_strain > -0.9);
         // the rim is a polygon, and gives way by up to 0.2 of an element here and there

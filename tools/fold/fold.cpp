@@ -48,6 +48,64 @@ void turn_diagonals(const Fold& fold, Sheet& s) {
             std::rotate(c.begin(), c.begin() + 1, c.end());
 }
 
+bool is_back(const Bag& bag, std::size_t cell) {
+    const BagPart& part = bag.parts[static_cast<std::size_t>(bag.sheet.part[cell])];
+    return !part.is_front && part.title != "tethers";
+}
+
+/// By node: does the front share it with the back? Lines across the seam have added to its nodes.
+std::vector<char> sewn_nodes(const Bag& bag) {
+    std::vector<char> in_front(bag.sheet.x.size(), 0), in_back(in_front), in_both(in_front);
+    for (std::size_t e = 0; e < bag.sheet.cells.size(); ++e) {
+        const bool is_front = bag.parts[static_cast<std::size_t>(bag.sheet.part[e])].is_front;
+        if (!is_front && !is_back(bag, e)) continue;
+        for (const Index n : bag.sheet.cells[e]) (is_front ? in_front : in_back)[n] = 1;
+    }
+    for (std::size_t n = 0; n < in_both.size(); ++n) in_both[n] = in_front[n] & in_back[n];
+    return in_both;
+}
+
+/// A rectangle's corner is a quad with three nodes on the seam, in both panels. Cut between two of
+/// them both would have the cut in common, where four facets meet: it goes to the fourth node.
+void cut_corners_inward(const std::vector<char>& is_sewn, Bag& bag) {
+    for (Cell& c : bag.sheet.cells)
+        if (corner_count(c) == 4 && is_sewn[c[0]] && is_sewn[c[2]])
+            std::rotate(c.begin(), c.begin() + 1, c.end());
+}
+
+/// The back's other cell at an edge; -1: none.
+Index neighbour(const Bag& bag, std::size_t cell, std::pair<Index, Index> edge) {
+    for (std::size_t e = 0; e < bag.sheet.cells.size(); ++e) {
+        if (e == cell || !is_back(bag, e)) continue;
+        const auto all = edges({bag.sheet.cells[e]});
+        if (std::find(all.begin(), all.end(), edge) != all.end()) return static_cast<Index>(e);
+    }
+    return -1;
+}
+
+/// A line across a corner leaves a triangle there whose nodes are all on the seam, in both panels,
+/// which would have its third edge in common. The back's goes from the corner inward instead.
+void cut_ears_inward(const std::vector<char>& is_sewn, Bag& bag) {
+    for (std::size_t e = 0; e < bag.sheet.cells.size(); ++e) {
+        const Cell ear = bag.sheet.cells[e];
+        if (!is_back(bag, e) || corner_count(ear) == 4 ||
+            !(is_sewn[ear[0]] && is_sewn[ear[1]] && is_sewn[ear[2]]))
+            continue;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Index a = ear[i], b = ear[(i + 1) % 3], corner = ear[(i + 2) % 3];
+            const Index other = neighbour(bag, e, {std::min(a, b), std::max(a, b)});
+            if (other < 0) continue;  // that edge is the seam
+            Cell& c = bag.sheet.cells[static_cast<std::size_t>(other)];
+            const int count = corner_count(c);
+            std::rotate(c.begin(), std::find(c.begin(), c.begin() + count, b), c.begin() + count);
+            const Index d = c[2], f = c[3];  // c is b a d or b a d f
+            bag.sheet.cells[e] = {corner, a, d, d};
+            c = count == 3 ? Cell{corner, d, b, b} : Cell{corner, d, f, b};
+            break;
+        }
+    }
+}
+
 Bag fold_once(const Recipe& recipe, const std::vector<Move>& folds, Way way) {
     const double gap = recipe.pattern.gap;
     Bag bag = make_bag(recipe, plan_lines(folds, gap, way.parts));
@@ -61,6 +119,9 @@ Bag fold_once(const Recipe& recipe, const std::vector<Move>& folds, Way way) {
     };
     for (const Move& move : folds) std::visit(do_move, move);
     turn_front(bag);
+    const std::vector<char> is_sewn = sewn_nodes(bag);
+    cut_corners_inward(is_sewn, bag);
+    cut_ears_inward(is_sewn, bag);
     return bag;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "solver/base/error.hpp"
 #include "tools/fold/imprint.hpp"
@@ -135,6 +136,27 @@ void check_inside(const Recipe& r) {
     if (!faults.empty()) throw InputError(faults);
 }
 
+/// A hole that the mesh has lost, or most of it, is a fault.
+void check_regions(const Recipe& r, const Sheet& sheet) {
+    std::vector<std::string> faults;
+    const auto check = [&](int region, double diameter, double inner, const std::string& what) {
+        double found = 0.0;
+        for (std::size_t e = 0; e < sheet.cells.size(); ++e)
+            if (sheet.part[e] == region) found += area(sheet.cells[e], sheet.X);
+        const double wanted = 0.25 * std::numbers::pi * (diameter * diameter - inner * inner);
+        if (found < 0.6 * wanted)
+            faults.push_back(
+                fmt::format("{}: {} diameter = {}: the mesh has {:.3g} of its area {:.4g}; smaller "
+                            "elements than {} are wanted, or another place",
+                            r.file, what, diameter, found, wanted, r.pattern.element));
+    };
+    if (r.hole) check(HOLE, r.hole->diameter, 0.0, "[hole]");
+    for (std::size_t i = 0; i < r.vents.size(); ++i)
+        check(VENT + static_cast<int>(i), r.vents[i].diameter, 0.0,
+              fmt::format("[[vent]] at = [{}, {}],", r.vents[i].x, r.vents[i].y));
+    if (!faults.empty()) throw InputError(faults);
+}
+
 }  // namespace
 
 TetherStrip::TetherStrip(const Tether& t) {
@@ -171,6 +193,7 @@ Sheet make_plan(const Recipe& r, const PlanLines& lines) {
                        VENT + static_cast<int>(i));
     }
     smooth(sheet, WANTED, ROUNDS);
+    check_regions(r, sheet);
     sheet.x = sheet.X;
     return sheet;
 }

@@ -65,6 +65,22 @@ TEST_CASE("the panels share the seam and nothing else, and close", "[fold]") {
     for (const auto& [edge, sum] : ways) CHECK(sum == 0);
 }
 
+TEST_CASE("a rectangle's panels share no edge at its corners but the seam's", "[fold]") {
+    const std::string rectangle =
+        "[pattern]\nkind = \"rectangle\"\nlength = 480\nwidth = 360\nelement = 14\ngap = 0.8\n";
+    // the second has a line across a corner
+    for (const char* angle : {"0", "87.7"}) {
+        const Bag bag = fold::fold(parse_recipe(rectangle + ZIGZAG + "angle = " + angle +
+                                                    "\n[[fold]]\nkind = \"half\"\nside = "
+                                                    "\"right\"\nangle = 37\nat = 100\n",
+                                                "bag.toml"));
+        std::map<std::pair<Index, Index>, int> facets;
+        for (const Triangle& t : triangles(bag.sheet.cells))
+            for (std::size_t i = 0; i < 3; ++i) ++facets[std::minmax(t[i], t[(i + 1) % 3])];
+        for (const auto& [edge, count] : facets) CHECK(count == 2);
+    }
+}
+
 TEST_CASE("an open hole is a rim", "[fold]") {
     const std::string text =
         "[pattern]\nkind = \"disc\"\ndiameter = 400\nelement = 12\ngap = 0.8\n"
@@ -94,6 +110,9 @@ TEST_CASE("what does not fit the pattern is refused", "[fold]") {
     };
     CHECK_THROWS_AS(make("[hole]\ndiameter = 210\n"), InputError);
     CHECK_THROWS_AS(make("[[vent]]\nat = [90, 0]\ndiameter = 30\n"), InputError);
+    // no element of 12 is left of it
+    CHECK_THROWS_WITH(make("[[vent]]\nat = [40, 33]\ndiameter = 6\n"),
+                      Catch::Contains("the mesh has 0 of its area"));
     CHECK_THROWS_AS(make("[[tether]]\nfrom = [0, 0]\nlength = 120\nwidth = 20\n"), InputError);
     CHECK_THROWS_AS(make("[[tether]]\nfrom = [-50, 0]\nlength = 100\nwidth = 30\n"
                          "[[tether]]\nfrom = [-50, 20]\nlength = 100\nwidth = 30\n"),
