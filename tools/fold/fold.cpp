@@ -48,62 +48,73 @@ void turn_diagonals(const Fold& fold, Sheet& s) {
             std::rotate(c.begin(), c.begin() + 1, c.end());
 }
 
-bool is_back(const Bag& bag, std::size_t cell) {
+enum class Panel { BACK, FRONT };
+
+bool is_of(Panel panel, const Bag& bag, std::size_t cell) {
     const BagPart& part = bag.parts[static_cast<std::size_t>(bag.sheet.part[cell])];
-    return !part.is_front && part.title != "tethers";
+    return part.is_front == (panel == Panel::FRONT) && part.title != "tethers";
 }
 
 /// By node: does the front share it with the back? Lines across the seam have added to its nodes.
 std::vector<char> sewn_nodes(const Bag& bag) {
     std::vector<char> in_front(bag.sheet.x.size(), 0), in_back(in_front), in_both(in_front);
-    for (std::size_t e = 0; e < bag.sheet.cells.size(); ++e) {
-        const bool is_front = bag.parts[static_cast<std::size_t>(bag.sheet.part[e])].is_front;
-        if (!is_front && !is_back(bag, e)) continue;
-        for (const Index n : bag.sheet.cells[e]) (is_front ? in_front : in_back)[n] = 1;
-    }
+    for (std::size_t e = 0; e < bag.sheet.cells.size(); ++e)
+        for (const Index n : bag.sheet.cells[e]) {
+            if (is_of(Panel::FRONT, bag, e)) in_front[n] = 1;
+            if (is_of(Panel::BACK, bag, e)) in_back[n] = 1;
+        }
     for (std::size_t n = 0; n < in_both.size(); ++n) in_both[n] = in_front[n] & in_back[n];
     return in_both;
 }
 
-/// A rectangle's corner is a quad with three nodes on the seam, in both panels. Cut between two of
-/// them both would have the cut in common, where four facets meet: it goes to the fourth node.
-void cut_corners_inward(const std::vector<char>& is_sewn, Bag& bag) {
-    for (Cell& c : bag.sheet.cells)
-        if (corner_count(c) == 4 && is_sewn[c[0]] && is_sewn[c[2]])
-            std::rotate(c.begin(), c.begin() + 1, c.end());
-}
-
-/// The back's other cell at an edge; -1: none.
-Index neighbour(const Bag& bag, std::size_t cell, std::pair<Index, Index> edge) {
+/// The panel's other cell at an edge; -1: none.
+Index neighbour(Panel panel, const Bag& bag, std::size_t cell, std::pair<Index, Index> edge) {
     for (std::size_t e = 0; e < bag.sheet.cells.size(); ++e) {
-        if (e == cell || !is_back(bag, e)) continue;
+        if (e == cell || !is_of(panel, bag, e)) continue;
         const auto all = edges({bag.sheet.cells[e]});
         if (std::find(all.begin(), all.end(), edge) != all.end()) return static_cast<Index>(e);
     }
     return -1;
 }
 
-/// A line across a corner leaves a triangle there whose nodes are all on the seam, in both panels,
-/// which would have its third edge in common. The back's goes from the corner inward instead.
-void cut_ears_inward(const std::vector<char>& is_sewn, Bag& bag) {
+/// An ear is a triangle with all its nodes on the seam, two edges too. Its third goes from the
+/// corner inward instead, at the cost of the cell behind it.
+void cut_ear(Panel panel, std::size_t e, Bag& bag) {
+    const Cell ear = bag.sheet.cells[e];
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Index a = ear[i], b = ear[(i + 1) % 3], corner = ear[(i + 2) % 3];
+        const Index behind = neighbour(panel, bag, e, {std::min(a, b), std::max(a, b)});
+        if (behind < 0) continue;  // that edge is the seam
+        Cell& c = bag.sheet.cells[static_cast<std::size_t>(behind)];
+        const int count = corner_count(c);
+        std::rotate(c.begin(), std::find(c.begin(), c.begin() + count, b), c.begin() + count);
+        const Index d = c[2], f = c[3];  // c is b a d or b a d f
+        bag.sheet.cells[e] = {corner, a, d, d};
+        c = count == 3 ? Cell{corner, d, b, b} : Cell{corner, d, f, b};
+        return;
+    }
+}
+
+/// A rectangle's corner is a quad with three nodes on the seam, or, where a line crosses it, an
+/// ear. Cut alike in both panels they would have that cut in common, an edge where four facets
+/// meet: in one panel it goes from the corner inward.
+/// @returns  was there any?
+bool cut_corners_inward(Panel panel, Bag& bag) {
+    bool is_cut = false;
+    const std::vector<char> is_sewn = sewn_nodes(bag);
     for (std::size_t e = 0; e < bag.sheet.cells.size(); ++e) {
-        const Cell ear = bag.sheet.cells[e];
-        if (!is_back(bag, e) || corner_count(ear) == 4 ||
-            !(is_sewn[ear[0]] && is_sewn[ear[1]] && is_sewn[ear[2]]))
-            continue;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Index a = ear[i], b = ear[(i + 1) % 3], corner = ear[(i + 2) % 3];
-            const Index other = neighbour(bag, e, {std::min(a, b), std::max(a, b)});
-            if (other < 0) continue;  // that edge is the seam
-            Cell& c = bag.sheet.cells[static_cast<std::size_t>(other)];
-            const int count = corner_count(c);
-            std::rotate(c.begin(), std::find(c.begin(), c.begin() + count, b), c.begin() + count);
-            const Index d = c[2], f = c[3];  // c is b a d or b a d f
-            bag.sheet.cells[e] = {corner, a, d, d};
-            c = count == 3 ? Cell{corner, d, b, b} : Cell{corner, d, f, b};
-            break;
+        if (!is_of(panel, bag, e)) continue;
+        Cell& c = bag.sheet.cells[e];
+        if (corner_count(c) == 4) {
+            if (!is_sewn[c[0]] || !is_sewn[c[2]]) continue;
+            std::rotate(c.begin(), c.begin() + 1, c.end());
+            is_cut = true;
+        } else if (is_sewn[c[0]] && is_sewn[c[1]] && is_sewn[c[2]]) {
+            cut_ear(panel, e, bag);
+            is_cut = true;
         }
     }
+    return is_cut;
 }
 
 Bag fold_once(const Recipe& recipe, const std::vector<Move>& folds, Way way) {
@@ -119,9 +130,6 @@ Bag fold_once(const Recipe& recipe, const std::vector<Move>& folds, Way way) {
     };
     for (const Move& move : folds) std::visit(do_move, move);
     turn_front(bag);
-    const std::vector<char> is_sewn = sewn_nodes(bag);
-    cut_corners_inward(is_sewn, bag);
-    cut_ears_inward(is_sewn, bag);
     return bag;
 }
 
@@ -139,18 +147,28 @@ void press_dish(double depth, Bag& bag) {
             for (Points* at : {&bag.sheet.x, &bag.sheet.X}) (*at)[n].z() -= depth;
 }
 
+/// The first way that does not cross, or the first.
+Bag best_of(const Recipe& recipe, const std::vector<Move>& folds) {
+    Bag first;
+    for (const auto& way : WAYS) {
+        const Bag bag = fold_once(recipe, folds, way);
+        for (const Panel panel : {Panel::BACK, Panel::FRONT}) {
+            Bag cut = bag;
+            const bool is_cut = cut_corners_inward(panel, cut);
+            if (crossing_cells(cut.sheet).empty()) return cut;
+            if (first.sheet.x.empty()) first = std::move(cut);
+            if (!is_cut) break;  // no corner: the other panel is no other way
+        }
+    }
+    return first;
+}
+
 }  // namespace
 
 Bag fold(const Recipe& recipe) {
     const std::vector<Move> folds =
         plan_folds(recipe, make_bag(recipe, {}).sheet.x, recipe.pattern.element);
-    Bag best;
-    for (const auto& way : WAYS) {
-        Bag bag = fold_once(recipe, folds, way);
-        const bool is_good = crossing_cells(bag.sheet).empty();
-        if (best.sheet.x.empty() || is_good) best = std::move(bag);
-        if (is_good) break;
-    }
+    Bag best = best_of(recipe, folds);
     if (recipe.hole && recipe.hole->depth > 0.0) press_dish(recipe.hole->depth, best);
     return best;
 }
