@@ -16,7 +16,7 @@ using namespace corpuscle;
 namespace {
 
 /// The scene with a module that is free to fly: a rigid part that carries all nodes that stood
-/// still, and the nozzles, whose jets push it (IMOM = 1).
+/// still, and the nozzles, whose jets push it (IMOM = 1); vents are shut.
 Model with_free_module(const std::string& name, int part_id) {
     Model model = io::read_deck(CORPUSCLE_MODELS "/" + name + "/" + name + ".k",
                                 {{{"NP", "10000"}, {"ENDTIM", "1"}}});
@@ -34,6 +34,7 @@ Model with_free_module(const std::string& name, int part_id) {
         if (shell.part == part)
             for (const Index node : shell.nodes) carried.erase(node);
     model.supports.clear();
+    model.bags[0].vents.clear();  // what leaves would take its momentum along, unbooked
     for (const Index node : carried) model.rigid_extra_nodes.push_back({part, node});
     return model;
 }
