@@ -77,22 +77,30 @@ Index neighbour(Panel panel, const Bag& bag, std::size_t cell, std::pair<Index, 
     return -1;
 }
 
-/// An ear is a triangle with all its nodes on the seam, two edges too. Its third goes from the
-/// corner inward instead, at the cost of the cell behind it.
-void cut_ear(Panel panel, std::size_t e, Bag& bag) {
+/// An ear is a triangle with all its nodes on the seam. An edge of it that is not the seam, with a
+/// node beyond that is not on it either, gives way to one from the corner to there.
+/// @returns  was there such an edge?
+bool cut_ear(Panel panel, const std::vector<char>& is_sewn, std::size_t e, Bag& bag) {
     const Cell ear = bag.sheet.cells[e];
     for (std::size_t i = 0; i < 3; ++i) {
         const Index a = ear[i], b = ear[(i + 1) % 3], corner = ear[(i + 2) % 3];
-        const Index behind = neighbour(panel, bag, e, {std::min(a, b), std::max(a, b)});
-        if (behind < 0) continue;  // that edge is the seam
-        Cell& c = bag.sheet.cells[static_cast<std::size_t>(behind)];
+        const Index beyond = neighbour(panel, bag, e, {std::min(a, b), std::max(a, b)});
+        if (beyond < 0) continue;  // the seam
+        Cell c = bag.sheet.cells[static_cast<std::size_t>(beyond)];
         const int count = corner_count(c);
         std::rotate(c.begin(), std::find(c.begin(), c.begin() + count, b), c.begin() + count);
         const Index d = c[2], f = c[3];  // c is b a d or b a d f
-        bag.sheet.cells[e] = {corner, a, d, d};
-        c = count == 3 ? Cell{corner, d, b, b} : Cell{corner, d, f, b};
-        return;
+        const bool is_inner = !is_sewn[d];
+        if (!is_inner && (count == 3 || is_sewn[f])) continue;
+        bag.sheet.cells[e] = is_inner ? Cell{corner, a, d, d} : Cell{corner, f, b, b};
+        Cell& rest = bag.sheet.cells[static_cast<std::size_t>(beyond)];
+        if (count == 3)
+            rest = {corner, d, b, b};
+        else
+            rest = is_inner ? Cell{corner, d, f, b} : Cell{corner, a, d, f};
+        return true;
     }
+    return false;
 }
 
 /// A rectangle's corner is a quad with three nodes on the seam, or, where a line crosses it, an
@@ -100,18 +108,21 @@ void cut_ear(Panel panel, std::size_t e, Bag& bag) {
 /// meet: in one panel it goes from the corner inward.
 /// @returns  was there any?
 bool cut_corners_inward(Panel panel, Bag& bag) {
-    bool is_cut = false;
     const std::vector<char> is_sewn = sewn_nodes(bag);
-    for (std::size_t e = 0; e < bag.sheet.cells.size(); ++e) {
-        if (!is_of(panel, bag, e)) continue;
-        Cell& c = bag.sheet.cells[e];
-        if (corner_count(c) == 4) {
-            if (!is_sewn[c[0]] || !is_sewn[c[2]]) continue;
+    bool is_cut = false;
+    for (Cell& c : bag.sheet.cells)
+        if (is_of(panel, bag, static_cast<std::size_t>(&c - bag.sheet.cells.data())) &&
+            corner_count(c) == 4 && is_sewn[c[0]] && is_sewn[c[2]]) {
             std::rotate(c.begin(), c.begin() + 1, c.end());
             is_cut = true;
-        } else if (is_sewn[c[0]] && is_sewn[c[1]] && is_sewn[c[2]]) {
-            cut_ear(panel, e, bag);
-            is_cut = true;
+        }
+    for (bool goes_on = true; goes_on;) {  // ears behind ears come into reach one by one
+        goes_on = false;
+        for (std::size_t e = 0; e < bag.sheet.cells.size(); ++e) {
+            const Cell& c = bag.sheet.cells[e];
+            if (corner_count(c) == 3 && is_sewn[c[0]] && is_sewn[c[1]] && is_sewn[c[2]] &&
+                is_of(panel, bag, e) && cut_ear(panel, is_sewn, e, bag))
+                goes_on = is_cut = true;
         }
     }
     return is_cut;
