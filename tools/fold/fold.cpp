@@ -3,6 +3,7 @@
 #include "tools/fold/fold.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "tools/fold/imprint.hpp"
 #include "tools/fold/inspect.hpp"
@@ -67,63 +68,85 @@ std::vector<char> sewn_nodes(const Bag& bag) {
     return in_both;
 }
 
-/// The panel's other cell at an edge; -1: none.
-Index neighbour(Panel panel, const Bag& bag, std::size_t cell, std::pair<Index, Index> edge) {
+/// The panel's cells at an edge.
+std::vector<std::size_t> cells_at(Panel panel, const Bag& bag, Index a, Index b) {
+    std::vector<std::size_t> rows;
     for (std::size_t e = 0; e < bag.sheet.cells.size(); ++e) {
-        if (e == cell || !is_of(panel, bag, e)) continue;
-        const auto all = edges({bag.sheet.cells[e]});
-        if (std::find(all.begin(), all.end(), edge) != all.end()) return static_cast<Index>(e);
+        const Cell& c = bag.sheet.cells[e];
+        if (!is_of(panel, bag, e)) continue;
+        for (int k = 0, count = corner_count(c); k < count; ++k)
+            if (std::pair(c[k], c[(k + 1) % count]) == std::pair(a, b) ||
+                std::pair(c[k], c[(k + 1) % count]) == std::pair(b, a))
+                rows.push_back(e);
     }
-    return -1;
+    return rows;
 }
 
-/// An ear is a triangle with all its nodes on the seam. An edge of it that is not the seam, with a
-/// node beyond that is not on it either, gives way to one from the corner to there.
-/// @returns  was there such an edge?
-bool cut_ear(Panel panel, const std::vector<char>& is_sewn, std::size_t e, Bag& bag) {
-    const Cell ear = bag.sheet.cells[e];
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Index a = ear[i], b = ear[(i + 1) % 3], corner = ear[(i + 2) % 3];
-        const Index beyond = neighbour(panel, bag, e, {std::min(a, b), std::max(a, b)});
-        if (beyond < 0) continue;  // the seam
-        Cell c = bag.sheet.cells[static_cast<std::size_t>(beyond)];
+/// A node of the panel's own in the middle of an edge, a little towards the panel's side.
+Index middle_node(Panel panel, Index a, Index b, Bag& bag) {
+    // Of what lies between the panels beside the edge, but not so far that the edge is stretched
+    constexpr double ASIDE = 0.25, OF_EDGE = 0.1;
+    const auto middle_of_cells = [&](Panel of) {
+        Vec3 sum = Vec3::Zero();
+        const auto rows = cells_at(of, bag, a, b);
+        for (const std::size_t e : rows)
+            for (const Index n : bag.sheet.cells[e])
+                sum += bag.sheet.x[n] / (4.0 * static_cast<double>(rows.size()));
+        return sum;
+    };
+    const Panel other = panel == Panel::BACK ? Panel::FRONT : Panel::BACK;
+    const Vec3 apart = middle_of_cells(panel) - middle_of_cells(other);
+    const double edge = (bag.sheet.x[b] - bag.sheet.x[a]).norm();
+    const Vec3 aside = std::min(ASIDE, OF_EDGE * edge / apart.norm()) * apart;
+    bag.sheet.X.emplace_back(0.5 * (bag.sheet.X[a] + bag.sheet.X[b]));
+    bag.sheet.x.emplace_back(0.5 * (bag.sheet.x[a] + bag.sheet.x[b]) + aside);
+    bag.sheet.on.emplace_back();
+    return static_cast<Index>(bag.sheet.X.size()) - 1;
+}
+
+/// The cells at an edge of the panel are cut at a node in its middle.
+void split_edge(Panel panel, Index a, Index b, Bag& bag) {
+    const auto rows = cells_at(panel, bag, a, b);
+    const Index m = middle_node(panel, a, b, bag);
+    for (const std::size_t e : rows) {
+        Cell c = bag.sheet.cells[e];
         const int count = corner_count(c);
-        std::rotate(c.begin(), std::find(c.begin(), c.begin() + count, b), c.begin() + count);
-        const Index d = c[2], f = c[3];  // c is b a d or b a d f
-        const bool is_inner = !is_sewn[d];
-        if (!is_inner && (count == 3 || is_sewn[f])) continue;
-        bag.sheet.cells[e] = is_inner ? Cell{corner, a, d, d} : Cell{corner, f, b, b};
-        Cell& rest = bag.sheet.cells[static_cast<std::size_t>(beyond)];
-        if (count == 3)
-            rest = {corner, d, b, b};
-        else
-            rest = is_inner ? Cell{corner, d, f, b} : Cell{corner, a, d, f};
-        return true;
+        const auto end = c.begin() + count;
+        int k = 0;  // the edge begins there
+        while (std::minmax(c[k], c[(k + 1) % count]) != std::minmax(a, b)) ++k;
+        std::rotate(c.begin(), c.begin() + k, end);
+        const Index p = c[0], q = c[1], r = c[2], s = c[3];
+        bag.sheet.cells[e] = {m, q, r, r};
+        bag.sheet.cells.push_back(count == 3 ? Cell{m, r, p, p} : Cell{m, r, s, p});
+        bag.sheet.part.push_back(bag.sheet.part[e]);
     }
-    return false;
 }
 
-/// A rectangle's corner is a quad with three nodes on the seam, or, where a line crosses it, an
-/// ear. Cut alike in both panels they would have that cut in common, an edge where four facets
-/// meet: in one panel it goes from the corner inward.
+/// A rectangle's corner is a quad with three nodes on the seam, or, where a line crosses it, a
+/// triangle. Cut alike in both panels they would have that cut in common, an edge where four facets
+/// meet. In one panel the quad is cut from the corner inward; the triangle's edge, which is the
+/// border of a fold, gets a node of its own.
 /// @returns  was there any?
 bool cut_corners_inward(Panel panel, Bag& bag) {
     const std::vector<char> is_sewn = sewn_nodes(bag);
     bool is_cut = false;
-    for (Cell& c : bag.sheet.cells)
-        if (is_of(panel, bag, static_cast<std::size_t>(&c - bag.sheet.cells.data())) &&
-            corner_count(c) == 4 && is_sewn[c[0]] && is_sewn[c[2]]) {
+    std::map<std::pair<Index, Index>, int> cells;  // of both panels, by edge between sewn nodes
+    for (std::size_t e = 0; e < bag.sheet.cells.size(); ++e) {
+        Cell& c = bag.sheet.cells[e];
+        const int count = corner_count(c);
+        if (is_of(panel, bag, e) && count == 4 && is_sewn[c[0]] && is_sewn[c[2]]) {
             std::rotate(c.begin(), c.begin() + 1, c.end());
             is_cut = true;
         }
-    for (bool goes_on = true; goes_on;) {  // ears behind ears come into reach one by one
-        goes_on = false;
-        for (std::size_t e = 0; e < bag.sheet.cells.size(); ++e) {
-            const Cell& c = bag.sheet.cells[e];
-            if (corner_count(c) == 3 && is_sewn[c[0]] && is_sewn[c[1]] && is_sewn[c[2]] &&
-                is_of(panel, bag, e) && cut_ear(panel, is_sewn, e, bag))
-                goes_on = is_cut = true;
-        }
+        if (!is_of(Panel::BACK, bag, e) && !is_of(Panel::FRONT, bag, e)) continue;
+        for (int k = 0; k < count; ++k)
+            if (is_sewn[c[k]] && is_sewn[c[(k + 1) % count]])
+                ++cells[std::minmax(c[k], c[(k + 1) % count])];
+    }
+    for (const auto& [edge, count] : cells) {
+        if (count <= 2) continue;
+        split_edge(panel, edge.first, edge.second, bag);
+        is_cut = true;
     }
     return is_cut;
 }
