@@ -19,12 +19,18 @@ constexpr double PARTICLES_PER_CELL = 20.0;
 /// waves.
 constexpr double COLLISION_SHARE = 0.25;
 
+/// Share of a cell that fabric may move before the lists of facets by cell are made anew.
+constexpr double SIDE_MARGIN = 0.15;
+
 /// Least share of the particles' thermal energy that the smoothing account leaves them in one step.
 constexpr double LEFT_BY_ACCOUNT = 0.7;
 
 /// Collision steps after which particles are put in the order of cells again. Until then most have
 /// crossed one cell: more would scatter what is read together, fewer move 64 bytes more often.
 constexpr std::uint64_t MOVE_ROWS_EVERY = 4;
+
+/// Collision steps after which the thermal speed is measured again: one pass over the particles.
+constexpr std::uint64_t MEASURE_EVERY = 4;
 
 /// Share of the particles that may come or go between two counts of their thermal energy.
 constexpr double MOST_CHANGE = 0.01;
@@ -51,10 +57,10 @@ void BagGas::collide(double dt, const Points& x) {
     if (thermal_ > 0.0) settle(wanted, report.thermal / thermal_);
     thermal_ = factor * report.thermal;
     unrelaxed_ += report.unrelaxed;
+    if (collisions_ % MEASURE_EVERY == 0) measure_speed();
     ++collisions_;
     since_collision_ = 0.0;
     fit_cells(occupied(collider_.cells()));
-    measure_speed();
 }
 
 /// Thermal energy before these collisions: that after the last ones, as long as few have entered or
@@ -72,11 +78,11 @@ void BagGas::expect_thermal() {
 void BagGas::find_groups(const Points& x) {
     const double edge = side_lists_.grid().edge;
     const bool fits = wanted_cell_ < 1.2 * edge && edge < 1.2 * wanted_cell_;
-    if (!fits || !side_lists_.hold_for(x)) build(side_lists_, wanted_cell_, 0.0, x, x);
+    if (!fits || !side_lists_.hold_for(x))
+        build(side_lists_, wanted_cell_, SIDE_MARGIN * wanted_cell_, 0.0, x, x);
     cell_ = side_lists_.grid().edge;
-    const bool moves_rows = collisions_ % MOVE_ROWS_EVERY == 0;
-    collider_.find_groups(side_lists_.grid(), {&side_lists_, x}, particles_, moves_rows);
-    if (moves_rows) flight_.ways.forget();
+    collider_.find_groups(side_lists_.grid(), {&side_lists_, x}, particles_,
+                          collisions_ % MOVE_ROWS_EVERY == 0);
 }
 
 /// Heat that the particles are to get, were their thermal energy as expected.

@@ -30,7 +30,7 @@ constexpr double FLIGHT_CELL = 1.5;
 
 /// Longest way in a step, along each axis, for which a particle asks one cell only, in ways of
 /// thermal speed. Longer: more candidates a cell.
-constexpr double REACH = 2.0;
+constexpr double REACH = 3.5;
 
 /// Cells, in facet edges, where layers lie closer than that reach: there a particle asks cell after
 /// cell of its way, and the first few hold its next hit. Smaller: more entries in the lists.
@@ -207,13 +207,13 @@ void BagGas::prepare(double dt, const Points& x_0, const Points& x_1) {
     if (lists_.hold_for(x_1)) return;
     const double reach = REACH * speed_ * dt;
     const bool is_thin = 2.0 * volume_ < reach * enclosure_.area(x_0);
-    build(lists_, (is_thin ? THIN_CELL : FLIGHT_CELL) * facet_size_, is_thin ? 0.0 : reach, x_0,
-          x_1);
+    const double cell = (is_thin ? THIN_CELL : FLIGHT_CELL) * facet_size_;
+    build(lists_, cell, MARGIN * cell, is_thin ? 0.0 : reach, x_0, x_1);
 }
 
 /// Facet lists over the whole bag in cells of the wanted edge: neither finer than a hundredth of
 /// the bag, which only costs, nor coarser than a quarter of it.
-void BagGas::build(FacetLists& lists, double edge, double reach, const Points& x_0,
+void BagGas::build(FacetLists& lists, double edge, double margin, double reach, const Points& x_0,
                    const Points& x_1) {
     contact::Box bag;
     for (const Index n : lists.nodes()) {
@@ -222,8 +222,8 @@ void BagGas::build(FacetLists& lists, double edge, double reach, const Points& x
     }
     const double size = (bag.high - bag.low).maxCoeff();
     edge = std::clamp(edge, size / 100.0, size / 4.0);
-    bag.inflate(MARGIN * edge);
-    lists.build(Grid::over(bag.low, bag.high, edge, MOST_CELLS), x_0, x_1, MARGIN * edge, reach);
+    bag.inflate(margin);
+    lists.build(Grid::over(bag.low, bag.high, edge, MOST_CELLS), x_0, x_1, margin, reach);
 }
 
 void BagGas::inject(double t, double dt, const Points& x_0, const Points& x_1) {
@@ -281,7 +281,6 @@ void BagGas::fly(double t, double dt, const Points& x_0, const Points& x_1) {
     if (!heat_loss_.empty()) cool(t, dt, x_0);
     std::sort(gone_.begin(), gone_.end());
     particles_.erase(gone_);
-    if (!gone_.empty()) flight_.ways.forget(gone_[0]);
 }
 
 /// Adds up what hits give to triangles and parts: outward on the closing ones, along the normal

@@ -161,8 +161,8 @@ public:
 private:
     struct Holding;
     [[nodiscard]] Holding holding(std::int32_t species) const;
-    static void build(FacetLists& lists, double edge, double reach, const Points& x_0,
-                      const Points& x_1);
+    static void build(FacetLists& lists, double edge, double margin, double reach,
+                      const Points& x_0, const Points& x_1);
     void find_groups(const Points& x);
     struct Heat {  ///< for the particles, by where it comes from                        [J]
         double from_air = 0.0, from_smoothing = 0.0, to_outflow = 0.0;

@@ -3,8 +3,10 @@
 #include "gas/cell_grid.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
+#include "gas/lanes.hpp"
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {
@@ -12,6 +14,29 @@ namespace corpuscle::gas {
 namespace {
 
 constexpr std::size_t SMALLEST_SLICE = 8192;  ///< particles worth a thread
+
+/// Grid::cell_of() of many points, by fours.
+void find_cells(const Grid& grid, std::span<const Vec3> x, Index* cell) {
+    using lanes::Four;
+    const std::size_t fours = x.size() / lanes::LANES;
+    for (std::size_t q = 0; q < fours; ++q) {
+        const double* const at = x[q * lanes::LANES].data();
+        const auto column = lanes::columns(lanes::load(at), lanes::load(at + lanes::LANES),
+                                           lanes::load(at + 2 * lanes::LANES));
+        using Ints = std::int32_t __attribute__((vector_size(16)));
+        std::array<Ints, 3> along;
+        for (int a = 0; a < 3; ++a) {
+            const Four cells = (column[a] - grid.low[a]) * grid.per_edge,
+                       last = lanes::all(grid.count[a] - 1.0);
+            const Four least = cells < 0.0 ? lanes::all(0.0) : cells;
+            along[a] = __builtin_convertvector(least > last ? last : least, Ints);
+        }
+        const Ints row = (along[2] * grid.count[1] + along[1]) * grid.count[0] + along[0];
+        std::memcpy(cell + q * lanes::LANES, &row, sizeof(row));
+    }
+    for (std::size_t i = fours * lanes::LANES; i < x.size(); ++i)
+        cell[i] = static_cast<Index>(grid.cell_of(x[i]));
+}
 
 }  // namespace
 
@@ -47,12 +72,10 @@ void CellSort::sort(const Grid& grid, Particles& particles, bool moves_rows) {
 
 void CellSort::count(const Grid& grid, std::span<const Vec3> x, std::size_t slice) {
     Index* const counts = fill_.data() + slice * cells_;
-    const std::size_t end = std::min(x.size(), (slice + 1) * slice_length_);
-    for (std::size_t i = slice * slice_length_; i < end; ++i) {
-        const std::size_t cell = grid.cell_of(x[i]);
-        cell_[i] = static_cast<Index>(cell);
-        ++counts[cell];
-    }
+    const std::size_t begin = slice * slice_length_;
+    const std::size_t end = std::min(x.size(), begin + slice_length_);
+    find_cells(grid, x.subspan(begin, end - begin), cell_.data() + begin);
+    for (std::size_t i = begin; i < end; ++i) ++counts[cell_[i]];
 }
 
 void CellSort::place(std::size_t slice) {
@@ -77,6 +100,9 @@ void CellSort::move_rows(Particles& particles) {
         pick(column->data(), cell_.data());
         std::swap(*column, cell_);
     }
+    auto* const spare_floats = reinterpret_cast<float*>(cell_.data());
+    pick(particles.clear.data(), spare_floats);
+    std::copy(spare_floats, spare_floats + n, particles.clear.begin());
     double* const spare = n > 0 ? spare_[0].data() : nullptr;
     pick(particles.e.data(), spare);
     std::copy(spare, spare + n, particles.e.begin());

@@ -3,19 +3,29 @@
 #include "gas/facet_bounds.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {
 namespace {
 
-/// Exactly as the bound will hold it: in single precision. Zero where there is none.
-Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 across = (b - a).cross(c - a);
-    const double length = across.norm();
-    if (!(length > 0.0)) return Vec3::Zero();
-    return (across / length).cast<float>().cast<double>();
+/// Least and largest of three.
+struct Interval {
+    float low, high;
+};
+Interval interval(float a, float b, float c) {
+    return {std::min(std::min(a, b), c), std::max(std::max(a, b), c)};
+}
+
+float height(const Quad& normal, const Quad& x) {
+    return normal[0] * x[0] + normal[1] * x[1] + normal[2] * x[2];
+}
+
+Quad cross_product(const Quad& a, const Quad& b) {
+    using Ints = std::int32_t __attribute__((vector_size(16)));
+    constexpr Ints NEXT{1, 2, 0, 3};
+    return __builtin_shuffle(a * __builtin_shuffle(b, NEXT) - __builtin_shuffle(a, NEXT) * b, NEXT);
 }
 
 }  // namespace
@@ -27,33 +37,45 @@ void FacetBounds::update(const FacetLists& lists, std::span<const Vec3> x_0,
     origin_ = grid.low + half;
     size_ = half.maxCoeff();
     const std::span<const Triangle> triangles = lists.triangles();
+    const auto nodes = static_cast<std::size_t>(lists.nodes().back()) + 1;
+    small_0_.resize(nodes);
+    small_1_.resize(nodes);
+    parallel::for_each(lists.nodes().size(), [&](std::size_t i) {
+        const Index n = lists.nodes()[i];
+        const Eigen::Vector3f a = (x_0[n] - origin_).cast<float>(),
+                              b = (x_1[n] - origin_).cast<float>();
+        small_0_[n] = Quad{a[0], a[1], a[2], 0.0F};
+        small_1_[n] = Quad{b[0], b[1], b[2], 0.0F};
+    });
 
+    // Half the slack of paths is for what a facet at t strays from its plane, all by rounding.
+    const auto flat = static_cast<float>(0.5 * ROUNDING * size_);
     bound_.resize(triangles.size());
     parallel::for_each(
         triangles.size(),
         [&](std::size_t f) {
             const auto& [i, j, k] = triangles[f];
-            const Vec3 low_corner = x_0[i].cwiseMin(x_0[j]).cwiseMin(x_0[k]).cwiseMin(
-                           x_1[i].cwiseMin(x_1[j]).cwiseMin(x_1[k])),
-                       high_corner = x_0[i].cwiseMax(x_0[j]).cwiseMax(x_0[k]).cwiseMax(
-                           x_1[i].cwiseMax(x_1[j]).cwiseMax(x_1[k]));
-            FacetBound& bound = bound_[f];
-            const Eigen::Vector3f low = (low_corner - origin_).cast<float>(),
-                                  less = (origin_ - high_corner).cast<float>();
-            bound.box = Eight{low[0], low[1], low[2], 0.0F, less[0], less[1], less[2], 0.0F};
-            const auto heights = [&](std::span<const Vec3> x, const Vec3& normal) {
-                return std::array{normal.dot(x[i] - origin_), normal.dot(x[j] - origin_),
-                                  normal.dot(x[k] - origin_)};
-            };
-            Vec3 normal = unit_normal(x_0[i], x_0[j], x_0[k]);
-            auto [low_0, high_0] = std::ranges::minmax(heights(x_0, normal));
+            const Quad &a = small_0_[i], &b = small_0_[j], &c = small_0_[k];
+            const Quad &d = small_1_[i], &e = small_1_[j], &g = small_1_[k];
+            const auto least = [](const Quad& p, const Quad& q) { return p < q ? p : q; };
+            const auto most = [](const Quad& p, const Quad& q) { return p > q ? p : q; };
+            const Quad low = least(least(least(a, b), c), least(least(d, e), g)),
+                       less = -most(most(most(a, b), c), most(most(d, e), g));
+            const Quad across = cross_product(b - a, c - a);
+            const float square = height(across, across);
+            Quad normal = square > 0.0F ? across * (1.0F / std::sqrt(square)) : Quad{};
+            auto [low_0, high_0] =
+                interval(height(normal, a), height(normal, b), height(normal, c));
             // A facet that is all but a line has no normal worth the name.
-            if (high_0 - low_0 > 0.1 * ROUNDING * size_) normal = Vec3::Zero(), low_0 = 0.0;
-            const auto [low_1, high_1] = std::ranges::minmax(heights(x_1, normal));
-            for (int a = 0; a < 3; ++a) bound.normal[a] = static_cast<float>(normal[a]);
-            bound.at_0 = static_cast<float>(low_0);
-            bound.low_1 = static_cast<float>(low_1);
-            bound.high_1 = static_cast<float>(high_1);
+            if (!(high_0 - low_0 <= flat)) normal = Quad{}, low_0 = 0.0F;
+            const auto [low_1, high_1] =
+                interval(height(normal, d), height(normal, e), height(normal, g));
+            FacetBound& bound = bound_[f];
+            bound.box = Eight{low[0], low[1], low[2], 0.0F, less[0], less[1], less[2], 0.0F};
+            bound.normal = {normal[0], normal[1], normal[2]};
+            bound.at_0 = low_0;
+            bound.low_1 = low_1;
+            bound.high_1 = high_1;
         },
         parallel::CHUNK);
 }

@@ -15,6 +15,8 @@ namespace corpuscle::gas {
 /// Eight numbers at once, on every processor.
 using Eight = float __attribute__((vector_size(32)));
 
+using Quad = float __attribute__((vector_size(16)));  ///< x, y, z, 0
+
 /// Is any of a greater than its fellow in b?
 inline bool any_greater(const Eight& a, const Eight& b) {
     const auto is_greater = a > b;
@@ -98,10 +100,11 @@ public:
     }
 
 private:
-    static constexpr double ROUNDING = 2e-6;  ///< some 30 units in the last place of a float
+    static constexpr double ROUNDING = 4e-6;  ///< some 60 units in the last place of a float
 
     Vec3 origin_ = Vec3::Zero();  ///< near the facets: small numbers are rounded less        [m]
     double size_ = 0.0;           ///< half the longest side of the grid                      [m]
+    std::vector<Quad> small_0_, small_1_;  ///< by node row                              [m]
     std::vector<FacetBound> bound_;
 };
 

@@ -12,6 +12,9 @@ namespace {
 constexpr int BLOCK =
     8;  ///< cells along a block's edge; smaller: tighter pairs, more boxes for FCL
 
+/// Cells of the table of free ways, in cells of the lists. Smaller: tighter planes, more cells.
+constexpr double CLEARANCE_CELL = 1.0;
+
 /// Of a cell's edge: nearer than this to its faces, single precision may be wrong about the cell.
 constexpr double ON_THE_FACE = 1e-4;
 
@@ -45,9 +48,9 @@ void FacetLists::build(const Grid& grid, std::span<const Vec3> x_0, std::span<co
                        double margin, double reach) {
     ++builds_;
     margin_ = margin;
-    reach_ = reach;
     per_edge_ = static_cast<float>(grid.per_edge);
-    const double around = margin + reach + ON_THE_FACE * grid.edge;
+    const double around = margin + ON_THE_FACE * grid.edge;
+    moved_between_builds_ = built_at_.empty() ? INF : displacement(x_1, x_1);
     built_at_.resize(nodes_.size());
     for (std::size_t n = 0; n < nodes_.size(); ++n) built_at_[n] = x_1[nodes_[n]];
     grid_ = grid;
@@ -62,38 +65,7 @@ void FacetLists::build(const Grid& grid, std::span<const Vec3> x_0, std::span<co
     fill_.assign(start_.begin(), start_.end() - 1);
     for_each_entry([&](std::size_t cell, Index facet) { facet_[fill_[cell]++] = facet; });
     find_slabs(x_0, x_1);
-    find_free_ways();
-}
-
-/// A cell whose nearest cell with facets is k cells off, counted along the axis where it is
-/// farthest, is free for (k - 1) edges; and for the reach by which the boxes are inflated.
-void FacetLists::find_free_ways() {
-    constexpr std::uint8_t FAR = 5;  // and farther: it is not worth knowing
-    std::vector<std::uint8_t>&now = cells_off_, &before = cells_off_before_;
-    now.resize(grid_.size());
-    for (std::size_t cell = 0; cell < grid_.size(); ++cell) now[cell] = is_empty(cell) ? FAR : 0;
-    const std::array<std::size_t, 3> stride{
-        1, static_cast<std::size_t>(grid_.count[0]),
-        static_cast<std::size_t>(grid_.count[0]) * static_cast<std::size_t>(grid_.count[1])};
-    for (int a = 0; a < 3; ++a) {
-        before = now;
-        parallel::for_each(grid_.size(), [&](std::size_t cell) {
-            const int here = static_cast<int>(cell / stride[a]) % grid_.count[a];
-            for (int off = 1; off < now[cell]; ++off) {
-                const std::size_t far = static_cast<std::size_t>(off) * stride[a];
-                std::uint8_t least = FAR;
-                if (here >= off) least = before[cell - far];
-                if (here + off < grid_.count[a]) least = std::min(least, before[cell + far]);
-                now[cell] = std::min(now[cell], std::max<std::uint8_t>(least, off));
-            }
-        });
-    }
-    free_way_.resize(grid_.size());
-    // Rounded down: single precision, and cells found by a product.
-    const double edge = (1.0 - ON_THE_FACE) * grid_.edge, reach = (1.0 - ON_THE_FACE) * reach_;
-    for (std::size_t cell = 0; cell < grid_.size(); ++cell)
-        free_way_[cell] =
-            now[cell] == 0 ? 0.0F : static_cast<float>(reach + (now[cell] - 1) * edge);
+    clearance_.build(triangles_, x_1, grid, CLEARANCE_CELL * grid.edge, reach);
 }
 
 /// Normals: the mean of the facets', turned alike. Heights: of all nodes, and the margin.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contact/broad_phase.hpp"
+#include "gas/clearance.hpp"
 #include "gas/grid.hpp"
 #include "solver/base/surface.hpp"
 
@@ -63,7 +64,6 @@ public:
     [[nodiscard]] std::span<const Index> in(const Slab& slab) const {
         return {facet_.data() + slab.begin, static_cast<std::size_t>(slab.end - slab.begin)};
     }
-    [[nodiscard]] double reach() const { return reach_; }  ///< [m]
     [[nodiscard]] bool is_empty(std::size_t cell) const { return start_[cell] == start_[cell + 1]; }
     [[nodiscard]] const Slab& slab(std::size_t cell) const { return slab_[slab_row_[cell]]; }
 
@@ -82,57 +82,29 @@ public:
     }
     /// visit(slab, from_share, to_share) for the slabs that the straight way from one point to
     /// another does not miss, in the order in which it comes to their cells, with the shares of the
-    /// way at which it enters and leaves; until it returns true: did it? One cell for a short way.
+    /// way at which it enters and leaves; until it returns true: did it?
     template <class Visit>
     bool any_slab(const Vec3& from, const Vec3& to, Visit&& visit) const {
         const auto a = small(from), b = small(to);
-        const Vec3 way = (to - from).cwiseAbs();
-        if ((way[0] <= reach_) & (way[1] <= reach_) & (way[2] <= reach_)) {
-            const Slab& slab = slab_at(a);
-            return !slab.is_missed_by(a, b) && visit(slab, 0.0, 1.0);
-        }
-        if (way.maxCoeff() > size_) return any_slab_far(from, to, visit);
+        if (!((to - from).cwiseAbs().maxCoeff() <= size_)) return any_slab_far(from, to, visit);
         return walk(from, to, [&](std::size_t cell, double enters, double leaves) {
             const Slab& here = slab(cell);
             return here.begin != here.end && !here.is_missed_by(a, b) &&
                    visit(here, enters, leaves);
         });
     }
-    /// Of many particles' ways, x[i] to x[i] + way[i], those that may meet facets as far as one
-    /// cell can tell: a bit each. No branches, so it is quick.
-    template <std::size_t N>
-    [[nodiscard]] std::uint64_t unclear(const Vec3* x, const std::array<Vec3, N>& way,
-                                        std::size_t count) const {
-        static_assert(N <= 64);
-        std::array<Index, N> row;
-        std::array<std::array<float, N>, 3> from, to;
-        std::array<bool, N> is_long;
-        const float reach = static_cast<float>(reach_ * (1.0 - ROUNDING_OF_REACH));
-        for (std::size_t i = 0; i < count; ++i) {
-            std::array<int, 3> cell;
-            bool beyond = false;
-            for (int a = 0; a < 3; ++a) {
-                const double p = x[i][a] - grid_.low[a];
-                from[a][i] = static_cast<float>(p);
-                to[a][i] = static_cast<float>(x[i][a] + way[i][a] - grid_.low[a]);
-                cell[a] =
-                    std::clamp(static_cast<int>(from[a][i] * per_edge_), 0, grid_.count[a] - 1);
-                beyond |= !(std::abs(static_cast<float>(way[i][a])) <= reach);
-            }
-            is_long[i] = beyond;
-            row[i] = slab_row_[grid_.row(cell[0], cell[1], cell[2])];
-        }
-        std::uint64_t bits = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-            const Slab& slab = slab_[row[i]];
-            const bool is_missed = slab.is_missed_by({from[0][i], from[1][i], from[2][i]},
-                                                     {to[0][i], to[1][i], to[2][i]});
-            bits |= static_cast<std::uint64_t>(!is_missed | is_long[i]) << i;
-        }
-        return bits;
+    /// How far particles may fly before these facets can be in their way.
+    [[nodiscard]] const Clearance& clearance() const { return clearance_; }
+    /// Farthest that a node has moved along an axis since the lists were built.              [m]
+    [[nodiscard]] double displacement(std::span<const Vec3> x_0, std::span<const Vec3> x_1) const {
+        Vec3 most = Vec3::Zero();
+        for (std::size_t n = 0; n < nodes_.size(); ++n)
+            most = most.cwiseMax((x_0[nodes_[n]] - built_at_[n]).cwiseAbs())
+                       .cwiseMax((x_1[nodes_[n]] - built_at_[n]).cwiseAbs());
+        return most.maxCoeff();
     }
-    /// A point that moves no farther than this along any axis certainly meets no facet.    [m]
-    [[nodiscard]] double free_way(const Vec3& x) const { return free_way_[grid_.cell_of(x)]; }
+    /// The same from the build before the last to the last.                                  [m]
+    [[nodiscard]] double moved_between_builds() const { return moved_between_builds_; }
     [[nodiscard]] std::span<const Index> starts() const { return start_; }
     [[nodiscard]] std::span<const Index> facets() const { return facet_; }
     [[nodiscard]] std::size_t builds() const { return builds_; }
@@ -140,13 +112,11 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(grid_, margin_, reach_, size_, per_edge_, builds_, built_at_, start_, facet_, slab_,
-                slab_row_, free_way_);
+        archive(grid_, margin_, size_, per_edge_, builds_, built_at_, start_, facet_, slab_,
+                slab_row_, clearance_);
     }
 
 private:
-    static constexpr double ROUNDING_OF_REACH = 1e-6;
-
     /// visit(cell, enters, leaves) for the cells that a way passes through, in order, with the
     /// shares of the way [Amanatides & Woo 1987], until it returns true.
     template <class Visit>
@@ -200,7 +170,6 @@ private:
 
     void pair_patches_with_blocks();
     void find_slabs(std::span<const Vec3> x_0, std::span<const Vec3> x_1);
-    void find_free_ways();
     template <class Enter>
     void for_each_entry(Enter&& enter) const;
 
@@ -210,19 +179,19 @@ private:
     contact::BroadPhase patch_tree_, block_tree_;
 
     Grid grid_, blocks_;
-    double margin_ = -1.0;             ///< negative: never built
-    double reach_ = 0.0, size_ = 0.0;  ///< size: longest side of the grid            [m]
+    double margin_ = -1.0;  ///< negative: never built
+    double size_ = 0.0;     ///< longest side of the grid                  [m]
     float per_edge_ = 1.0F;
     std::size_t builds_ = 0;
-    Points built_at_;  ///< x_1 of the build, for nodes_
+    double moved_between_builds_ = INF;  ///< [m]
+    Points built_at_;                    ///< x_1 of the build, for nodes_
     std::vector<contact::Box> facet_box_, box_;
     std::vector<std::pair<Index, Index>> pairs_;  ///< patch, block
     std::vector<Index> start_, fill_, facet_;     ///< cells -> facets, compressed rows
     std::vector<Slab> slab_;       ///< first that of all empty cells, then one a cell
     std::vector<Index> slab_row_;  ///< per cell
-    std::vector<float> free_way_;  ///< per cell                                         [m]
-    std::vector<std::uint8_t> cells_off_, cells_off_before_;  ///< per cell
-    Points normal_;                                           ///< of the facets, not of unit length
+    Points normal_;                ///< of the facets, not of unit length
+    Clearance clearance_;
 };
 
 }  // namespace corpuscle::gas

@@ -227,6 +227,13 @@ End fly_caught(const Scene& scene, double born, Flyer& who) {
     return End::CAUGHT;
 }
 
+/// Free flight of some particles.
+void stream(double dt, std::size_t begin, std::size_t count, Particles& gas) {
+    double* const x = gas.x[begin].data();
+    const double* const v = gas.v[begin].data();
+    for (std::size_t i = 0; i < 3 * count; ++i) x[i] += dt * v[i];
+}
+
 /// A list a chunk of particles and one for those that were caught, all empty.
 template <class T>
 void clear(std::vector<std::vector<T>>& lists, std::size_t count) {
@@ -273,29 +280,24 @@ void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec
                 result.caught[chunk].push_back(i);
         }
     };
-    const auto fly_rows = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        std::array<Vec3, FreeWays::BLOCK> way;
-        for (std::size_t i = begin; i < end; ++i) way[i - begin] = (1.0 - start(i)) * dt * gas.v[i];
-        std::uint64_t unclear = lists.unclear(&gas.x[begin], way, end - begin);
-        for (std::size_t i = begin; i < end; ++i, unclear >>= 1) {
-            if ((unclear & 1) == 0)
-                gas.x[i] += way[i - begin];
-            else
-                fly_near(i, chunk);
-        }
-    };
-
     FreeWays& ways = result.ways;
-    ways.begin_flight(lists, gas.size());
+    ways.begin_flight(lists, x_0, x_1, gas);
     parallel::for_chunks(
         gas.size(),
         [&](std::size_t begin, std::size_t end, std::size_t chunk) {
             for (std::size_t i = begin; i < end; i += FreeWays::BLOCK) {
-                const std::size_t block = i / FreeWays::BLOCK,
-                                  after = std::min(end, i + FreeWays::BLOCK);
-                if (i + FreeWays::BLOCK <= old && ways.stream(lists, block, dt, gas)) continue;
-                fly_rows(i, after, chunk);
-                ways.forget_block(block);
+                const std::size_t count = std::min(end - i, FreeWays::BLOCK);
+                // (Who has just been born flies less than a step.)
+                const std::uint32_t unclear = ways.ask(lists, i, count, dt, gas);
+                if (unclear == 0 && i + count <= old) {
+                    stream(dt, i, count, gas);
+                    continue;
+                }
+                for (std::size_t k = 0; k < count; ++k)
+                    if ((unclear >> k & 1U) != 0)
+                        fly_near(i + k, chunk);
+                    else
+                        gas.x[i + k] += (1.0 - start(i + k)) * dt * gas.v[i + k];
             }
         },
         parallel::CHUNK);

@@ -33,8 +33,8 @@ struct Lost {
 struct FlightResult {
     std::vector<std::vector<Hit>> hits;  ///< a list a chunk, to be read in order
     std::vector<Lost> lost;
-    FacetBounds bounds;  ///< of this flight; kept for its memory
-    FreeWays ways;       ///< kept from flight to flight, as long as rows stay where they are
+    FacetBounds bounds;                          ///< of this flight; kept for its memory
+    FreeWays ways;                               ///< kept from flight to flight
     std::vector<std::vector<Arrival>> arrivals;  ///< at gates, a list a chunk, to be read in order
     std::vector<std::vector<std::size_t>> caught;  ///< that had to fly again, a list a chunk
 };

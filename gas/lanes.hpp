@@ -30,6 +30,23 @@ inline Four load(const double* from) {
     return out;
 }
 
+/// Four points x y z x, y z x y, z x y z as columns.
+inline std::array<Four, 3> columns(const Four& a, const Four& b, const Four& c) {
+    constexpr FourBits ONE{0, -1, 0, 0}, TWO{0, 0, -1, 0}, OUTER{-1, 0, 0, -1};
+    return {__builtin_shuffle(TWO   ? b
+                              : ONE ? c
+                                    : a,
+                              FourBits{0, 3, 2, 1}),
+            __builtin_shuffle(ONE   ? a
+                              : TWO ? c
+                                    : b,
+                              FourBits{1, 0, 3, 2}),
+            __builtin_shuffle(OUTER ? c
+                              : ONE ? b
+                                    : a,
+                              FourBits{2, 1, 0, 3})};
+}
+
 inline Four sqrt(const Four& a) {
 #ifdef __AVX__
     return _mm256_sqrt_pd(a);

@@ -10,7 +10,7 @@
 
 namespace corpuscle::gas {
 
-/// Particles inside a bag, one array a quantity (64 bytes a particle).
+/// Particles inside a bag, one array a quantity (68 bytes a particle).
 ///
 /// Every particle stands for the same number of moles `moles_each` of its species, so its mass is
 /// moles_each · M: only then do collisions between species end in equipartition.
@@ -20,6 +20,7 @@ struct Particles {
     std::vector<double> e;              ///< internal (spin + vibration) energy          [J]
     std::vector<std::int32_t> species;  ///< row among the bag's species
     std::vector<std::int32_t> id;       ///< born 0, 1, 2, ...; never reused
+    std::vector<float> clear;           ///< way that is free (free_ways.hpp), 0: not known  [m]
 
     [[nodiscard]] std::size_t size() const { return x.size(); }
 
@@ -27,6 +28,7 @@ struct Particles {
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(x, v, e, species, id);
+        clear.assign(x.size(), 0.0F);
     }
 
     void resize(std::size_t n) {
@@ -35,6 +37,7 @@ struct Particles {
         e.resize(n);
         species.resize(n);
         id.resize(n);
+        clear.resize(n);
     }
     /// Room for n in all: growing bit by bit would take up to twice the memory.
     void reserve(std::size_t n) {
@@ -43,6 +46,7 @@ struct Particles {
         e.reserve(n);
         species.reserve(n);
         id.reserve(n);
+        clear.reserve(n);
     }
     /// Takes out rows, ascending; the order of the others stays.
     void erase(std::span<const std::size_t> rows) {
@@ -58,6 +62,7 @@ struct Particles {
             e[to] = e[from];
             species[to] = species[from];
             id[to] = id[from];
+            clear[to] = clear[from];
             ++to;
         }
         resize(to);
@@ -69,6 +74,7 @@ struct Particles {
         e.push_back(internal);
         species.push_back(kind);
         id.push_back(born);
+        clear.push_back(0.0F);
     }
 };
 
