@@ -77,11 +77,12 @@ LinLanes::Energy LinLanes::share(const Four& motion, const Four& thermal) const 
     const Four energy = heat_ * (motion + before) - (motion - thermal);
     const Four freedom = 3.0 * (n - lin::FITTED);
     const Four T = temperature(energy, freedom);
-    Four inside, slope;
+    Four inside, slope, curvature;
     for (int l = 0; l < LANES; ++l) {
         const EnergyPolynomial& internal = mixture_.particle_internal(species_[l]);
         inside[l] = internal(T[l]);
         slope[l] = internal.slope(T[l]);
+        curvature[l] = internal.curvature(T[l]);
     }
     const FourBits had_some = before > 0.0;
     Four each = had_some ? (1.0 - MEMORY) * inside : inside;
@@ -92,7 +93,9 @@ LinLanes::Energy LinLanes::share(const Four& motion, const Four& thermal) const 
     const Four C_t = freedom * half_heat, C_i = n * slope;
     const Four least = internal < left ? internal : left;
     const Four spread = T * sqrt(2.0 * half_heat * C_t * C_i / (C_t + C_i));
-    const Four most = MOST_NOISE * least, wanted = spread * load(share_.data());
+    const Four scatter = T / (C_t + C_i);
+    const Four less = SCATTER * half_heat * C_t * (n * curvature) * scatter * scatter;
+    const Four most = MOST_NOISE * least, wanted = spread * load(share_.data()) - less;
     Four more = wanted > most ? most : wanted < -most ? -most : wanted;
     more = (C_i > 0.0) & (least > 0.0) ? more / internal : all(0.0);
     each *= 1.0 + more;

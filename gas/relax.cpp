@@ -46,8 +46,11 @@ std::optional<double> share(double energy, double freedom, const Mixture& mixtur
     const double least = std::min(internal, energy - internal);
     if (!(C_i > 0.0 && least > 0.0)) return energy - internal;  // a monatomic gas
     const double spread = T * std::sqrt(2.0 * mixture.half_heat() * C_t * C_i / (C_t + C_i));
+    const double scatter = T / (C_t + C_i);  // squared: var(T) / (k C_t)
+    const double less =
+        SCATTER * mixture.half_heat() * C_t * internal_at.curvature(T) * scatter * scatter;
     // In groups of two or three the tails are cut, evenly, so that no part is used up.
-    const double more = std::clamp(spread * chance, -MOST_NOISE * least, MOST_NOISE * least);
+    const double more = std::clamp(spread * chance - less, -MOST_NOISE * least, MOST_NOISE * least);
     swarm.scale_internal(1.0 + more / internal);
     return energy - swarm.internal();
 }

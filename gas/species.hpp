@@ -21,6 +21,7 @@ struct EnergyPolynomial {
 
     [[nodiscard]] double operator()(double T) const { return ((c * T + b) * T + a) * T; }
     [[nodiscard]] double slope(double T) const { return (3.0 * c * T + 2.0 * b) * T + a; }
+    [[nodiscard]] double curvature(double T) const { return 6.0 * c * T + 2.0 * b; }
 
     EnergyPolynomial& operator+=(const EnergyPolynomial& o) {
         a += o.a;
