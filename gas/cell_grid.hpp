@@ -25,8 +25,7 @@ struct Lists {
 
 /// Lists particles by grid cell, and now and then puts them in that order: neighbours in space
 /// become neighbours in memory. A stable counting sort, so the order is that of cells, then of
-/// rows, on any number of threads. Memory: 8 bytes a particle and a second set of places, 4 bytes a
-/// cell and thread.
+/// rows, on any number of threads. Memory: 16 bytes a particle, 4 a cell and thread.
 class CellSort {
 public:
     /// Lists rows by cell; `moves_rows`: and puts the particles in that order. A few steps without
@@ -44,11 +43,11 @@ private:
     void move_rows(Particles& particles);
 
     std::size_t cells_ = 0, slice_length_ = 1;
-    std::vector<Index> cell_;  ///< of each particle; afterwards spare
+    std::vector<Index> cell_;  ///< of each particle
     std::vector<Index> fill_;  ///< slices × cells: first count, then next place
     std::vector<Index> start_;
     std::vector<Index> order_;  ///< rows
-    std::vector<Vec3> spare_;
+    std::vector<double> spare_;
 };
 
 /// Edge of cubic cells that hold `per_cell` particles on average.                          [m]

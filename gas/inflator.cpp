@@ -16,6 +16,9 @@ namespace corpuscle::gas {
 
 namespace {
 
+/// Particles that enter in a step and whose memory is kept for the next: a burst's is given back.
+constexpr std::size_t MOST_KEPT = 10'000;
+
 constexpr double COLDEST = 50.0;  ///< gas that expands from anything warmer may get this cold   [K]
 constexpr double HOTTER = 1.2;    ///< head room over the hottest gas that comes in: a shock heats
 
@@ -264,6 +267,8 @@ void Inflators::entering(double t_1, std::span<const Vec3> axis, std::vector<Ent
                      [](const Due& p, const Due& q) { return p.time < q.time; });
     for (const Due& due : due_)
         out.push_back(make(due, axis[due.orifice], static_cast<std::int32_t>(born++)));
+    due_.clear();
+    if (due_.capacity() > MOST_KEPT) due_.shrink_to_fit();
 }
 
 Entry Inflators::make(const Due& due, const Vec3& axis, std::int32_t id) const {
