@@ -3,6 +3,7 @@
 #include "gas/flight.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "gas/crossing.hpp"
@@ -79,9 +80,21 @@ Meeting first_meeting(const Scene& scene, const Path& path, const Vec3& from, do
         const bool is_part = leaves > enters;  // else nothing is known of the order
         const SmallPath small =
             bounds.small(from, path.at_1, now, is_part ? enters : 0.0, is_part ? leaves : 1.0);
-        for (const Index facet : scene.lists.in(slab))
-            if (bounds[facet].is_near(small) && !bounds[facet].is_missed_by(small))
-                meet(scene, path, facet, after, last, first);
+        // Boxes first, without branches: few are near.
+        constexpr std::size_t AT_ONCE = 64;
+        const auto facets = scene.lists.in(slab);
+        for (std::size_t begin = 0; begin < facets.size(); begin += AT_ONCE) {
+            const std::size_t count = std::min(AT_ONCE, facets.size() - begin);
+            std::uint64_t near = 0;
+            for (std::size_t k = 0; k < count; ++k)
+                near |= std::uint64_t{bounds[facets[begin + k]].is_near(small)} << k;
+            for (; near != 0; near &= near - 1) {
+                const Index facet =
+                    facets[begin + static_cast<std::size_t>(std::countr_zero(near))];
+                if (!bounds[facet].is_missed_by(small))
+                    meet(scene, path, facet, after, last, first);
+            }
+        }
         return is_settled(leaves);
     });
     return first;
