@@ -28,12 +28,12 @@ constexpr double FLIGHT_SHARE = 0.5;
 /// cells.
 constexpr double FLIGHT_CELL = 1.5;
 
-/// Longest way in a step, along each axis, for which a particle asks one cell only, in ways of
-/// thermal speed. Longer: more candidates a cell.
+/// Reach of the table of free ways, in ways of thermal speed in a step: one component in two
+/// thousand is longer. Farther: fewer look-ups, planes less tight.
 constexpr double REACH = 3.5;
 
-/// Cells, in facet edges, where layers lie closer than that reach: there a particle asks cell after
-/// cell of its way, and the first few hold its next hit. Smaller: more entries in the lists.
+/// Cells, in facet edges, where layers lie closer than that reach: there no way is free. Smaller:
+/// fewer facets to look at, more cells on the way.
 constexpr double THIN_CELL = 0.5;
 
 constexpr std::size_t MOST_CELLS = 2'000'000;

@@ -38,9 +38,8 @@ struct Slab {
 ///
 /// Patches of facets and blocks of 8 × 8 × 8 cells are paired by FCL; facets are then entered into
 /// the cells that their boxes overlap. Boxes are inflated by `margin`, so the lists serve until a
-/// node has moved that far: a rebuild every ten steps or so, whatever the number of particles. They
-/// are inflated by `reach`, too: a path no longer than that along each axis only asks the cell it
-/// starts in.
+/// node has moved that far: a rebuild every ten steps or so, whatever the number of particles. With
+/// a `reach` there is a table of free ways, too, up to some cells and that (clearance.hpp).
 class FacetLists {
 public:
     FacetLists(std::vector<Triangle> triangles, std::span<const Vec3> x);
