@@ -51,7 +51,7 @@ void Candidates::meet_gently(double t, std::span<const std::uint8_t> is_on) {
     for (std::size_t i = 0; i < list_.size(); ++i) {
         const auto card = static_cast<std::size_t>(list_[i].card);
         if (was_on_[card] || !is_on[card] || !give_gentle_gap(i, t)) continue;
-        close_starts_.push_back(std::minmax(list_[i].first, list_[i].second));
+        close_starts_.push_back(std::minmax(watch_[i].first, watch_[i].second));
     }
     std::sort(close_starts_.begin(), close_starts_.end());
     close_starts_.erase(std::unique(close_starts_.begin(), close_starts_.end()),
@@ -138,10 +138,21 @@ void Candidates::list_pairs(const Points& x) {
     list_.clear();
     watch_.clear();
     dead_ = 0;
-    for (std::size_t c = 0; c < count; ++c) {
-        list_.insert(list_.end(), chunks_[c].list.begin(), chunks_[c].list.end());
-        watch_.insert(watch_.end(), chunks_[c].watch.begin(), chunks_[c].watch.end());
-    }
+    add_chunks(count);
+}
+
+/// Appends what the first chunks have found, in their order.
+void Candidates::add_chunks(std::size_t count) {
+    std::vector<std::size_t> start(count + 1, list_.size());
+    for (std::size_t c = 0; c < count; ++c) start[c + 1] = start[c] + chunks_[c].list.size();
+    list_.resize(start[count]);
+    watch_.resize(start[count]);
+    const auto copy = [&](std::size_t c) {
+        const auto to = static_cast<std::ptrdiff_t>(start[c]);
+        std::copy(chunks_[c].list.begin(), chunks_[c].list.end(), list_.begin() + to);
+        std::copy(chunks_[c].watch.begin(), chunks_[c].watch.end(), watch_.begin() + to);
+    };
+    parallel::for_each(count, copy, CHUNK);
 }
 
 /// Bars the pairs of all triangles that crossed at the start and still do.
@@ -181,7 +192,7 @@ void Candidates::forget_parted_pairs() {
     }
 }
 
-Index Candidates::memory_row(std::uint64_t key) const {
+Index Candidates::find_memory(std::uint64_t key) const {
     const auto by_key = [](const PairMemory& memory, std::uint64_t k) { return memory.key < k; };
     const auto known = std::lower_bound(memories_.begin(), memories_.end(), key, by_key);
     const bool is_known = known != memories_.end() && known->key == key;

@@ -4,6 +4,7 @@
 // Which nodes and edges of two triangles may come within reach of each other while the lists live.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contact/candidates.hpp"
 
@@ -12,6 +13,11 @@ namespace {
 
 bool has_node(const Triangle& t, Index node) {
     return t[0] == node || t[1] == node || t[2] == node;
+}
+
+/// The next float, or the one after it.
+float above(double x) {
+    return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
 }
 
 /// Whether an edge's two nodes stay on one side.
@@ -107,19 +113,6 @@ Box Candidates::edge_box(Index a, Index b) const {
     return box;
 }
 
-/// Bound of the predicted rate at which a pair's gap shrinks.
-double Candidates::approach_speed(const Pair& pair) const {
-    const auto& n = pair.node;
-    Vec3 mean = Vec3::Zero();
-    for (const Index node : n) mean += 0.25 * motion_.velocity(node);
-    std::array<double, 4> square;
-    for (int k = 0; k < 4; ++k) square[k] = (motion_.velocity(n[k]) - mean).squaredNorm();
-    return pair.is_edges
-               ? std::sqrt(std::max(square[0], square[1])) +
-                     std::sqrt(std::max(square[2], square[3]))
-               : std::sqrt(square[0]) + std::sqrt(std::max({square[1], square[2], square[3]}));
-}
-
 /// Of both sides together, in budgets.
 double Candidates::slack_of(const Pair& pair) const {
     std::array<double, 4> of;
@@ -135,18 +128,21 @@ void Candidates::consider(const Pair& pair, int card, std::uint64_t key,
     const Outlook& ahead = where.ahead;
     double gap = nearest(pair, ahead.x).apart.norm();
     const double certain = reach_ * thickness + budget_ * slack_of(pair);
-    if (gap > certain && gap > certain + ahead.life * approach_speed(pair)) return;
+    const double approach =
+        greatest_approach(pair, {motion_.velocity(pair.node[0]), motion_.velocity(pair.node[1]),
+                                 motion_.velocity(pair.node[2]), motion_.velocity(pair.node[3])});
+    if (gap > certain && gap > certain + ahead.life * approach) return;
     if (cloth_.is_held(pair) || std::binary_search(barred_.begin(), barred_.end(), key)) return;
     // only what is near has anything to remember
     const bool may_know = ahead.is_build && gap <= reach_ * thickness;
-    const Index memory = may_know ? memory_row(key) : -1;
+    const Index memory = may_know ? find_memory(key) : -1;
     if (&ahead.x != &ahead.now) gap = nearest(pair, ahead.now).apart.norm();
-    const Index p = cloth_.patch_of[where.a], q = cloth_.patch_of[where.b];
     const int side = cloth_.rules.side_of(card, cloth_.part[where.a], cloth_.part[where.b]);
-    where.out.list.push_back({pair, memory, thickness, key, where.a, where.b,
-                              static_cast<std::int16_t>(card), static_cast<std::int16_t>(side),
-                              false});
-    where.out.watch.push_back({gap + motion_.way(p) + motion_.way(q), reach_ * thickness, p, q});
+    Watch watch{gap, above(reach_ * thickness), above(approach), where.a, where.b};
+    watch.sum += spent(watch);
+    where.out.list.push_back({pair, memory, thickness, key, static_cast<std::int16_t>(card),
+                              static_cast<std::int16_t>(side), false});
+    where.out.watch.push_back(watch);
 }
 
 }  // namespace corpuscle::contact

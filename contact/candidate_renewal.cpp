@@ -5,8 +5,14 @@
 #include <algorithm>
 
 #include "contact/candidates.hpp"
+#include "solver/base/parallel.hpp"
 
 namespace corpuscle::contact {
+namespace {
+
+constexpr std::size_t ROWS = 8192, TRIANGLES = 4;  ///< a chunk, of pairs and of renewed triangles
+
+}  // namespace
 
 /// Nodes that are about to overspend are predicted anew, from where they are to the end of the
 /// lists' life. The boxes of all others still hold, so what the renewed ones may meet is found
@@ -19,21 +25,16 @@ void Candidates::renew(const Points& x) {
     find_renewed_triangles();
     drop_renewed_pairs();
     list_renewed_pairs(x);
-    for (const Index t : renewed_) {
-        is_renewed_[t] = 0;
-        has_renewed_[cloth_.patch_of[t]] = 0;
-    }
+    for (const Index t : renewed_) is_renewed_[t] = 0;
 }
 
 void Candidates::find_renewed_triangles() {
     is_renewed_.resize(cloth_.triangles.size(), 0);
-    has_renewed_.resize(cloth_.patches.size(), 0);
     renewed_.clear();
     for (const Index n : strayed_)
         for (const Index t : cloth_.triangles_of(n)) {
             if (is_renewed_[t]) continue;
             is_renewed_[t] = 1;
-            has_renewed_[cloth_.patch_of[t]] = 1;
             renewed_.push_back(t);
         }
     std::sort(renewed_.begin(), renewed_.end());
@@ -42,15 +43,25 @@ void Candidates::find_renewed_triangles() {
 /// Their rows stay, as pairs that are infinitely far apart.
 void Candidates::drop_renewed_pairs() {
     handed_on_.clear();
-    for (std::size_t i = 0; i < list_.size(); ++i) {
-        Watch& w = watch_[i];
-        if (w.sum == INF || !(has_renewed_[w.first] | has_renewed_[w.second])) continue;
-        Candidate& c = list_[i];
-        if (!(is_renewed_[c.first] | is_renewed_[c.second])) continue;
-        if (c.memory >= 0) handed_on_.emplace_back(c.key, std::exchange(c.memory, -1));
-        w.sum = INF;
-        ++dead_;
-    }
+    const std::size_t chunks = parallel::chunk_count(list_.size(), ROWS);
+    dropped_.resize(std::max(dropped_.size(), chunks));
+    const auto find = [&](std::size_t begin, std::size_t end, std::size_t c) {
+        dropped_[c].clear();
+        for (std::size_t i = begin; i < end; ++i) {
+            const Watch& w = watch_[i];
+            if ((is_renewed_[w.first] | is_renewed_[w.second]) && w.sum < INF)
+                dropped_[c].push_back(i);
+        }
+    };
+    parallel::for_chunks(list_.size(), find, ROWS);
+    for (std::size_t c = 0; c < chunks; ++c)
+        for (const std::size_t i : dropped_[c]) {
+            Candidate& dropped = list_[i];
+            if (dropped.memory >= 0)
+                handed_on_.emplace_back(dropped.key, std::exchange(dropped.memory, -1));
+            watch_[i].sum = INF;
+            ++dead_;
+        }
     std::sort(handed_on_.begin(), handed_on_.end());
 }
 
@@ -67,18 +78,23 @@ void Candidates::list_renewed_pairs(const Points& x) {
 
     find_late(predicted_, rest_of_life);
     const Outlook ahead{predicted_, late_, x, rest_of_life, false};
-    renewed_pairs_.list.clear();
-    renewed_pairs_.watch.clear();
-    for (const Index a : renewed_) {
-        const Slab slab_a = slab_of(a, ahead);
-        near_triangles_.for_each_near(a, [&](Index b) {
-            if (is_renewed_[b] && b < a) return;
-            list_pairs_of(a, slab_a, b, slab_of(b, ahead), ahead, renewed_pairs_);
-        });
-    }
+    const std::size_t count = parallel::chunk_count(renewed_.size(), TRIANGLES);
+    chunks_.resize(std::max(chunks_.size(), count));
+    const auto search = [&](std::size_t begin, std::size_t end, std::size_t c) {
+        chunks_[c].list.clear();
+        chunks_[c].watch.clear();
+        for (std::size_t i = begin; i < end; ++i) {
+            const Index a = renewed_[i];
+            const Slab slab_a = slab_of(a, ahead);
+            near_triangles_.for_each_near(a, [&](Index b) {
+                if (is_renewed_[b] && b < a) return;
+                list_pairs_of(a, slab_a, b, slab_of(b, ahead), ahead, chunks_[c]);
+            });
+        }
+    };
+    parallel::for_chunks(renewed_.size(), search, TRIANGLES);
     const std::size_t first = list_.size();
-    list_.insert(list_.end(), renewed_pairs_.list.begin(), renewed_pairs_.list.end());
-    watch_.insert(watch_.end(), renewed_pairs_.watch.begin(), renewed_pairs_.watch.end());
+    add_chunks(count);
     hand_on_memories(first);
 }
 

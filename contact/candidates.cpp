@@ -42,24 +42,12 @@ void Candidates::foresee(const Points& x, const Points& v, double t, double dt) 
     motion_.foresee(x, v, dt);
 }
 
-bool Candidates::may_meet(std::size_t i) const {
-    const double distance = least_distance(i);
-    const Watch& w = watch_[i];
-    if (distance > motion_.ahead(w.first) + motion_.ahead(w.second)) return false;
-    std::array<double, 4> ahead;
-    for (int k = 0; k < 4; ++k) ahead[k] = motion_.node_ahead(list_[i].pair.node[k]);
-    const double motion = list_[i].pair.is_edges
-                              ? std::max(ahead[0], ahead[1]) + std::max(ahead[2], ahead[3])
-                              : ahead[0] + std::max({ahead[1], ahead[2], ahead[3]});
-    return distance <= motion;
-}
-
 double Candidates::thickness(std::size_t i) {
     Candidate& c = list_[i];
     if (!c.is_settled) {
         c.thickness = std::min(c.thickness, neighbours_thickness(c.pair));
         c.is_settled = true;
-        watch_[i].reach = reach_ * c.thickness;
+        watch_[i].reach = static_cast<float>(reach_ * c.thickness);
     }
     return c.thickness;
 }

@@ -70,20 +70,28 @@ public:
     [[nodiscard]] double thickness(std::size_t i);
 
     /// Whether pair i may be within reach now.
-    [[nodiscard]] bool is_due(std::size_t i) const { return least_distance(i) <= watch_[i].reach; }
+    [[nodiscard]] bool is_due(std::size_t i) const {
+        return least_distance(i) <= static_cast<double>(watch_[i].reach);
+    }
 
     /// Whether pair i may meet in the step that was foreseen last.
-    [[nodiscard]] bool may_meet(std::size_t i) const;
+    [[nodiscard]] bool may_meet(std::size_t i) const {
+        return least_distance(i) <=
+               motion_.ahead(watch_[i].first) + motion_.ahead(watch_[i].second);
+    }
 
     /// Takes the distance of pair i at the present x.
     void tell_distance(std::size_t i, double distance) {
-        watch_[i].sum = distance + motion_.way(watch_[i].first) + motion_.way(watch_[i].second);
+        watch_[i].sum = distance + spent(watch_[i]);
     }
 
     /// What pair i remembers, or nothing.
     [[nodiscard]] PairMemory* memory(std::size_t i) {
         return list_[i].memory < 0 ? nullptr : &memories_[list_[i].memory];
     }
+    /// Row of that, or -1; until the lists change.
+    [[nodiscard]] Index memory_row(std::size_t i) const { return list_[i].memory; }
+    [[nodiscard]] PairMemory& memory_at(Index row) { return memories_[row]; }
     PairMemory& make_memory(std::size_t i);
 
     /// Sum of the accounts of pairs that have gone out of reach since the last call.           [J]
@@ -115,23 +123,27 @@ private:
         Index memory;      ///< row in memories_, or -1
         double thickness;  ///< [m]
         std::uint64_t key;
-        Index first, second;  ///< triangles that it was met in
         std::int16_t card, side;
         bool is_settled;  ///< thickness allows for neighbours on the cloth
     };
     struct Watch {
-        double sum;           ///< distance when it was last known, and the patches' ways then   [m]
-        double reach;         ///< gap from which it matters                                     [m]
-        Index first, second;  ///< patches
+        double sum;           ///< distance when it was last known, and what was spent then      [m]
+        float reach;          ///< gap from which it matters, at least                           [m]
+        float approach;       ///< rate at which the gap is predicted to shrink, at most       [m/s]
+        Index first, second;  ///< triangles
     };
     struct Chunk {
         std::vector<Candidate> list;
         std::vector<Watch> watch;
     };
 
+    /// By what a pair's distance has shrunk at most since the lists were built, and more. [m]
+    [[nodiscard]] double spent(const Watch& w) const {
+        return motion_.age() * static_cast<double>(w.approach) + motion_.way(w.first) +
+               motion_.way(w.second);
+    }
     [[nodiscard]] double least_distance(std::size_t i) const {
-        const Watch& w = watch_[i];
-        return w.sum - motion_.way(w.first) - motion_.way(w.second);
+        return watch_[i].sum - spent(watch_[i]);
     }
     void build(const Points& x, const Points& v, double t, double dt);
     void set_budget(double dt);
@@ -144,6 +156,7 @@ private:
     void drop_renewed_pairs();
     void list_renewed_pairs(const Points& x);
     void hand_on_memories(std::size_t first);
+    void add_chunks(std::size_t count);
     [[nodiscard]] Box edge_box(Index a, Index b) const;
     struct Outlook {         ///< from where and how far it is looked ahead
         const Points& x;     ///< predicted positions, to within the budget             [m]
@@ -174,14 +187,13 @@ private:
                static_cast<std::uint64_t>(first) << 32 | static_cast<std::uint64_t>(second);
     }
     void consider(const Pair& pair, int card, std::uint64_t key, const Meeting& where) const;
-    [[nodiscard]] double approach_speed(const Pair& pair) const;
     [[nodiscard]] double slack_of(const Pair& pair) const;
     [[nodiscard]] double neighbours_thickness(const Pair& pair) const;
     void bar_all_crossing(const Points& x);
     void bar_crossing_pairs(const Points& x);
     void sort_memories();
     void forget_parted_pairs();
-    [[nodiscard]] Index memory_row(std::uint64_t key) const;
+    [[nodiscard]] Index find_memory(std::uint64_t key) const;
     void give_gentle_gaps(const std::vector<std::uint64_t>& keys, double t);
     bool give_gentle_gap(std::size_t i, double t);
     void meet_gently(double t, std::span<const std::uint8_t> is_on);
@@ -208,11 +220,11 @@ private:
 
     /// Of what is listed anew between builds.
     std::vector<Index> strayed_, renewed_;                    ///< nodes, triangles, ascending
-    std::vector<std::uint8_t> is_renewed_, has_renewed_;      ///< by triangle, by patch
+    std::vector<std::uint8_t> is_renewed_;                    ///< by triangle
     std::vector<std::pair<std::uint64_t, Index>> handed_on_;  ///< key and memory of dropped pairs
+    std::vector<std::vector<std::size_t>> dropped_;           ///< by chunk: rows of those pairs
     Points predicted_;                                        ///< N × 3                     [m]
-    Chunk renewed_pairs_;
-    std::size_t dead_ = 0;      ///< rows of dropped pairs
+    std::size_t dead_ = 0;                                    ///< rows of dropped pairs
     bool knows_boxes_ = false;  ///< near_triangles_ does; not after a restart
 };
 

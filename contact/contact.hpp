@@ -26,7 +26,9 @@ struct Contact {
     double impulse = 0.0;  ///< of the repulsion and of what follows it, normal            [N s]
     Vec3 rubbed = Vec3::Zero();  ///< by friction, on the first place                          [N s]
     double rate_before = 0.0;    ///< before the kick                                          [m/s]
+    double rate_kicked = 0.0;    ///< after it, before all impulses                            [m/s]
     std::size_t pair = 0;        ///< candidate row
+    Index memory = -1;           ///< row of what the pair remembers, or -1; until lists change
 
     [[nodiscard]] Vec3 relative(const Points& v) const {
         return weight[0] * v[node[0]] + weight[1] * v[node[1]] + weight[2] * v[node[2]] +

@@ -10,6 +10,14 @@
 
 namespace corpuscle::contact {
 
+/// A pair within reach that does not push.
+struct NearPair {
+    Pair nodes;
+    std::size_t pair;  ///< candidate row
+    double gap, rest;  ///< [m]
+    bool has_account;  ///< of what it took or gave when it pushed
+};
+
 /// Contacts of a step, filled by chunks of candidates in parallel and read in the candidates'
 /// order.
 class ContactList {
@@ -18,10 +26,21 @@ public:
 
     void clear(std::size_t candidates) {
         used_ = parallel::chunk_count(candidates, CHUNK);
-        if (chunk_.size() < used_) chunk_.resize(used_);
+        if (chunk_.size() < used_) {
+            chunk_.resize(used_);
+            near_.resize(used_);
+        }
         for (auto& chunk : chunk_) chunk.clear();
+        for (auto& near : near_) near.clear();
     }
+    [[nodiscard]] std::size_t chunks() const { return used_; }
+
+    /// That push; and pairs that were only near when found, and then came too near too fast.
     [[nodiscard]] std::vector<Contact>& chunk(std::size_t c) { return chunk_[c]; }
+    [[nodiscard]] const std::vector<Contact>& chunk(std::size_t c) const { return chunk_[c]; }
+    /// The others within reach.
+    [[nodiscard]] std::vector<NearPair>& near(std::size_t c) { return near_[c]; }
+    [[nodiscard]] const std::vector<NearPair>& near(std::size_t c) const { return near_[c]; }
 
     /// body(contact), one after the other, always in the same order.
     template <class Body>
@@ -37,22 +56,35 @@ public:
     /// body(contact), in parallel.
     template <class Body>
     void for_each_apart(Body&& body) {
-        parallel::for_chunks(
-            used_,
-            [&](std::size_t begin, std::size_t, std::size_t) {
-                for (Contact& contact : chunk_[begin]) body(contact);
-            },
-            1);
+        for_each_chunk([&](std::size_t c) {
+            for (Contact& contact : chunk_[c]) body(contact);
+        });
+    }
+    /// body(chunk), in parallel.
+    template <class Body>
+    void for_each_chunk(Body&& body) const {
+        parallel::for_each(used_, body, 1);
+    }
+    /// Sum of term(contact), by chunks in parallel, then theirs in their order.
+    template <class Term>
+    [[nodiscard]] double sum(Term&& term) const {
+        const auto chunk_sum = [&](std::size_t c) {
+            double s = 0.0;
+            for (const Contact& contact : chunk_[c]) s += term(contact);
+            return s;
+        };
+        return parallel::sum(used_, 0.0, chunk_sum, 1);
     }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(chunk_, used_);
+        archive(chunk_, near_, used_);
     }
 
 private:
     std::vector<std::vector<Contact>> chunk_;
+    std::vector<std::vector<NearPair>> near_;
     std::size_t used_ = 0;
 };
 

@@ -117,4 +117,14 @@ Nearest nearest(const Pair& pair, const Corners& x) {
     return {{1.0, -w[0], -w[1], -w[2]}, x[0] - w[0] * x[1] - w[1] * x[2] - w[2] * x[3], true};
 }
 
+double greatest_approach(const Pair& pair, const Corners& v) {
+    const Vec3 mean = 0.25 * (v[0] + v[1] + v[2] + v[3]);
+    std::array<double, 4> square;
+    for (int k = 0; k < 4; ++k) square[k] = (v[k] - mean).squaredNorm();
+    return pair.is_edges
+               ? std::sqrt(std::max(square[0], square[1])) +
+                     std::sqrt(std::max(square[2], square[3]))
+               : std::sqrt(square[0]) + std::sqrt(std::max({square[1], square[2], square[3]}));
+}
+
 }  // namespace corpuscle::contact

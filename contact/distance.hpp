@@ -64,6 +64,10 @@ using Corners = std::array<Vec3, 4>;
     return {of[pair.node[0]], of[pair.node[1]], of[pair.node[2]], of[pair.node[3]]};
 }
 
+/// Bound of the rate at which the gap of a pair shrinks while its nodes move at v, or of how much
+/// if they move by that: seen from their mean, both sides' fastest nodes head on.
+[[nodiscard]] double greatest_approach(const Pair& pair, const Corners& v);
+
 /// The nearest places of a pair whose nodes are at x.
 [[nodiscard]] Nearest nearest(const Pair& pair, const Corners& x);
 

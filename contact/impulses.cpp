@@ -9,42 +9,46 @@
 namespace corpuscle::contact {
 namespace {
 
-constexpr int SWEEPS =
-    4;  ///< of the approach limit; more of them let less momentum pass through piles
+constexpr int BODY_SWEEPS = 4;  ///< of friction on bodies, which rest on many places
+constexpr int SWEEPS = 8;  ///< of the approach limit; more let less momentum pass through piles
 constexpr double QUARTER = 0.25;  ///< of the rest gap that approach may not use up
 constexpr double HALF = 0.5;      ///< of the remaining gap that one step may use up
 
 }  // namespace
 
-Impulses::Impulses(const Cloth& cloth) : cloth_(cloth), books_(cloth.rules.cards().size()) {}
+Impulses::Impulses(const Cloth& cloth)
+    : cloth_(cloth), books_(cloth.rules.cards().size()), changed_(cloth.inverse_mass.size(), 0) {}
 
 void Impulses::apply(double span, double dt, ContactList& contacts, Candidates& pairs,
                      Movement& motion) {
     for (ImpulseBooks& book : books_) book.given.setZero();
+    book_kick(span, contacts, pairs, motion);
+    on_body_.clear();
+    contacts.for_each([&](Contact& c) {
+        if (c.force <= 0.0) return;
+        note_given(c, c.impulse * c.normal);
+        PairMemory& memory = c.memory < 0 ? pairs.make_memory(c.pair) : pairs.memory_at(c.memory);
+        double& account = memory.account;
+        account += c.impulse * (c.rest_rate - 0.5 * (c.rate_before + c.rate_kicked));
+        settle(span, c, account, motion);
+        if (c.on_body) on_body_.push_back(&c);
+    });
+    for (int sweep = 0; sweep < BODY_SWEEPS; ++sweep)
+        for (Contact* const c : on_body_) rub(*c, motion);
+    limit_approach(dt, contacts, pairs, motion);
+}
+
+/// What repulsion has done, and what is left of pairs that do not push any more.
+void Impulses::book_kick(double span, ContactList& contacts, Candidates& pairs,
+                         const Movement& motion) {
     pool_ += pairs.take_parted_accounts();
-    contacts.for_each([&](Contact& c) {
+    for (std::size_t chunk = 0; chunk < contacts.chunks(); ++chunk)
+        for (const NearPair& near : contacts.near(chunk))
+            if (near.has_account) pool_ += std::exchange(pairs.make_memory(near.pair).account, 0.0);
+    contacts.for_each_apart([&](Contact& c) {
         c.impulse = span * c.force;
-        if (c.force > 0.0) {
-            note_given(c, c.impulse * c.normal);
-            pairs.make_memory(c.pair).account +=
-                c.impulse * (c.rest_rate - 0.5 * (c.rate_before + motion.rate(c)));
-        } else if (PairMemory* const parted = pairs.memory(c.pair);
-                   parted != nullptr && c.gap >= c.rest) {
-            pool_ += std::exchange(parted->account, 0.0);
-        }
+        c.rate_kicked = motion.rate(c);
     });
-    contacts.for_each([&](Contact& c) {
-        if (c.force > 0.0) settle(span, c, pairs.make_memory(c.pair).account, motion);
-    });
-    for (int sweep = 0; sweep < SWEEPS; ++sweep)
-        contacts.for_each([&](Contact& c) {
-            if (c.on_body && c.force > 0.0) rub(c, motion);
-        });
-    bool is_stopped = true;
-    for (int sweep = 0; sweep < SWEEPS && is_stopped; ++sweep) {
-        is_stopped = false;
-        contacts.for_each([&](Contact& c) { is_stopped |= limit_approach(dt, c, motion); });
-    }
 }
 
 /// Repayment, damping and friction of a contact that pushes.
@@ -87,12 +91,69 @@ double Impulses::repay_debt(double rate, const Contact& c, double& account) {
     return impulse;
 }
 
-bool Impulses::limit_approach(double dt, Contact& c, Movement& motion) {
-    const double spare = c.gap - QUARTER * c.rest;
-    const double limit = spare > 0.0 ? -HALF * spare / dt : 0.0;
-    if (motion.rate(c) >= limit || c.mass == INF) return false;
-    raise_rate(limit, c, motion);
-    return true;
+double Impulses::approach_limit(double dt, double gap, double rest) {
+    const double spare = gap - QUARTER * rest;
+    return spare > 0.0 ? -HALF * spare / dt : 0.0;
+}
+
+/// In sweeps: what is too fast is found first, then slowed down, one after the other. From the
+/// second sweep on only what has to do with nodes that the last one has changed is looked at.
+void Impulses::limit_approach(double dt, ContactList& contacts, const Candidates& pairs,
+                              Movement& motion) {
+    too_fast_.resize(std::max(too_fast_.size(), contacts.chunks()));
+    bool is_any = true;
+    for (int sweep = 0; sweep < SWEEPS && is_any; ++sweep) {
+        is_first_ = sweep == 0;
+        contacts.for_each_chunk([&](std::size_t chunk) {
+            too_fast_[chunk].clear();
+            find_too_fast(dt, chunk, contacts, pairs, motion);
+        });
+        is_any = false;
+        ++sweep_;
+        for (std::size_t chunk = 0; chunk < contacts.chunks(); ++chunk)
+            for (const Index row : too_fast_[chunk]) {
+                Contact& c = contacts.chunk(chunk)[row];
+                const double limit = approach_limit(dt, c.gap, c.rest);
+                if (motion.rate(c) >= limit) continue;  // by now
+                raise_rate(limit, c, motion);
+                for (const Index n : c.node) changed_[n] = sweep_;
+                is_any = true;
+            }
+    }
+}
+
+void Impulses::find_too_fast(double dt, std::size_t chunk, ContactList& contacts,
+                             const Candidates& pairs, const Movement& motion) {
+    if (is_first_) take_up(dt, chunk, contacts, pairs, motion);
+    const std::vector<Contact>& all = contacts.chunk(chunk);
+    for (std::size_t row = 0; row < all.size(); ++row) {
+        const Contact& c = all[row];
+        if (c.mass == INF || !(is_first_ || c.on_body || has_changed(c.node))) continue;
+        if (motion.rate(c) < approach_limit(dt, c.gap, c.rest))
+            too_fast_[chunk].push_back(static_cast<Index>(row));
+    }
+}
+
+/// Makes contacts of pairs whose nodes are so fast that they may come too near. Of those that
+/// impulses make so only later, the guard knows.
+void Impulses::take_up(double dt, std::size_t chunk, ContactList& contacts, const Candidates& pairs,
+                       const Movement& motion) {
+    for (const NearPair& near : contacts.near(chunk)) {
+        const Pair& pair = near.nodes;
+        Corners v;
+        for (int k = 0; k < 4; ++k) v[k] = motion.velocity(pair.node[k]);
+        if (greatest_approach(pair, v) <= -approach_limit(dt, near.gap, near.rest)) continue;
+        Contact& c = contacts.chunk(chunk).emplace_back(contact_at(
+            cloth_, motion.bodies(), motion.x(), pair, nearest(pair, motion.x()), near.gap));
+        c.pair = near.pair;
+        c.card = pairs.card(near.pair);
+        c.side = pairs.side(near.pair);
+        c.rest = near.rest;
+    }
+}
+
+bool Impulses::has_changed(const std::array<Index, 4>& nodes) const {
+    return std::any_of(nodes.begin(), nodes.end(), [&](Index n) { return changed_[n] == sweep_; });
 }
 
 void Impulses::raise_rate(double rate, Contact& c, Movement& motion) {
@@ -131,7 +192,7 @@ void Impulses::clump(std::span<const Index> nodes, std::span<const double> mass,
 /// Joins nodes to a rigid body one after the other [Gauss-Seidel]: they are light beside it, so a
 /// few sweeps leave next to nothing between them.
 void Impulses::clump_round(Index body, std::span<const Index> nodes, Movement& motion) {
-    for (int sweep = 0; sweep < SWEEPS; ++sweep)
+    for (int sweep = 0; sweep < BODY_SWEEPS; ++sweep)
         for (const Index n : nodes) {
             const auto [taken, work] = motion.join(n, body);
             books_[0].normal += taken;

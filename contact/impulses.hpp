@@ -62,7 +62,15 @@ public:
 private:
     void settle(double span, Contact& contact, double& account, Movement& motion);
     double repay_debt(double rate, const Contact& contact, double& account);
-    bool limit_approach(double dt, Contact& contact, Movement& motion);
+    void book_kick(double span, ContactList& contacts, Candidates& pairs, const Movement& motion);
+    void limit_approach(double dt, ContactList& contacts, const Candidates& pairs,
+                        Movement& motion);
+    void find_too_fast(double dt, std::size_t chunk, ContactList& contacts, const Candidates& pairs,
+                       const Movement& motion);
+    void take_up(double dt, std::size_t chunk, ContactList& contacts, const Candidates& pairs,
+                 const Movement& motion);
+    [[nodiscard]] bool has_changed(const std::array<Index, 4>& nodes) const;
+    [[nodiscard]] static double approach_limit(double dt, double gap, double rest);
     void rub(Contact& contact, Movement& motion);
     double push(double impulse, const Vec3& direction, double mass, const Contact& contact,
                 Movement& motion);
@@ -74,6 +82,11 @@ private:
 
     const Cloth& cloth_;
     std::vector<ImpulseBooks> books_;
+    std::vector<Contact*> on_body_;             ///< that push, in this step
+    std::vector<std::vector<Index>> too_fast_;  ///< by chunk: rows of its contacts
+    std::vector<unsigned> changed_;             ///< by node: sweep of its last change
+    unsigned sweep_ = 0;                        ///< counted over all steps
+    bool is_first_ = true;                      ///< sweep of a step
     double pool_ = 0.0;  ///< what pairs that have parted took, less what they gave back         [J]
 };
 

@@ -10,8 +10,6 @@
 namespace corpuscle::contact {
 namespace {
 
-constexpr std::size_t CHUNK = 16;  ///< patches
-
 /// A few nodes that flutter would end the lists of all: they get a slack of their own, up to MOST,
 /// which grows while they use more than USED of it and shrinks else.
 constexpr double MOST_SLACK = 32.0, USED = 0.5, MORE_SLACK = 2.0, LESS_SLACK = 0.8;
@@ -30,8 +28,9 @@ Motion::Motion(const Cloth& cloth)
       nodes_(cloth.patch_node),
       velocity_(cloth.inverse_mass.size(), Vec3::Zero()),
       relative_(velocity_),
-      way_(cloth.patches.size(), 0.0),
+      way_(cloth.triangles.size(), 0.0),
       ahead_(way_.size()),
+      node_stepped_(velocity_.size(), 0.0),
       node_ahead_(velocity_.size(), 0.0),
       slack_(velocity_.size(), 1.0),
       strays_(velocity_.size(), 0.0) {
@@ -46,18 +45,20 @@ void Motion::start(const Points& x, double t) {
 }
 
 void Motion::follow(const Points& x, double t) {
-    age_ += t - t_;
+    const double dt = t - t_;
+    age_ += dt;
     t_ = t;
     const Vec3 common = mean_over(nodes_, [&](Index n) -> Vec3 { return x[n] - last_[n]; });
     common_ += common;
-    const auto measure = [&](std::size_t p) {
-        double farthest = 0.0;
-        for (const Index n : cloth_.nodes_of_patch(p))
-            farthest = std::max(farthest, (x[n] - last_[n] - common).squaredNorm());
-        way_[p] += std::sqrt(farthest);
-    };
-    parallel::for_each(way_.size(), measure, CHUNK);
-    for (const Index n : nodes_) last_[n] = x[n];
+    parallel::for_each(nodes_.size(), [&](std::size_t i) {
+        const Index n = nodes_[i];
+        node_stepped_[n] = (x[n] - last_[n] - common - dt * velocity_[n]).norm();
+        last_[n] = x[n];
+    });
+    parallel::for_each(way_.size(), [&](std::size_t triangle) {
+        const auto& [a, b, c] = cloth_.triangles[triangle];
+        way_[triangle] += std::max({node_stepped_[a], node_stepped_[b], node_stepped_[c]});
+    });
 }
 
 void Motion::foresee(const Points& x, const Points& v, double dt) {
@@ -76,12 +77,10 @@ void Motion::foresee(const Points& x, const Points& v, double dt) {
         }
     });
     stray_ = *std::max_element(strays.begin(), strays.end());
-    const auto measure = [&](std::size_t p) {
-        ahead_[p] = 0.0;
-        for (const Index n : cloth_.nodes_of_patch(p))
-            ahead_[p] = std::max(ahead_[p], node_ahead_[n]);
-    };
-    parallel::for_each(way_.size(), measure, CHUNK);
+    parallel::for_each(ahead_.size(), [&](std::size_t triangle) {
+        const auto& [a, b, c] = cloth_.triangles[triangle];
+        ahead_[triangle] = std::max({node_ahead_[a], node_ahead_[b], node_ahead_[c]});
+    });
 }
 
 double Motion::fastest() const {

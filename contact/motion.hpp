@@ -38,13 +38,13 @@ public:
     /// Where a node is predicted to be now, less the motion of all since the restart.        [m]
     [[nodiscard]] Vec3 predicted(Index node) const { return base_[node] + age_ * velocity_[node]; }
 
-    /// Bound of a patch's displacements, summed since the start: two nodes of patches a and b
-    /// cannot have come nearer to each other than by what way(a) + way(b) has grown. [m]
-    [[nodiscard]] double way(Index patch) const { return way_[patch]; }
+    /// Bound of how far a triangle's nodes have left their predictions, summed since the start: two
+    /// triangles a and b cannot have come nearer to each other than predicted by more than what
+    /// way(a) + way(b) has grown. [m]
+    [[nodiscard]] double way(Index triangle) const { return way_[triangle]; }
 
-    /// Displacement of a node, and the greatest of a patch, in the step ahead.                [m]
-    [[nodiscard]] double node_ahead(Index node) const { return node_ahead_[node]; }
-    [[nodiscard]] double ahead(Index patch) const { return ahead_[patch]; }
+    /// Greatest displacement of a triangle's nodes in the step ahead, less that of all.       [m]
+    [[nodiscard]] double ahead(Index triangle) const { return ahead_[triangle]; }
 
     /// How far at most a node will be from its prediction after the step ahead, over its slack. [m]
     [[nodiscard]] double stray() const { return stray_; }
@@ -71,7 +71,9 @@ private:
     Vec3 common_ = Vec3::Zero();  ///< mean displacement of all since the restart             [m]
     double t_ = 0.0, age_ = 0.0;  ///< [s]
     double stray_ = 0.0;          ///< [m]
-    std::vector<double> way_, ahead_, node_ahead_, chunk_stray_;
+    std::vector<double> way_, ahead_;   ///< by triangle                                   [m]
+    std::vector<double> node_stepped_;  ///< by node: way from its prediction in the last step [m]
+    std::vector<double> node_ahead_, chunk_stray_;
     std::vector<double> slack_, strays_;  ///< by node: share of the budget, and what it uses   [m]
 };
 

@@ -94,11 +94,9 @@ void Repulsion::add(const ContactList& contacts, Points& f) const {
 }
 
 double stored_energy(const ContactList& contacts, int card) {
-    double energy = 0.0;
-    contacts.for_each([&](const Contact& c) {
-        if (c.card == card && c.force > 0.0) energy += 0.5 * c.force * (c.rest - c.gap);
+    return contacts.sum([&](const Contact& c) {
+        return c.card == card && c.force > 0.0 ? 0.5 * c.force * (c.rest - c.gap) : 0.0;
     });
-    return energy;
 }
 
 }  // namespace corpuscle::contact

@@ -34,6 +34,7 @@ struct SurfaceContact::State {
     ContactList contacts;
     ContactCounts counts;
     std::vector<double> most;         ///< contact thickness now, by card                  [m]
+    std::vector<double> least_gap;    ///< over its rest value, by chunk                   [-]
     std::vector<std::uint8_t> is_on;  ///< by card
     double t = 0.0, dt_last = 0.0, span = 0.0;  ///< [s]
     double growth_time = NaN;  ///< of gaps that start below the contact thickness  [s]
@@ -55,7 +56,16 @@ struct SurfaceContact::State {
     }
     bool look_at_cards(double now);
     void look_at_pairs(const Points& x, const Points& v, std::span<const RigidMover> bodies);
-    void set_rest_gap(double thickness, Contact& contact);
+    struct RestGap {
+        double now;   ///< [m]
+        double rate;  ///< at which it grows                                               [m/s]
+    };
+    RestGap rest_gap(std::size_t pair, double thickness);
+    struct Shortest {
+        double step = INF;  ///< [s]
+        int card = -1;
+    };
+    [[nodiscard]] Shortest shortest_step(const Points& v) const;
     void let_debtors_part();
     void count();
     [[nodiscard]] bool any_on() const {
@@ -115,32 +125,38 @@ void SurfaceContact::State::look_at_pairs(const Points& x, const Points& v,
             pairs.tell_distance(i, gap);
             const double thickness = std::min(pairs.thickness(i), most[card]);
             if (!places.is_inside || gap >= REACH * thickness || gap == 0.0) continue;
+            const RestGap rest = rest_gap(i, thickness);
+            if (gap >= rest.now) {
+                const PairMemory* const memory = pairs.memory(i);
+                const bool has_account = memory != nullptr && memory->account != 0.0;
+                contacts.near(chunk).push_back({pairs[i], i, gap, rest.now, has_account});
+                continue;
+            }
             Contact& contact = contacts.chunk(chunk).emplace_back(
                 contact_at(cloth, bodies, x, pairs[i], places, gap));
             contact.pair = i;
+            contact.memory = pairs.memory_row(i);
             contact.card = card;
             contact.side = pairs.side(i);
+            contact.rest = rest.now;
+            contact.rest_rate = rest.rate;
             contact.rate_before = contact.rate(v);
-            set_rest_gap(thickness, contact);
         }
     };
     parallel::for_chunks(pairs.size(), look, ContactList::CHUNK);
 }
 
 /// A pair that began nearer than its thickness starts with the gap that it had.
-void SurfaceContact::State::set_rest_gap(double thickness, Contact& contact) {
-    contact.rest = thickness;
-    PairMemory* const memory = pairs.memory(contact.pair);
-    if (memory == nullptr || memory->short_by == 0.0) return;
+SurfaceContact::State::RestGap SurfaceContact::State::rest_gap(std::size_t pair, double thickness) {
+    PairMemory* const memory = pairs.memory(pair);
+    if (memory == nullptr || memory->short_by == 0.0) return {thickness, 0.0};
     const double missing = memory->short_by * std::exp(-(t - memory->born) / growth_time);
     if (missing < 1e-6 * thickness) {
         memory->short_by = 0.0;
-    } else if (missing < thickness) {
-        contact.rest = thickness - missing;
-        contact.rest_rate = missing / growth_time;
-    } else {
-        contact.rest = 0.0;
+        return {thickness, 0.0};
     }
+    if (missing < thickness) return {thickness - missing, missing / growth_time};
+    return {0.0, 0.0};
 }
 
 void SurfaceContact::State::count() {
@@ -151,11 +167,20 @@ void SurfaceContact::State::count() {
     counts.impacts = guard.impacts();
     counts.clumps = guard.clumps();
     counts.unstopped = guard.unstopped();
-    contacts.for_each([&](const Contact& c) {
-        ++counts.near;
-        counts.touching += c.gap < c.rest;
-        if (c.rest > 0.0) counts.least_gap = std::min(counts.least_gap, c.gap / c.rest);
+    least_gap.assign(contacts.chunks(), INF);
+    contacts.for_each_chunk([&](std::size_t c) {
+        double least = INF;
+        for (const Contact& touching : contacts.chunk(c))
+            least = std::min(least, touching.gap / touching.rest);
+        for (const NearPair& near : contacts.near(c))
+            if (near.rest > 0.0) least = std::min(least, near.gap / near.rest);
+        least_gap[c] = least;
     });
+    for (std::size_t c = 0; c < contacts.chunks(); ++c) {
+        counts.touching += contacts.chunk(c).size();
+        counts.near += contacts.chunk(c).size() + contacts.near(c).size();
+        counts.least_gap = std::min(counts.least_gap, least_gap[c]);
+    }
 }
 
 void SurfaceContact::add_force(const Points& x, const Points& /*v*/, double dt, Points& f,
@@ -179,32 +204,34 @@ void SurfaceContact::filter(const Points& x, double dt, Points& v, std::span<Rig
 
 /// A pair that has given more energy than it took, and is parting, does not push on.
 void SurfaceContact::State::let_debtors_part() {
-    contacts.for_each([&](Contact& c) {
-        const PairMemory* const memory = pairs.memory(c.pair);
-        if (memory != nullptr && memory->account < 0.0 && c.rate_before > 0.0)
+    contacts.for_each_apart([&](Contact& c) {
+        if (c.memory >= 0 && pairs.memory_at(c.memory).account < 0.0 && c.rate_before > 0.0)
             c.force = c.stiffness = 0.0;
     });
 }
 
-double SurfaceContact::stable_step(const Points& v) const {
-    double least = INF;
-    state_->contacts.for_each([&](const Contact& c) {
-        const double approach = -c.rate(v);
-        if (approach > 0.0) least = std::min(least, APPROACH * c.rest / approach);
+/// What is near, but not in the list of contacts, closes in by less than its contact thickness in a
+/// step.
+SurfaceContact::State::Shortest SurfaceContact::State::shortest_step(const Points& v) const {
+    Shortest all;
+    std::vector<Shortest> least(contacts.chunks());
+    contacts.for_each_chunk([&](std::size_t chunk) {
+        for (const Contact& c : contacts.chunk(chunk)) {
+            const double approach = -c.rate(v);
+            if (approach <= 0.0 || APPROACH * c.rest / approach >= least[chunk].step) continue;
+            least[chunk] = {APPROACH * c.rest / approach, c.card};
+        }
     });
-    return least;
+    for (const Shortest& of : least)
+        if (of.step < all.step) all = of;
+    return all;
 }
 
+double SurfaceContact::stable_step(const Points& v) const {
+    return state_->shortest_step(v).step;
+}
 int SurfaceContact::limiting_card(const Points& v) const {
-    double least = INF;
-    int card = -1;
-    state_->contacts.for_each([&](const Contact& c) {
-        const double approach = -c.rate(v);
-        if (approach <= 0.0 || APPROACH * c.rest / approach >= least) return;
-        least = APPROACH * c.rest / approach;
-        card = c.card;
-    });
-    return card;
+    return state_->shortest_step(v).card;
 }
 
 const std::vector<std::pair<Index, Index>>& SurfaceContact::crossing() const {
@@ -225,9 +252,9 @@ double SurfaceContact::friction_energy() const {
     return energy;
 }
 double SurfaceContact::friction_work(const Points& v_mid) const {
-    double work = 0.0;
-    state_->contacts.for_each([&](const Contact& c) { work -= c.rubbed.dot(c.relative(v_mid)); });
-    return work;
+    return state_->contacts.sum([&](const Contact& c) {
+        return c.rubbed.isZero(0.0) ? 0.0 : -c.rubbed.dot(c.relative(v_mid));
+    });
 }
 double SurfaceContact::damping_energy() const {
     double energy = 0.0;

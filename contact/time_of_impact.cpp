@@ -15,17 +15,10 @@ constexpr int MOST_ADVANCES =
 }  // namespace
 
 double time_of_impact(const Pair& pair, const Corners& x, Corners displacement, double thickness) {
+    const double motion = greatest_approach(pair, displacement);
     const Vec3 mean =
         0.25 * (displacement[0] + displacement[1] + displacement[2] + displacement[3]);
-    std::array<double, 4> size;
-    for (int i = 0; i < 4; ++i) {
-        displacement[i] -= mean;
-        size[i] = displacement[i].squaredNorm();
-    }
-    const double motion =
-        pair.is_edges
-            ? std::sqrt(std::max(size[0], size[1])) + std::sqrt(std::max(size[2], size[3]))
-            : std::sqrt(size[0]) + std::sqrt(std::max({size[1], size[2], size[3]}));
+    for (Vec3& d : displacement) d -= mean;
 
     double distance = nearest(pair, x).apart.norm();
     const double spared = SPARED * std::min(distance, thickness);
