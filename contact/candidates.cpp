@@ -27,7 +27,7 @@ Candidates::Candidates(const Cloth& cloth, double reach)
       reach_(reach),
       motion_(cloth),
       near_triangles_(cloth.patches),
-      budget_(4.0 * cloth.greatest_thickness),
+      budget_(cloth.greatest_thickness),
       node_box_(cloth.inverse_mass.size()),
       triangle_box_(cloth.triangles.size()) {}
 
