@@ -155,21 +155,11 @@ void find_star_heights(Cloth& cloth) {
     }
 }
 
-void list_patch_nodes(Cloth& cloth) {
-    cloth.patch_of.resize(cloth.triangles.size());
-    cloth.patch_node_start.assign(1, 0);
-    std::vector<Index> nodes;
-    for (std::size_t p = 0; p < cloth.patches.size(); ++p) {
-        nodes.clear();
-        for (const Index t : cloth.patches[p]) {
-            cloth.patch_of[t] = static_cast<Index>(p);
-            nodes.insert(nodes.end(), cloth.triangles[t].begin(), cloth.triangles[t].end());
-        }
-        std::sort(nodes.begin(), nodes.end());
-        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-        cloth.patch_node.insert(cloth.patch_node.end(), nodes.begin(), nodes.end());
-        cloth.patch_node_start.push_back(static_cast<Index>(cloth.patch_node.size()));
-    }
+void list_nodes(Cloth& cloth) {
+    for (const Triangle& t : cloth.triangles)
+        cloth.nodes.insert(cloth.nodes.end(), t.begin(), t.end());
+    std::sort(cloth.nodes.begin(), cloth.nodes.end());
+    cloth.nodes.erase(std::unique(cloth.nodes.begin(), cloth.nodes.end()), cloth.nodes.end());
 }
 
 }  // namespace
@@ -197,7 +187,7 @@ Cloth::Cloth(const ContactSetup& setup)
     find_near_nodes(2.0 * greatest_thickness, *this);
     list_triangles_of_nodes(*this);
     find_star_heights(*this);
-    list_patch_nodes(*this);
+    list_nodes(*this);
     list_body_nodes(*this);
 }
 

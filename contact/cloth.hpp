@@ -50,9 +50,7 @@ struct Cloth {
     std::vector<std::array<Index, 3>> edge;  ///< by triangle: names of its edges k -> k + 1
 
     Patches patches;
-    std::vector<Index> patch_of;    ///< by triangle
-    std::vector<Index> patch_node;  ///< nodes of patch p: patch_node[patch_node_start[p]] ...
-    std::vector<Index> patch_node_start;
+    std::vector<Index> nodes;  ///< that triangles have, ascending
 
     /// By node row: least height over the opposite side of its triangles in the reference shape.
     /// Along the cloth, what does not have the node is at least this far from it.             [m]
@@ -69,10 +67,6 @@ struct Cloth {
 
     explicit Cloth(const ContactSetup& setup);
 
-    [[nodiscard]] std::span<const Index> nodes_of_patch(std::size_t p) const {
-        return std::span(patch_node)
-            .subspan(patch_node_start[p], patch_node_start[p + 1] - patch_node_start[p]);
-    }
     [[nodiscard]] std::span<const Index> triangles_of(Index node) const {
         return std::span(node_triangle)
             .subspan(node_start[node], node_start[node + 1] - node_start[node]);

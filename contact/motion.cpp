@@ -25,7 +25,6 @@ Vec3 mean_over(const std::vector<Index>& nodes, Value&& value) {
 
 Motion::Motion(const Cloth& cloth)
     : cloth_(cloth),
-      nodes_(cloth.patch_node),
       velocity_(cloth.inverse_mass.size(), Vec3::Zero()),
       relative_(velocity_),
       way_(cloth.triangles.size(), 0.0),
@@ -34,9 +33,7 @@ Motion::Motion(const Cloth& cloth)
       node_ahead_(velocity_.size(), 0.0),
       slack_(velocity_.size(), 1.0),
       strays_(velocity_.size(), 0.0) {
-    std::sort(nodes_.begin(), nodes_.end());
-    nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
-    chunk_stray_.resize(parallel::chunk_count(nodes_.size()), 0.0);
+    chunk_stray_.resize(parallel::chunk_count(cloth_.nodes.size()), 0.0);
 }
 
 void Motion::start(const Points& x, double t) {
@@ -48,10 +45,10 @@ void Motion::follow(const Points& x, double t) {
     const double dt = t - t_;
     age_ += dt;
     t_ = t;
-    const Vec3 common = mean_over(nodes_, [&](Index n) -> Vec3 { return x[n] - last_[n]; });
+    const Vec3 common = mean_over(cloth_.nodes, [&](Index n) -> Vec3 { return x[n] - last_[n]; });
     common_ += common;
-    parallel::for_each(nodes_.size(), [&](std::size_t i) {
-        const Index n = nodes_[i];
+    parallel::for_each(cloth_.nodes.size(), [&](std::size_t i) {
+        const Index n = cloth_.nodes[i];
         node_stepped_[n] = (x[n] - last_[n] - common - dt * velocity_[n]).norm();
         last_[n] = x[n];
     });
@@ -62,20 +59,21 @@ void Motion::follow(const Points& x, double t) {
 }
 
 void Motion::foresee(const Points& x, const Points& v, double dt) {
-    const Vec3 common = mean_over(nodes_, [&](Index n) -> Vec3 { return v[n]; });
+    const Vec3 common = mean_over(cloth_.nodes, [&](Index n) -> Vec3 { return v[n]; });
     const Vec3 moved = common_ + dt * common;
     std::vector<double>& strays = chunk_stray_;
     std::fill(strays.begin(), strays.end(), 0.0);
-    parallel::for_chunks(nodes_.size(), [&](std::size_t begin, std::size_t end, std::size_t c) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Index n = nodes_[i];
-            relative_[n] = v[n] - common;
-            node_ahead_[n] = dt * relative_[n].norm();
-            const Vec3 predicted = base_[n] + moved + (age_ + dt) * velocity_[n];
-            strays_[n] = (x[n] + dt * v[n] - predicted).norm();
-            strays[c] = std::max(strays[c], strays_[n] / slack_[n]);
-        }
-    });
+    parallel::for_chunks(
+        cloth_.nodes.size(), [&](std::size_t begin, std::size_t end, std::size_t c) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const Index n = cloth_.nodes[i];
+                relative_[n] = v[n] - common;
+                node_ahead_[n] = dt * relative_[n].norm();
+                const Vec3 predicted = base_[n] + moved + (age_ + dt) * velocity_[n];
+                strays_[n] = (x[n] + dt * v[n] - predicted).norm();
+                strays[c] = std::max(strays[c], strays_[n] / slack_[n]);
+            }
+        });
     stray_ = *std::max_element(strays.begin(), strays.end());
     parallel::for_each(ahead_.size(), [&](std::size_t triangle) {
         const auto& [a, b, c] = cloth_.triangles[triangle];
@@ -85,13 +83,13 @@ void Motion::foresee(const Points& x, const Points& v, double dt) {
 
 double Motion::fastest() const {
     double square = 0.0;
-    for (const Index n : nodes_) square = std::max(square, velocity_[n].squaredNorm());
+    for (const Index n : cloth_.nodes) square = std::max(square, velocity_[n].squaredNorm());
     return std::sqrt(square);
 }
 
 void Motion::list_strayed(double budget, std::vector<Index>& out) const {
     out.clear();
-    for (const Index n : nodes_)
+    for (const Index n : cloth_.nodes)
         if (strays_[n] > budget * slack_[n]) out.push_back(n);
 }
 
@@ -104,7 +102,7 @@ void Motion::renew(std::span<const Index> nodes, const Points& x) {
 }
 
 void Motion::restart(const Points& x, double budget) {
-    for (const Index n : nodes_) {
+    for (const Index n : cloth_.nodes) {
         slack_[n] = strays_[n] > USED * budget * slack_[n]
                         ? std::min(MOST_SLACK, MORE_SLACK * slack_[n])
                         : std::max(1.0, LESS_SLACK * slack_[n]);

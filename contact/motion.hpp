@@ -65,7 +65,6 @@ public:
 
 private:
     const Cloth& cloth_;
-    std::vector<Index> nodes_;    ///< of the cloth, ascending
     Points base_, last_;          ///< positions at the restart and at the last call, N × 3   [m]
     Points velocity_, relative_;  ///< predicted, and ahead; less that of all, N × 3          [m/s]
     Vec3 common_ = Vec3::Zero();  ///< mean displacement of all since the restart             [m]
