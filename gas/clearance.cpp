@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "gas/clearance.hpp"
 
-#include <limits>
+#include <cmath>
 
+#include "contact/patches.hpp"
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {
@@ -20,6 +21,13 @@ constexpr double ROUNDING = 2e-6;
 /// Cells to the next with facets, from which on it is not worth knowing how many.
 constexpr std::uint8_t FAR = 5;
 
+constexpr std::size_t BLOCKS_A_CHUNK = 1;
+
+/// A little more, so that normals sum up to no more than one.
+float sum_of_components(const std::array<float, 3>& a) {
+    return (std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2])) * (1.0F + 1e-6F);
+}
+
 }  // namespace
 
 void Clearance::build(std::span<const Triangle> triangles, std::span<const Vec3> x,
@@ -33,40 +41,77 @@ void Clearance::build(std::span<const Triangle> triangles, std::span<const Vec3>
         ROUNDING * grid_.edge * *std::max_element(grid_.count.begin(), grid_.count.end());
     reach_ = static_cast<float>(reach - rounding);
 
+    sort_by_block(triangles, x);
+    const std::size_t blocks = start_.size() - 1;
     off_.assign(grid_.size(), FAR);
-    for_each_entry(triangles, x, [&](std::size_t cell, std::size_t) { off_[cell] = 0; });
+    parallel::for_chunks(
+        blocks,
+        [&](std::size_t begin, std::size_t end, std::size_t) {
+            BlockOfCells block;
+            for (std::size_t b = begin; b < end; ++b) {
+                enter(b, block);
+                for (const int cell : block.cells()) off_[block.row(cell)] = 0;
+            }
+        },
+        BLOCKS_A_CHUNK);
     number_cells();
     free_.clear();
     for (int k = 0; k < FAR; ++k)
         free_.push_back(reach_ + static_cast<float>((1.0 - ON_THE_FACE) * k * grid_.edge));
+    parallel::for_chunks(
+        blocks,
+        [&](std::size_t begin, std::size_t end, std::size_t) {
+            BlockOfCells block;
+            for (std::size_t b = begin; b < end; ++b) {
+                enter(b, block);
+                block.sort();
+                block.take_corners(triangles, x, x);
+                for (const int cell : block.cells()) {
+                    Slab& slab = slab_[row_[block.row(cell)]];
+                    static_cast<Planes&>(slab) = block.planes(cell, sum_of_components);
+                    slab.low -= static_cast<float>(rounding);
+                    slab.high += static_cast<float>(rounding);
+                }
+            }
+        },
+        BLOCKS_A_CHUNK);
+}
 
-    // Normals: the mean of the facets', turned alike. Heights: of all nodes.
-    for_each_entry(triangles, x, [&](std::size_t cell, std::size_t facet) {
-        const auto& [i, j, k] = triangles[facet];
-        const Eigen::Vector3f normal = vector_area(x[i], x[j], x[k]).cast<float>();
-        auto& sum = slab_[row_[cell]].normal;
-        const bool is_turned = normal[0] * sum[0] + normal[1] * sum[1] + normal[2] * sum[2] < 0.0F;
-        for (int a = 0; a < 3; ++a) sum[a] += is_turned ? -normal[a] : normal[a];
-    });
-    for (Slab& slab : slab_) {
-        const auto& n = slab.normal;
-        const float all = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);
-        for (float& a : slab.normal) a = all > 0.0F ? a / all * (1.0F - 1e-6F) : 0.0F;
-        slab.low = std::numeric_limits<float>::max();
-        slab.high = -slab.low;
-    }
-    for_each_entry(triangles, x, [&](std::size_t cell, std::size_t facet) {
-        Slab& slab = slab_[row_[cell]];
-        for (const Index node : triangles[facet]) {
-            const float h = slab.height(small(x[node]));
-            slab.low = std::min(slab.low, h);
-            slab.high = std::max(slab.high, h);
-        }
-    });
-    for (Slab& slab : slab_) {
-        slab.low -= static_cast<float>(rounding);
-        slab.high += static_cast<float>(rounding);
-    }
+/// Each facet into the blocks that its box overlaps, by `reach` larger. In the order of facets.
+void Clearance::sort_by_block(std::span<const Triangle> triangles, std::span<const Vec3> x) {
+    const double around = reach_ * (1.0 + 1e-6) + ON_THE_FACE * grid_.edge;
+    range_.resize(triangles.size());
+    parallel::for_each(
+        triangles.size(),
+        [&](std::size_t f) {
+            range_[f] = CellRange::of(grid_, contact::triangle_box(triangles[f], x, x, around));
+        },
+        parallel::CHUNK);
+    const Grid blocks = BlockOfCells::blocks_of(grid_);
+    const auto for_each_block = [&](const CellRange& range, auto&& visit) {
+        constexpr int EDGE = BlockOfCells::EDGE;
+        for (int k = range.from[2] / EDGE; k <= range.to[2] / EDGE; ++k)
+            for (int j = range.from[1] / EDGE; j <= range.to[1] / EDGE; ++j)
+                for (int i = range.from[0] / EDGE; i <= range.to[0] / EDGE; ++i)
+                    visit(blocks.row(i, j, k));
+    };
+    // Counted one place too far on: while facets are written each start grows to where it belongs.
+    start_.assign(blocks.size() + 2, 0);
+    for (const CellRange& range : range_)
+        for_each_block(range, [&](std::size_t block) { ++start_[block + 2]; });
+    for (std::size_t b = 2; b < start_.size(); ++b) start_[b] += start_[b - 1];
+    facet_.resize(static_cast<std::size_t>(start_.back()));
+    for (std::size_t f = 0; f < range_.size(); ++f)
+        for_each_block(range_[f], [&](std::size_t block) {
+            facet_[start_[block + 1]++] = static_cast<Index>(f);
+        });
+    start_.pop_back();
+}
+
+void Clearance::enter(std::size_t block, BlockOfCells& cells) const {
+    cells.begin(grid_, block);
+    for (Index k = start_[block]; k < start_[block + 1]; ++k)
+        cells.enter(facet_[k], range_[facet_[k]]);
 }
 
 /// A cell whose nearest cell with facets is k cells off, counted along the axis where it is
@@ -93,26 +138,6 @@ void Clearance::number_cells() {
     for (std::size_t cell = 0; cell < grid_.size(); ++cell)
         row_[cell] = off_[cell] == 0 ? slabs++ : -static_cast<Index>(off_[cell]);
     slab_.assign(static_cast<std::size_t>(slabs), {});
-}
-
-/// enter(cell, facet) for each cell that a facet's box overlaps, by `reach` larger.
-template <class Enter>
-void Clearance::for_each_entry(std::span<const Triangle> triangles, std::span<const Vec3> x,
-                               Enter&& enter) const {
-    const Vec3 around = Vec3::Constant(reach_ * (1.0 + 1e-6) + ON_THE_FACE * grid_.edge);
-    for (std::size_t f = 0; f < triangles.size(); ++f) {
-        const auto& [a, b, c] = triangles[f];
-        const Vec3 low = x[a].cwiseMin(x[b]).cwiseMin(x[c]) - around,
-                   high = x[a].cwiseMax(x[b]).cwiseMax(x[c]) + around;
-        std::array<int, 3> from, to;
-        for (int k = 0; k < 3; ++k) {
-            from[k] = grid_.along(k, low[k]);
-            to[k] = grid_.along(k, high[k]);
-        }
-        for (int k = from[2]; k <= to[2]; ++k)
-            for (int j = from[1]; j <= to[1]; ++j)
-                for (int i = from[0]; i <= to[0]; ++i) enter(grid_.row(i, j, k), f);
-    }
 }
 
 }  // namespace corpuscle::gas

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "gas/block_of_cells.hpp"
 #include "gas/grid.hpp"
 #include "solver/base/surface.hpp"
 
@@ -58,9 +59,7 @@ public:
     }
 
 private:
-    struct Slab {
-        std::array<float, 3> normal{0.0F, 0.0F, 0.0F};
-        float low = 0.0F, high = 0.0F;
+    struct Slab : Planes {
         [[nodiscard]] float height(const std::array<float, 3>& x) const {
             return normal[0] * x[0] + normal[1] * x[1] + normal[2] * x[2];
         }
@@ -77,9 +76,8 @@ private:
         };
         return row_[grid_.row(along(0), along(1), along(2))];
     }
-    template <class Enter>
-    void for_each_entry(std::span<const Triangle> triangles, std::span<const Vec3> x,
-                        Enter&& enter) const;
+    void sort_by_block(std::span<const Triangle> triangles, std::span<const Vec3> x);
+    void enter(std::size_t block, BlockOfCells& cells) const;
     void number_cells();
 
     Grid grid_;
@@ -88,6 +86,8 @@ private:
     std::vector<Slab> slab_;   ///< of cells with facets within reach
     std::vector<float> free_;  ///< by cells to the next with facets                       [m]
     std::vector<std::uint8_t> off_, off_before_;  ///< per cell
+    std::vector<CellRange> range_;                ///< of the facets
+    std::vector<Index> start_, facet_;            ///< facets by block, compressed rows
 };
 
 }  // namespace corpuscle::gas

@@ -3,14 +3,12 @@
 #include "gas/facet_lists.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {
 namespace {
-
-constexpr int BLOCK =
-    8;  ///< cells along a block's edge; smaller: tighter pairs, more boxes for FCL
 
 /// Cells of the table of free ways, in cells of the lists. Smaller: tighter planes, more cells.
 constexpr double CLEARANCE_CELL = 1.0;
@@ -20,6 +18,17 @@ constexpr double ON_THE_FACE = 1e-4;
 
 /// Of the grid's size: heights in single precision may be wrong by less.
 constexpr double ROUNDING = 2e-6;
+
+/// Some hundred facets each.
+constexpr std::size_t BLOCKS_A_CHUNK = 1, PATCHES_A_CHUNK = 8;
+
+/// Without squares that a small unit of length would bring to naught.
+float length(const std::array<float, 3>& a) {
+    const float most = std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
+    if (!(most > 0.0F)) return 0.0F;
+    const float x = a[0] / most, y = a[1] / most, z = a[2] / most;
+    return most * std::sqrt(x * x + y * y + z * z);
+}
 
 std::vector<Index> nodes_of(const std::vector<Triangle>& triangles) {
     std::vector<Index> nodes;
@@ -35,7 +44,7 @@ FacetLists::FacetLists(std::vector<Triangle> triangles, std::span<const Vec3> x)
     : triangles_(std::move(triangles)),
       nodes_(nodes_of(triangles_)),
       patches_(contact::make_patches(x, triangles_)),
-      facet_box_(triangles_.size()) {}
+      range_(triangles_.size()) {}
 
 bool FacetLists::hold_for(std::span<const Vec3> x_1) const {
     if (margin_ < 0.0) return false;
@@ -49,106 +58,106 @@ void FacetLists::build(const Grid& grid, std::span<const Vec3> x_0, std::span<co
     ++builds_;
     margin_ = margin;
     per_edge_ = static_cast<float>(grid.per_edge);
-    const double around = margin + ON_THE_FACE * grid.edge;
     moved_between_builds_ = built_at_.empty() ? INF : displacement(x_1, x_1);
     built_at_.resize(nodes_.size());
     for (std::size_t n = 0; n < nodes_.size(); ++n) built_at_[n] = x_1[nodes_[n]];
     grid_ = grid;
-    for (std::size_t f = 0; f < triangles_.size(); ++f)
-        facet_box_[f] = contact::triangle_box(triangles_[f], x_0, x_1, around);
-    pair_patches_with_blocks();
+    size_ = grid_.edge * *std::max_element(grid_.count.begin(), grid_.count.end());
+    pair_blocks_with_patches(x_0, x_1);
 
-    start_.assign(grid_.size() + 1, 0);
-    for_each_entry([&](std::size_t cell, Index) { ++start_[cell + 1]; });
-    for (std::size_t c = 0; c < grid_.size(); ++c) start_[c + 1] += start_[c];
-    facet_.resize(static_cast<std::size_t>(start_.back()));
-    fill_.assign(start_.begin(), start_.end() - 1);
-    for_each_entry([&](std::size_t cell, Index facet) { facet_[fill_[cell]++] = facet; });
-    find_slabs(x_0, x_1);
+    // Room first: entries and slabs of each block, then where each block's begin.
+    parallel::for_chunks(
+        block_.size() - 1,
+        [&](std::size_t begin, std::size_t end, std::size_t) {
+            BlockOfCells block;
+            for (std::size_t b = begin; b < end; ++b) {
+                enter(b, block);
+                block_[b].facet = block.entries();
+                block_[b].slab = block.cells().size();
+            }
+        },
+        BLOCKS_A_CHUNK);
+    std::size_t facets = 0, slabs = 1;
+    for (Block& b : block_) {
+        facets += std::exchange(b.facet, facets);
+        slabs += std::exchange(b.slab, slabs);
+    }
+    facet_.resize(facets);
+    slab_.resize(slabs);
+    slab_[0] = {};
+    slab_row_.assign(grid_.size(), 0);
+    parallel::for_chunks(
+        block_.size() - 1,
+        [&](std::size_t begin, std::size_t end, std::size_t) {
+            BlockOfCells block;
+            for (std::size_t b = begin; b < end; ++b) fill(b, x_0, x_1, block);
+        },
+        BLOCKS_A_CHUNK);
     clearance_.build(triangles_, x_1, grid, CLEARANCE_CELL * grid.edge, reach);
 }
 
-/// Normals: the mean of the facets', turned alike. Heights: of all nodes, and the margin.
-void FacetLists::find_slabs(std::span<const Vec3> x_0, std::span<const Vec3> x_1) {
-    normal_.resize(triangles_.size());
-    parallel::for_each(triangles_.size(), [&](std::size_t f) {
-        const auto& [a, b, c] = triangles_[f];
-        normal_[f] = vector_area(x_1[a], x_1[b], x_1[c]);
-    });
-    slab_row_.assign(grid_.size(), 0);
-    Index rows = 1;
-    for (std::size_t cell = 0; cell < grid_.size(); ++cell)
-        if (!is_empty(cell)) slab_row_[cell] = rows++;
-    slab_.assign(static_cast<std::size_t>(rows), {});
-    size_ = grid_.edge * *std::max_element(grid_.count.begin(), grid_.count.end());
-    parallel::for_each(
-        grid_.size(),
-        [&](std::size_t cell) {
-            if (is_empty(cell)) return;
-            const auto facets = in(cell);
-            const Vec3 first = normal_[facets[0]];
-            Vec3 sum = Vec3::Zero();
-            for (const Index f : facets)
-                sum += normal_[f].dot(first) < 0.0 ? Vec3(-normal_[f]) : normal_[f];
-            const Vec3 normal = sum.stableNormalized().cast<float>().cast<double>();
-            double low = INF, high = -INF;
-            for (const Index f : facets)
-                for (const Index n : triangles_[f])
-                    for (const Vec3& x : {x_0[n], x_1[n]}) {
-                        const double height = normal.dot(x - grid_.low);
-                        low = std::min(low, height);
-                        high = std::max(high, height);
-                    }
-            const double more = margin_ * normal.lpNorm<1>() + ROUNDING * size_;
-            Slab& slab = slab_[slab_row_[cell]];
-            for (int a = 0; a < 3; ++a) slab.normal[a] = static_cast<float>(normal[a]);
-            slab.low = static_cast<float>(low - more);
-            slab.high = static_cast<float>(high + more);
-            slab.begin = start_[cell];
-            slab.end = start_[cell + 1];
-        },
-        parallel::CHUNK);
+/// All facets of a block's patches.
+void FacetLists::enter(std::size_t number, BlockOfCells& block) const {
+    const std::size_t first = block_[number].pair;
+    block.begin(grid_, static_cast<std::size_t>(pairs_[first].first));
+    for (std::size_t p = first; p < block_[number + 1].pair; ++p)
+        for (const Index facet : patches_[static_cast<std::size_t>(pairs_[p].second)])
+            block.enter(facet, range_[facet]);
 }
 
-void FacetLists::pair_patches_with_blocks() {
+/// Writes a block's facets and slabs. Heights are those of all nodes, and the margin.
+void FacetLists::fill(std::size_t number, std::span<const Vec3> x_0, std::span<const Vec3> x_1,
+                      BlockOfCells& block) {
+    enter(number, block);
+    block.sort();
+    block.take_corners(triangles_, x_0, x_1);
+    std::size_t to = block_[number].facet, row = block_[number].slab;
+    for (const int cell : block.cells()) {
+        Slab& slab = slab_[row];
+        slab_row_[block.row(cell)] = static_cast<Index>(row++);
+        slab.begin = static_cast<Index>(to);
+        for (const std::int32_t place : block.in(cell)) facet_[to++] = block.facet(place);
+        slab.end = static_cast<Index>(to);
+        const Planes planes = block.planes(cell, length);
+        const auto& n = planes.normal;
+        const double all = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);
+        const double more = margin_ * all + ROUNDING * size_;
+        slab.normal = n;
+        slab.low = static_cast<float>(planes.low - more);
+        slab.high = static_cast<float>(planes.high + more);
+    }
+}
+
+/// By FCL. Ranges of facets on the way.
+void FacetLists::pair_blocks_with_patches(std::span<const Vec3> x_0, std::span<const Vec3> x_1) {
+    const double around = margin_ + ON_THE_FACE * grid_.edge;
     box_.assign(patches_.size(), {});
-    for (std::size_t p = 0; p < patches_.size(); ++p)
-        for (const Index facet : patches_[p]) box_[p].include(facet_box_[facet]);
+    parallel::for_each(
+        patches_.size(),
+        [&](std::size_t p) {
+            for (const Index facet : patches_[p]) {
+                const contact::Box box = contact::triangle_box(triangles_[facet], x_0, x_1, around);
+                range_[facet] = CellRange::of(grid_, box);
+                box_[p].include(box);
+            }
+        },
+        PATCHES_A_CHUNK);
     patch_tree_.update(box_);
 
-    blocks_ = grid_;
-    for (int& n : blocks_.count) n = (n + BLOCK - 1) / BLOCK;
+    const Grid blocks = BlockOfCells::blocks_of(grid_);
     box_.clear();
-    for (int k = 0; k < blocks_.count[2]; ++k)
-        for (int j = 0; j < blocks_.count[1]; ++j)
-            for (int i = 0; i < blocks_.count[0]; ++i) {
-                const double edge = BLOCK * grid_.edge;
-                const Vec3 low = grid_.low + edge * Vec3(i, j, k);
-                box_.push_back({low, low + Vec3::Constant(edge)});
+    for (int k = 0; k < blocks.count[2]; ++k)
+        for (int j = 0; j < blocks.count[1]; ++j)
+            for (int i = 0; i < blocks.count[0]; ++i) {
+                const Vec3 low = blocks.low + blocks.edge * Vec3(i, j, k);
+                box_.push_back({low, low + Vec3::Constant(blocks.edge)});
             }
     block_tree_.update(box_);
-    patch_tree_.pairs(block_tree_, pairs_);
-}
-
-/// enter(cell, facet) for each facet of each paired patch, in the cells of the paired block.
-template <class Enter>
-void FacetLists::for_each_entry(Enter&& enter) const {
-    for (const auto& [patch, block] : pairs_) {
-        const std::array<int, 3> at{block % blocks_.count[0],
-                                    block / blocks_.count[0] % blocks_.count[1],
-                                    block / (blocks_.count[0] * blocks_.count[1])};
-        for (const Index facet : patches_[patch]) {
-            std::array<int, 3> from, to;
-            for (int a = 0; a < 3; ++a) {
-                from[a] = std::max(grid_.along(a, facet_box_[facet].low[a]), at[a] * BLOCK);
-                to[a] = std::min({grid_.along(a, facet_box_[facet].high[a]),
-                                  at[a] * BLOCK + BLOCK - 1, grid_.count[a] - 1});
-            }
-            for (int k = from[2]; k <= to[2]; ++k)
-                for (int j = from[1]; j <= to[1]; ++j)
-                    for (int i = from[0]; i <= to[0]; ++i) enter(grid_.row(i, j, k), facet);
-        }
-    }
+    block_tree_.pairs(patch_tree_, pairs_);
+    block_.clear();
+    for (std::size_t p = 0; p < pairs_.size(); ++p)
+        if (p == 0 || pairs_[p].first != pairs_[p - 1].first) block_.push_back({p, 0, 0});
+    block_.push_back({pairs_.size(), 0, 0});
 }
 
 }  // namespace corpuscle::gas

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contact/broad_phase.hpp"
+#include "gas/block_of_cells.hpp"
 #include "gas/clearance.hpp"
 #include "gas/grid.hpp"
 #include "solver/base/surface.hpp"
@@ -56,14 +57,11 @@ public:
     [[nodiscard]] std::span<const Index> nodes() const { return nodes_; }
 
     /// Facets entered in a cell.
-    [[nodiscard]] std::span<const Index> in(std::size_t cell) const {
-        return {facet_.data() + start_[cell],
-                static_cast<std::size_t>(start_[cell + 1] - start_[cell])};
-    }
+    [[nodiscard]] std::span<const Index> in(std::size_t cell) const { return in(slab(cell)); }
     [[nodiscard]] std::span<const Index> in(const Slab& slab) const {
         return {facet_.data() + slab.begin, static_cast<std::size_t>(slab.end - slab.begin)};
     }
-    [[nodiscard]] bool is_empty(std::size_t cell) const { return start_[cell] == start_[cell + 1]; }
+    [[nodiscard]] bool is_empty(std::size_t cell) const { return slab_row_[cell] == 0; }
     [[nodiscard]] const Slab& slab(std::size_t cell) const { return slab_[slab_row_[cell]]; }
 
     /// A point as slabs take it.
@@ -104,15 +102,13 @@ public:
     }
     /// The same from the build before the last to the last.                                  [m]
     [[nodiscard]] double moved_between_builds() const { return moved_between_builds_; }
-    [[nodiscard]] std::span<const Index> starts() const { return start_; }
-    [[nodiscard]] std::span<const Index> facets() const { return facet_; }
     [[nodiscard]] std::size_t builds() const { return builds_; }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(grid_, margin_, size_, per_edge_, builds_, built_at_, start_, facet_, slab_,
-                slab_row_, clearance_);
+        archive(grid_, margin_, size_, per_edge_, builds_, built_at_, facet_, slab_, slab_row_,
+                clearance_);
     }
 
 private:
@@ -167,29 +163,34 @@ private:
         return false;
     }
 
-    void pair_patches_with_blocks();
-    void find_slabs(std::span<const Vec3> x_0, std::span<const Vec3> x_1);
-    template <class Enter>
-    void for_each_entry(Enter&& enter) const;
+    void pair_blocks_with_patches(std::span<const Vec3> x_0, std::span<const Vec3> x_1);
+    void fill(std::size_t number, std::span<const Vec3> x_0, std::span<const Vec3> x_1,
+              BlockOfCells& block);
+    void enter(std::size_t number, BlockOfCells& block) const;
 
     std::vector<Triangle> triangles_;
     std::vector<Index> nodes_;  ///< rows of the facets' nodes, ascending
     contact::Patches patches_;
     contact::BroadPhase patch_tree_, block_tree_;
 
-    Grid grid_, blocks_;
+    Grid grid_;
     double margin_ = -1.0;  ///< negative: never built
     double size_ = 0.0;     ///< longest side of the grid                  [m]
     float per_edge_ = 1.0F;
     std::size_t builds_ = 0;
     double moved_between_builds_ = INF;  ///< [m]
     Points built_at_;                    ///< x_1 of the build, for nodes_
-    std::vector<contact::Box> facet_box_, box_;
-    std::vector<std::pair<Index, Index>> pairs_;  ///< patch, block
-    std::vector<Index> start_, fill_, facet_;     ///< cells -> facets, compressed rows
+    std::vector<CellRange> range_;       ///< of the facets
+    std::vector<contact::Box> box_;
+    std::vector<std::pair<Index, Index>> pairs_;  ///< block, patch
+    /// A block's first pair; its first entry of facet_ and of slab_.
+    struct Block {
+        std::size_t pair, facet, slab;
+    };
+    std::vector<Block> block_;     ///< those with patches, and one more for where they end
+    std::vector<Index> facet_;     ///< cell after cell, block after block
     std::vector<Slab> slab_;       ///< first that of all empty cells, then one a cell
     std::vector<Index> slab_row_;  ///< per cell
-    Points normal_;                ///< of the facets, not of unit length
     Clearance clearance_;
 };
 

@@ -12,6 +12,7 @@
 #include "gas/facet_lists.hpp"
 #include "gas/lanes.hpp"
 #include "gas/particles.hpp"
+#include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {
 
@@ -33,7 +34,9 @@ public:
         if (lists.builds() != builds_) {
             const bool is_next = lists.builds() == builds_ + 1;
             const float since = is_next ? round_up(lists.moved_between_builds()) : INFINITY;
-            for (float& clear : gas.clear) clear = std::max(0.0F, clear - since);
+            parallel::for_each(gas.size(), [&](std::size_t i) {
+                gas.clear[i] = std::max(0.0F, gas.clear[i] - since);
+            });
             builds_ = lists.builds();
         }
         moved_ = round_up(lists.displacement(x_0, x_1));
