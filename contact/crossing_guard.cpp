@@ -31,14 +31,14 @@ CrossingGuard::CrossingGuard(const Cloth& cloth)
 }
 
 void CrossingGuard::stop(double t, double dt, Candidates& pairs, Impulses& impulses,
-                         Movement& motion) {
+                         FacetLoad& load, Movement& motion) {
     // Impulses change velocities, and so what may meet: look again until nothing new has to be
     // stopped.
     for (int look = 0;; ++look) {
         motion.settle();
         pairs.foresee(motion.x(), motion.v(), t, dt);
         list_dangers(t, pairs);
-        if (!stop_dangers(look < LOOKS ? ROUNDS : 0, dt, pairs, impulses, motion)) break;
+        if (!stop_dangers(look < LOOKS ? ROUNDS : 0, dt, pairs, impulses, load, motion)) break;
     }
     for (const Index node : joined_) {
         parent_[node] = node;
@@ -50,13 +50,13 @@ void CrossingGuard::stop(double t, double dt, Candidates& pairs, Impulses& impul
 /// Stops the listed pairs, by impulses for so many rounds, then by clumps.
 /// @returns whether there was anything to stop
 bool CrossingGuard::stop_dangers(int rounds, double dt, Candidates& pairs, Impulses& impulses,
-                                 Movement& motion) {
+                                 FacetLoad& load, Movement& motion) {
     checked_ = 0;
     int n = 0;
     for (; find_impacts(dt, pairs, motion); ++n) {
         checked_ = ++round_;
         if (n < rounds && joined_.empty()) {
-            stop_impacts(dt, pairs, impulses, motion);
+            stop_impacts(dt, pairs, impulses, load, motion);
         } else if (!make_clumps(pairs, impulses, motion)) {
             for (const auto& some : found_) unstopped_ += some.size();
             return false;
@@ -102,7 +102,7 @@ bool CrossingGuard::find_impacts(double dt, const Candidates& pairs, const Movem
 
 /// Stops each pair as it is at its time of impact.
 void CrossingGuard::stop_impacts(double dt, const Candidates& pairs, Impulses& impulses,
-                                 Movement& motion) {
+                                 FacetLoad& load, Movement& motion) {
     for (const auto& some : found_)
         for (const auto& [i, time] : some) {
             const Pair& pair = pairs[i];
@@ -119,6 +119,7 @@ void CrossingGuard::stop_impacts(double dt, const Candidates& pairs, Impulses& i
             const double rate = motion.rate(contact);
             if (rate >= 0.0 || contact.mass == INF) continue;
             impulses.raise_rate(KEPT * time * rate, contact, motion);
+            load.add(contact);
             ++impacts_;
         }
 }

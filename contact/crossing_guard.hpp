@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/candidates.hpp"
+#include "contact/facet_load.hpp"
 #include "contact/impulses.hpp"
 
 namespace corpuscle::contact {
@@ -21,7 +22,9 @@ public:
     explicit CrossingGuard(const Cloth& cloth);
 
     /// Changes velocities so that the step is safe. Pairs whose card is off at t are left alone.
-    void stop(double t, double dt, Candidates& pairs, Impulses& impulses, Movement& motion);
+    /// @param load  takes what stops the others
+    void stop(double t, double dt, Candidates& pairs, Impulses& impulses, FacetLoad& load,
+              Movement& motion);
 
     [[nodiscard]] std::size_t impacts() const { return impacts_; }  ///< stopped by impulses so far
     [[nodiscard]] std::size_t clumps() const { return clumps_; }    ///< made so far
@@ -42,11 +45,12 @@ private:
         double time;       ///< part of the step
     };
 
-    bool stop_dangers(int rounds, double dt, Candidates& pairs, Impulses& impulses,
+    bool stop_dangers(int rounds, double dt, Candidates& pairs, Impulses& impulses, FacetLoad& load,
                       Movement& motion);
     void list_dangers(double t, const Candidates& pairs);
     bool find_impacts(double dt, const Candidates& pairs, const Movement& motion);
-    void stop_impacts(double dt, const Candidates& pairs, Impulses& impulses, Movement& motion);
+    void stop_impacts(double dt, const Candidates& pairs, Impulses& impulses, FacetLoad& load,
+                      Movement& motion);
     bool make_clumps(const Candidates& pairs, Impulses& impulses, Movement& motion);
     Index root(Index node);
     void join(Index a, Index b) { parent_[std::max(a, b)] = std::min(a, b); }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact/crossing_guard.hpp"
+#include "contact/facet_load.hpp"
 #include "contact/impulses.hpp"
 
 namespace corpuscle::contact {
@@ -31,6 +32,7 @@ struct SurfaceContact::State {
     Repulsion repulsion;
     Impulses impulses;
     CrossingGuard guard;
+    FacetLoad load;
     ContactList contacts;
     ContactCounts counts;
     std::vector<double> most;         ///< contact thickness now, by card                  [m]
@@ -46,12 +48,13 @@ struct SurfaceContact::State {
           repulsion(cloth),
           impulses(cloth),
           guard(cloth),
+          load(cloth),
           most(setup.cards.size()),
           is_on(setup.cards.size(), 0) {}
 
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(pairs, impulses, guard, contacts, counts, most, is_on, t, dt_last, span,
+        archive(pairs, impulses, guard, load, contacts, counts, most, is_on, t, dt_last, span,
                 growth_time, is_started);
     }
     bool look_at_cards(double now);
@@ -195,10 +198,12 @@ void SurfaceContact::add_force(const Points& x, const Points& /*v*/, double dt, 
 
 void SurfaceContact::filter(const Points& x, double dt, Points& v, std::span<RigidMover> bodies) {
     State& s = *state_;
+    s.load.pass(s.span);
     if (!s.any_on()) return;
     Movement motion(s.cloth, x, v, bodies);
     s.impulses.apply(s.span, dt, s.contacts, s.pairs, motion);
-    s.guard.stop(s.t, dt, s.pairs, s.impulses, motion);
+    s.contacts.for_each([&](const Contact& c) { s.load.add(c); });
+    s.guard.stop(s.t, dt, s.pairs, s.impulses, s.load, motion);
     motion.settle();
 }
 
@@ -273,6 +278,20 @@ Vec3 SurfaceContact::force(int card) const {
 double SurfaceContact::energy_of(int card) const {
     const ImpulseBooks& book = state_->impulses.books()[static_cast<std::size_t>(card)];
     return contact::stored_energy(state_->contacts, card) + book.friction + book.normal;
+}
+SurfaceContact::Depth SurfaceContact::depth(int card) const {
+    Depth now;
+    state_->contacts.for_each([&](const Contact& c) {
+        if (c.card != card || c.gap >= c.rest) return;
+        ++now.pairs;
+        now.greatest = std::max(now.greatest, 1.0 - c.gap / c.rest);
+    });
+    return now;
+}
+std::vector<double> SurfaceContact::take_facet_forces(const Points& x) {
+    std::vector<double> forces = state_->load.forces(x);
+    state_->load.clear();
+    return forces;
 }
 void SurfaceContact::mark_touching(std::span<std::uint8_t> nodes) const {
     state_->contacts.for_each([&](const Contact& c) {

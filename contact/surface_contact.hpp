@@ -90,6 +90,18 @@ public:
     [[nodiscard]] Vec3 force(int card = 0) const;
     [[nodiscard]] double energy_of(int card) const;  ///< stored, rubbed, damped              [J]
 
+    /// Pairs of one card nearer than their contact thickness now, and the greatest part of their
+    /// contact thickness that is missing between two places.
+    struct Depth {
+        std::size_t pairs = 0;
+        double greatest = 0.0;  ///< 1 - gap / rest                                            [-]
+    };
+    [[nodiscard]] Depth depth(int card) const;
+
+    /// Normal force on every triangle of the set-up, mean since this was last asked for, both
+    /// sides together (facet_load.hpp); and begins anew.                                      [N]
+    [[nodiscard]] std::vector<double> take_facet_forces(const Points& x);
+
     [[nodiscard]] const ContactCounts& counts() const;
     /// Sets a 1 for every node that carries more than half of its side of a contact that pushes.
     void mark_touching(std::span<std::uint8_t> nodes) const;  // N

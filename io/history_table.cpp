@@ -168,6 +168,10 @@ void touching(auto&& row, const RecordLayout& layout, const Sample& s) {
         const std::string of = fmt::format("/history/contact/{}/", layout.contacts[i]);
         row(of + "force", FORCE, "resultant contact force", s.contacts[i].force);
         row(of + "energy", ENERGY, "energy stored in the contact", s.contacts[i].energy);
+        row(of + "pairs", NONE, "places that are nearer than the contact thickness",
+            s.contacts[i].pairs);
+        row(of + "penetration", NONE, "greatest part of the contact thickness that is missing",
+            s.contacts[i].penetration);
     }
 }
 

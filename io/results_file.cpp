@@ -99,6 +99,11 @@ void fill_frame(Hdf5Writer& file, const Frame& frame, const std::string& units) 
                         {unit_of(Quantity::VELOCITY, units), "velocity of the nodes"});
     file.dataset<float>("/shell_pressure", frame.shell_pressure, {e},
                         {pressure, "gauge pressure on the shell"});
+    if (!frame.shell_contact_pressure.empty())
+        file.dataset<float>("/shell_contact_pressure", frame.shell_contact_pressure, {e},
+                            {pressure,
+                             "normal contact force on both sides over the shell's area, mean since "
+                             "the frame before"});
     file.dataset("/shell_stress", flat(frame.shell_stress), {e, 3},
                  {pressure, "membrane stress: warp, weft, shear"});
     file.dataset("/shell_strain", flat(frame.shell_strain), {e, 3},
@@ -123,6 +128,7 @@ void fill_root(Hdf5Writer& file, const RunInfo& info, const std::string& termina
 
 ResultsFile::ResultsFile(fs::path folder, RunInfo info, const RecordLayout& layout)
     : folder_(std::move(folder)), info_(std::move(info)), layout_(layout), history_(layout) {
+    xdmf_.has_contact = !layout_.contacts.empty();
     clear_away();
     write_mesh();
     flush();
@@ -132,6 +138,7 @@ ResultsFile::ResultsFile(fs::path folder, RunInfo info, const RecordLayout& layo
 ResultsFile::ResultsFile(fs::path folder, RunInfo info, const RecordLayout& layout,
                          StateReader& checkpoint)
     : folder_(std::move(folder)), info_(std::move(info)), layout_(layout), history_(layout) {
+    xdmf_.has_contact = !layout_.contacts.empty();
     checkpoint(*this);
     find_parts();
     flush();
@@ -202,6 +209,8 @@ void ResultsFile::append(const Sample& sample) {
 void ResultsFile::write(const Frame& frame) {
     assert(frame.coordinates.size() == xdmf_.nodes && frame.shell_active.size() == xdmf_.shells &&
            "a frame has the mesh's sizes");
+    assert(frame.shell_contact_pressure.size() == (xdmf_.has_contact ? xdmf_.shells : 0) &&
+           "a frame has contact pressure where there is contact");
     write_whole(part_file(frame_name(frame_times_.size())),
                 [&](Hdf5Writer& file) { fill_frame(file, frame, info_.unit_system); });
     frame_times_.push_back(frame.time);

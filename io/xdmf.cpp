@@ -54,6 +54,9 @@ std::string bag(const XdmfScene& scene, const std::string& frame) {
     text += attribute("part", "Scalar", "Cell", {"/mesh/shell_part", rows(e), "Int", 4});
     text +=
         attribute("pressure", "Scalar", "Cell", {frame + "shell_pressure", rows(e), "Float", 4});
+    if (scene.has_contact)
+        text += attribute("contact_pressure", "Scalar", "Cell",
+                          {frame + "shell_contact_pressure", rows(e), "Float", 4});
     text +=
         attribute("stress", "Vector", "Cell", {frame + "shell_stress", rows_of_3(e), "Float", 4});
     text +=

@@ -21,6 +21,7 @@ struct XdmfScene {
     };
     std::uint64_t nodes = 0, shells = 0;
     std::uint64_t topology_size = 0;  ///< length of /mesh/xdmf_topology
+    bool has_contact = false;
     std::vector<State> states;
 };
 

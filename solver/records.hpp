@@ -104,6 +104,8 @@ struct Sample {
     struct Contact {
         Vec3 force = Vec3::Zero();
         double energy = 0;
+        double pairs = 0;        ///< nearer than the contact thickness
+        double penetration = 0;  ///< greatest part of the thickness that is missing        [-]
     };
     std::vector<Contact> contacts;
     struct Sensor {
@@ -125,6 +127,7 @@ struct Frame {
     double time = 0;
     Points coordinates, velocity;                    ///< N × 3
     std::vector<float> shell_pressure;               ///< E, gauge                     [Pa]
+    std::vector<float> shell_contact_pressure;       ///< E; empty: no contact         [Pa]
     std::vector<std::array<float, 3>> shell_stress;  ///< E × 3, warp weft shear       [Pa]
     std::vector<std::array<float, 3>> shell_strain;  ///< E × 3                        [-]
     std::vector<std::uint8_t> shell_active;          ///< E, 1 alive

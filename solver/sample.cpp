@@ -75,6 +75,7 @@ RecordLayout Simulation::layout() const {
         layout.part_mass[model_.shells[s].part] += shell_mass_[s];
     for (const RigidBody& body : bodies_) {
         layout.rigid_bodies.push_back(model_.parts[body.part()].id);
+        for (const Index part : body.parts()) layout.part_mass[part] = 0.0;  // the lead has all
         layout.part_mass[body.part()] = body.mass();
     }
     for (const auto& wall : model_.walls) {
@@ -133,6 +134,7 @@ Sample Simulation::sample() {
     for (const RigidBody& body : bodies_) {
         Sample::Rigid state{body.position(), body.velocity(), body.acceleration(), force_on(body)};
         row.rigid_bodies.push_back(state);
+        for (const Index part : body.parts()) row.parts[part] = {};
         row.parts[body.part()].kinetic_energy = body.kinetic_energy();
         row.parts[body.part()].momentum = body.mass() * body.velocity();
     }
@@ -142,7 +144,9 @@ Sample Simulation::sample() {
     }
     for (std::size_t c = 0; c < model_.contacts.size(); ++c) {
         const int card = static_cast<int>(c);
-        row.contacts.push_back({contacts_[0].force(card), contacts_[0].energy_of(card)});
+        const auto depth = contacts_[0].depth(card);
+        row.contacts.push_back({contacts_[0].force(card), contacts_[0].energy_of(card),
+                                static_cast<double>(depth.pairs), depth.greatest});
     }
     row.sensors.resize(model_.sensors.size());
     parallel::for_each(
@@ -158,6 +162,22 @@ Sample Simulation::sample() {
         row.node_velocity.push_back(velocity(node));
     }
     return row;
+}
+
+/// Of shells without contact 0.
+void Simulation::find_contact_pressure(std::vector<float>& pressure) {
+    for (contact::SurfaceContact& contact : contacts_) {
+        const std::vector<double> force = contact.take_facet_forces(nodes_.x);
+        std::vector<double> on_shell(model_.shells.size(), 0.0);
+        for (std::size_t t = 0; t < force.size(); ++t) on_shell[contact_shell_[t]] += force[t];
+        for (std::size_t s = 0; s < on_shell.size(); ++s) {
+            const auto& n = model_.shells[s].nodes;
+            const Points& x = nodes_.x;
+            const double area = vector_area(x[n[0]], x[n[1]], x[n[2]]).norm() +
+                                vector_area(x[n[0]], x[n[2]], x[n[3]]).norm();
+            pressure.push_back(area > 0.0 ? static_cast<float>(on_shell[s] / area) : 0.0F);
+        }
+    }
 }
 
 Frame Simulation::frame() {
@@ -183,6 +203,7 @@ Frame Simulation::frame() {
     for (std::size_t s = 0; s < shells; ++s)
         state.shell_pressure[s] = area[s] > 0.0 ? static_cast<float>(force[s] / area[s]) : 0.0F;
 
+    find_contact_pressure(state.shell_contact_pressure);
     for (const gas::BagGas& bag : bags_) {
         if (!bag.card().show_particles) continue;
         if (!state.particles) state.particles.emplace();

@@ -122,6 +122,7 @@ private:
     void book_forces(double span);
     void watch_growth(double span);
     void find_touching(double span);
+    void find_contact_pressure(std::vector<float>& pressure);
     void find_contact_push(double span);
     void check_finite() const;
     [[noreturn]] void stop_for(Index broken_shell) const;

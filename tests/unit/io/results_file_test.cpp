@@ -153,6 +153,9 @@ void expect_the_rest(Histories& h) {
              [](const Sample& s) { return s.moving_walls[0].velocity; });
     h.expect("/history/contact/41/force", [](const Sample& s) { return s.contacts[0].force; });
     h.expect("/history/contact/41/energy", [](const Sample& s) { return s.contacts[0].energy; });
+    h.expect("/history/contact/41/pairs", [](const Sample& s) { return s.contacts[0].pairs; });
+    h.expect("/history/contact/41/penetration",
+             [](const Sample& s) { return s.contacts[0].penetration; });
     h.expect("/history/node/102/coordinates",
              [](const Sample& s) { return s.node_coordinates[0]; });
     h.expect("/history/node/102/velocity", [](const Sample& s) { return s.node_velocity[0]; });
@@ -169,6 +172,7 @@ void expect_frame(const Hdf5Reader& file, const std::string& at, const Frame& f)
     CHECK(file.shape(at + "/velocity") == Shape{5, 3});
     CHECK(file.read<float>(at + "/shell_pressure") == f.shell_pressure);
     CHECK(file.shape(at + "/shell_pressure") == Shape{2});
+    CHECK(file.read<float>(at + "/shell_contact_pressure") == f.shell_contact_pressure);
     CHECK(file.read<float>(at + "/shell_stress") == flat(f.shell_stress));
     CHECK(file.shape(at + "/shell_stress") == Shape{2, 3});
     CHECK(file.read<float>(at + "/shell_strain") == flat(f.shell_strain));

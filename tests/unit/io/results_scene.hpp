@@ -102,7 +102,7 @@ inline Sample sample(const RecordLayout& layout, std::size_t row) {
     for (std::size_t i = 0; i < layout.moving_walls.size(); ++i)
         s.moving_walls.push_back({c.next3(), c.next3()});
     for (std::size_t i = 0; i < layout.contacts.size(); ++i)
-        s.contacts.push_back({c.next3(), c.next()});
+        s.contacts.push_back({c.next3(), c.next(), c.next(), c.next()});
     for (std::size_t i = 0; i < layout.history_nodes.size(); ++i) {
         s.node_coordinates.push_back(c.next3());
         s.node_velocity.push_back(c.next3());
@@ -139,6 +139,7 @@ inline Frame frame(const RecordLayout& layout, std::size_t number, int particle_
     };
     for (std::size_t i = 0; i < layout.shell_id.size(); ++i) {
         f.shell_pressure.push_back(static_cast<float>(c.next()));
+        f.shell_contact_pressure.push_back(static_cast<float>(c.next()));
         f.shell_stress.push_back(triple());
         f.shell_strain.push_back(triple());
         f.shell_active.push_back(i % 2 == 0 ? 1 : 0);
