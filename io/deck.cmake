@@ -12,6 +12,7 @@ target_sources(corpuscle_io PRIVATE
     keywords/materials.cpp
     keywords/mat_fabric.cpp
     keywords/curves.cpp
+    keywords/coordinates.cpp
     keywords/transformation.cpp
     keywords/sets.cpp
     keywords/sets_general.cpp
@@ -23,6 +24,7 @@ target_sources(corpuscle_io PRIVATE
     keywords/airbag_vents.cpp
     keywords/reference_geometry.cpp
     keywords/rigid_parts.cpp
+    keywords/rigid_merges.cpp
     keywords/boundary.cpp
     keywords/motion.cpp
     keywords/initial_velocity.cpp

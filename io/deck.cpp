@@ -11,6 +11,7 @@
 #include "io/draft.hpp"
 #include "io/faults.hpp"
 #include "io/keyword_reader.hpp"
+#include "io/keywords/coordinates.hpp"
 #include "io/keywords/keywords.hpp"
 #include "io/parameters.hpp"
 #include "io/rigid_start.hpp"
@@ -147,6 +148,7 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options) {
         if (std::none_of(model.rigid_velocity.begin(), model.rigid_velocity.end(),
                          [&](const RigidVelocity& own) { return own.part == start.part; }))
             model.rigid_velocity.push_back(start);
+    keywords::place_local_axes(draft);
     start_rigid_parts(model);
     model.warnings = faults.warnings();
     return model;

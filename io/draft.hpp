@@ -28,6 +28,12 @@ struct Solid {
     std::array<Index, 8> nodes{};
 };
 
+/// *DEFINE_COORDINATE_...
+struct LocalAxes {
+    Mat3 axes = Mat3::Identity();            ///< columns: local x, y, z
+    std::array<Index, 3> nodes{-1, -1, -1};  ///< _NODES: rows; they give the axes
+};
+
 /// Which meaning of the cards the deck wants: today's, or that of the 2007 course notes.
 enum class Dialect { TODAY, NOTES_2007 };
 
@@ -42,7 +48,8 @@ struct Draft {
     double mean_free_path = NaN;                   ///< of that model; NaN: its default      [m]
 
     Registry nodes{"*NODE"}, shells{"*ELEMENT_SHELL"}, parts{"*PART"}, materials{"*MAT"},
-        sections{"*SECTION_SHELL"}, curves{"*DEFINE_CURVE"}, vectors{"*DEFINE_VECTOR"};
+        sections{"*SECTION_SHELL"}, curves{"*DEFINE_CURVE"}, vectors{"*DEFINE_VECTOR"},
+        coordinates{"*DEFINE_COORDINATE"};
     Registry node_sets{"*SET_NODE"}, part_sets{"*SET_PART"}, shell_sets{"*SET_SHELL"},
         segment_sets{"*SET_SEGMENT"};
     Registry solids{"*ELEMENT_SOLID"};
@@ -56,7 +63,9 @@ struct Draft {
     std::vector<Eigen::Affine3d> transformation;
     std::vector<RigidVelocity> inertia_start;  ///< of *PART_INERTIA, where nothing else says it
     std::vector<Index> rigid_owner;  ///< by node row: rigid part or -1; empty until it is asked for
-    Points vector;                   ///< head - tail
+    std::vector<LocalAxes> coordinate;
+    std::vector<std::pair<Index, Index>> local_constraints;      ///< rigid material, its axes: rows
+    Points vector;                                               ///< head - tail
     std::vector<std::vector<Index>> node_set;                    ///< node rows
     std::vector<std::vector<Index>> part_set;                    ///< part rows
     std::vector<std::vector<Index>> shell_set;                   ///< shell rows

@@ -73,6 +73,12 @@ struct RigidExtraNode {
     Index node = -1;  ///< row
 };
 
+/// *CONSTRAINED_RIGID_BODIES: two *MAT_RIGID parts that move as one body, the lead's.
+struct RigidMerge {
+    Index lead = -1, part = -1;  ///< rows
+    bool keeps_inertia = false;  ///< the lead's *PART_INERTIA holds for both, IFLAG = 0
+};
+
 /// *LOAD_BODY_X/Y/Z: acceleration of the frame; bodies feel its opposite.
 struct BodyLoad {
     int axis = 0;      ///< 0 x, 1 y, 2 z
@@ -117,6 +123,7 @@ struct Model {
     std::vector<RigidVelocity> rigid_velocity;  ///< the last one of a part counts
     std::vector<RigidInertia> rigid_inertia;    ///< at most one a part
     std::vector<RigidExtraNode> rigid_extra_nodes;
+    std::vector<RigidMerge> rigid_merges;  ///< a part is led by one other at most, none by itself
     std::vector<Support> supports;
     std::vector<PrescribedMotion> motions;
     std::vector<BodyLoad> body_loads;

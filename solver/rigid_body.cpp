@@ -10,20 +10,10 @@
 #include <cmath>
 
 #include "solver/base/error.hpp"
+#include "solver/rigid_parts.hpp"
 
 namespace corpuscle {
 namespace {
-
-std::vector<Index> nodes_of_part(const Model& model, Index part) {
-    std::vector<Index> nodes;
-    for (const Shell& shell : model.shells)
-        if (shell.part == part) nodes.insert(nodes.end(), shell.nodes.begin(), shell.nodes.end());
-    for (const RigidExtraNode& extra : model.rigid_extra_nodes)
-        if (extra.part == part) nodes.push_back(extra.node);
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    return nodes;
-}
 
 /// b, less what it has along the axes.
 Vec3 without(const std::vector<Vec3>& axes, Vec3 b) {
@@ -46,15 +36,20 @@ Axes columns(const std::vector<Vec3>& axes) {
     return out;
 }
 
+Eigen::Map<const Eigen::VectorXd> wanted(const std::vector<double>& target) {
+    return {target.data(), static_cast<Eigen::Index>(target.size())};
+}
+
 }  // namespace
 
 RigidBody::RigidBody(const Model& model, Index part, const std::vector<double>& node_mass)
-    : part_(part), nodes_(nodes_of_part(model, part)) {
+    : part_(part), parts_(merged_parts(model, part)), nodes_(nodes_of_rigid_parts(model, parts_)) {
     const auto& card =
         std::get<fabric::RigidCard>(model.materials[model.parts[part].material].card);
     fixed_moves_ = card.fixed_moves;
     fixed_turns_ = card.fixed_turns;
-    find_inertia(model, node_mass);
+    fixed_axes_ = card.axes;
+    set_inertia(model, inertia_of_parts(model, parts_, node_mass));
     for (const Index n : nodes_) arm_.push_back(turn_.conjugate() * (model.x[n] - centre_));
     next_centre_ = centre_;
     next_turn_ = turn_;
@@ -74,30 +69,13 @@ RigidBody::RigidBody(const Model& model, Index part, const std::vector<double>& 
         }
 }
 
-/// Mass, centre, principal moments and their axes.
-void RigidBody::find_inertia(const Model& model, const std::vector<double>& node_mass) {
-    const auto given = std::find_if(model.rigid_inertia.begin(), model.rigid_inertia.end(),
-                                    [&](const RigidInertia& r) { return r.part == part_; });
-    Mat3 inertia = Mat3::Zero();
-    centre_.setZero();
-    if (given != model.rigid_inertia.end()) {
-        mass_ = given->mass;
-        centre_ = given->centre;
-        inertia = given->inertia;
-    } else {
-        for (const Index n : nodes_) {
-            mass_ += node_mass[n];
-            centre_ += node_mass[n] * model.x[n];
-        }
-        centre_ /= mass_;
-        for (const Index n : nodes_) {
-            const Vec3 r = model.x[n] - centre_;
-            inertia += node_mass[n] * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
-        }
-    }
+/// Principal moments and their axes.
+void RigidBody::set_inertia(const Model& model, const RigidInertia& all) {
+    mass_ = all.mass;
+    centre_ = all.centre;
     if (!(mass_ > 0.0))
         throw InputError(fmt::format("rigid part {} has no mass", model.parts[part_].id));
-    const Eigen::SelfAdjointEigenSolver<Mat3> principal(inertia);
+    const Eigen::SelfAdjointEigenSolver<Mat3> principal(all.inertia);
     Mat3 axes = principal.eigenvectors();
     if (axes.determinant() < 0.0) axes.col(2) = -axes.col(2);
     turn_ = Eigen::Quaterniond(axes).normalized();
@@ -223,19 +201,26 @@ void RigidBody::take(const contact::RigidMover& moved, double dt, double span,
     carry(dt, nodes);
 }
 
+/// V by the impulses of the holds, along their axes H alone: Hᵀ (V + H m) = what they hold.
 void RigidBody::hold_translation(double t, double dt, double span) {
     held_moves_.clear();
+    std::vector<Vec3> axes;
+    std::vector<double> target;
+    const auto hold = [&](const Vec3& axis, double rate) {
+        const std::size_t before = held_moves_.size();
+        add_axis(held_moves_, axis);
+        if (held_moves_.size() == before) return;  // held already
+        axes.push_back(axis);
+        target.push_back(rate);
+    };
+    for (Motion& motion : motions_)
+        if (!motion.rotation && motion.curve.is_active(t))
+            hold(motion.axis, motion.curve.velocity(t, dt, span));
     for (int a = 0; a < 3; ++a)
-        if (fixed_moves_ & (1U << a)) {
-            velocity_[a] = 0.0;
-            add_axis(held_moves_, Vec3::Unit(a));
-        }
-    for (Motion& motion : motions_) {
-        if (motion.rotation || !motion.curve.is_active(t)) continue;
-        const double target = motion.curve.velocity(t, dt, span);
-        velocity_ += (target - velocity_.dot(motion.axis)) * motion.axis;
-        add_axis(held_moves_, motion.axis);
-    }
+        if (fixed_moves_ & (1U << a)) hold(fixed_axes_.col(a), 0.0);
+    if (axes.empty()) return;
+    const Axes H = columns(axes);
+    velocity_ += H * (H.transpose() * H).ldlt().solve(wanted(target) - H.transpose() * velocity_);
 }
 
 /// L by the moments of the holds, along their axes H alone: Hᵀ I⁻¹ (L + H m) = what they hold.
@@ -255,16 +240,14 @@ void RigidBody::hold_rotation(double t, double dt, double span) {
         if (motion.rotation && motion.curve.is_active(t))
             hold(motion.axis, motion.curve.velocity(t, dt, span));
     for (int a = 0; a < 3; ++a)
-        if (fixed_turns_ & (1U << a)) hold(Vec3::Unit(a), 0.0);
+        if (fixed_turns_ & (1U << a)) hold(fixed_axes_.col(a), 0.0);
     if (held_turns_.empty()) return;
     const Axes H = columns(held_turns_);
     const Mat3 inverse = inverse_inertia();
-    const Eigen::VectorXd wanted =
-        Eigen::Map<const Eigen::VectorXd>(target.data(), static_cast<Eigen::Index>(target.size()));
     const Eigen::VectorXd moment =
         (H.transpose() * inverse * H)
             .ldlt()
-            .solve(wanted - H.transpose() * (inverse * angular_momentum_));
+            .solve(wanted(target) - H.transpose() * (inverse * angular_momentum_));
     angular_momentum_ += H * moment;
 }
 

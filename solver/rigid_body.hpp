@@ -13,8 +13,9 @@
 
 namespace corpuscle {
 
-/// A *MAT_RIGID part: six degrees of freedom. Mass and inertia are the deck's (RigidInertia), else
-/// those of its nodes' lumped masses.
+/// A *MAT_RIGID part, or a lead part and those that are merged with it: six degrees of freedom.
+/// Mass and inertia are those of all of them (rigid_parts.hpp); supports, motions and initial
+/// velocity the lead's.
 ///
 /// Leapfrog on the centre of mass and on the angular momentum L about it. Orientation R follows by
 /// the implicit midpoint rule,
@@ -46,7 +47,9 @@ public:
     /// Takes what contact has given in the step from t to t + dt, and carries its nodes anew.
     void take(const contact::RigidMover& moved, double dt, double span, fabric::Nodes& nodes);
 
-    [[nodiscard]] Index part() const { return part_; }
+    [[nodiscard]] Index part() const { return part_; }  ///< the lead
+    /// The part and all that are merged with it.
+    [[nodiscard]] const std::vector<Index>& parts() const { return parts_; }
     [[nodiscard]] const std::vector<Index>& nodes() const { return nodes_; }
     [[nodiscard]] const Vec3& position() const { return centre_; }    ///< of the mass centre, at t
     [[nodiscard]] const Vec3& velocity() const { return velocity_; }  ///< at t + dt/2
@@ -89,7 +92,7 @@ private:
         Vec3 axis;
         MotionCurve curve;
     };
-    void find_inertia(const Model& model, const std::vector<double>& node_mass);
+    void set_inertia(const Model& model, const RigidInertia& all);
     void carry(double dt, fabric::Nodes& nodes);
     [[nodiscard]] Vec3 spin_of(const Eigen::Quaterniond& turn, const Vec3& momentum) const;
     [[nodiscard]] Eigen::Quaterniond turned(double dt) const;
@@ -99,11 +102,13 @@ private:
     [[nodiscard]] Mat3 turning_mobility() const;
 
     Index part_;
+    std::vector<Index> parts_;  ///< rows
     std::vector<Index> nodes_;
     std::vector<Vec3> arm_;  ///< node - centre in the body's axes                   [m]
     double mass_ = 0.0;      ///< [kg]
     Vec3 inertia_;           ///< principal moments                                  [kg m^2]
-    unsigned fixed_moves_ = 0, fixed_turns_ = 0;
+    unsigned fixed_moves_ = 0, fixed_turns_ = 0;  ///< along the columns of fixed_axes_
+    Mat3 fixed_axes_;
     std::vector<Motion> motions_;
     std::vector<Vec3> held_moves_, held_turns_;  ///< axes along which it is held now, independent;
                                                  ///< those of moves orthonormal

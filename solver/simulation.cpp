@@ -184,7 +184,10 @@ void Simulation::build_bodies() {
         const auto part = static_cast<Index>(p);
         const bool used = std::any_of(model_.shells.begin(), model_.shells.end(),
                                       [&](const Shell& s) { return s.part == part; });
-        if (used && is_rigid(model_, part)) bodies_.emplace_back(model_, part, nodes_.mass);
+        const bool is_led = std::any_of(model_.rigid_merges.begin(), model_.rigid_merges.end(),
+                                        [&](const RigidMerge& m) { return m.part == part; });
+        if (used && !is_led && is_rigid(model_, part))
+            bodies_.emplace_back(model_, part, nodes_.mass);
     }
     std::vector<const RigidBody*> owner(nodes_.size(), nullptr);
     for (const RigidBody& body : bodies_)

@@ -95,8 +95,9 @@ struct RigidCard {
     double density = NaN;      ///< RO [kg/m^3]
     double E = NaN;            ///< E, for contact stiffness only [Pa]
     double nu = 0.0;           ///< PR [-]
-    unsigned fixed_moves = 0;  ///< CMO = 1, CON1: bit 0 x, 1 y, 2 z of the centre of mass held
-    unsigned fixed_turns = 0;  ///< CMO = 1, CON2: bit 0 x, 1 y, 2 z rotation held
+    unsigned fixed_moves = 0;  ///< CON1 (CMO = 1), CON2 (-1): bit 0 x, 1 y, 2 z of the centre held
+    unsigned fixed_turns = 0;  ///< CON2: bit 0 x, 1 y, 2 z rotation held
+    Mat3 axes = Mat3::Identity();  ///< columns: those x, y, z; of CMO = -1 the system CON1, at rest
 };
 
 using MaterialCard = std::variant<FabricCard, ElasticCard, NullCard, RigidCard>;

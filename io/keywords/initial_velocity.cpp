@@ -80,6 +80,7 @@ void initial_velocity_rigid_body(Cards& cards, Draft& draft) {
         rigid.spin = c.vector("VXR", "VYR", "VZR");
         if (rigid.part >= 0 && !is_rigid(draft, rigid.part))
             c.fault("PID", "a part with *MAT_RIGID");
+        expect_lead(c, draft, "PID", rigid.part);
         draft.model.rigid_velocity.push_back(rigid);
     }
 }

@@ -17,7 +17,7 @@ namespace corpuscle::io::keywords {
 void value_or_curve(Card& c, const char* name, const Registry& curves, double& value, Index& curve);
 
 /// What a keyword refers to is read before it, wherever it stands in the deck.
-enum class Phase { GROUND, MATERIAL, PART, SHELL, SET, SUM_OF_SETS, PLACE, SCENE };
+enum class Phase { GROUND, AXES, MATERIAL, PART, SHELL, SET, SUM_OF_SETS, PLACE, SCENE };
 
 using Reader = void (*)(Cards&, Draft&);
 
@@ -49,6 +49,8 @@ void section_solid(Cards&, Draft&);
 void element_solid(Cards&, Draft&);
 void extra_nodes_node(Cards&, Draft&);
 void extra_nodes_set(Cards&, Draft&);
+// rigid_merges.cpp
+void constrained_rigid_bodies(Cards&, Draft&);
 // materials.cpp, mat_fabric.cpp
 void mat_elastic(Cards&, Draft&);
 void mat_null(Cards&, Draft&);
@@ -57,6 +59,10 @@ void mat_fabric(Cards&, Draft&);
 // curves.cpp
 void define_curve(Cards&, Draft&);
 void define_vector(Cards&, Draft&);
+// coordinates.cpp
+void define_coordinate_system(Cards&, Draft&);
+void define_coordinate_vector(Cards&, Draft&);
+void define_coordinate_nodes(Cards&, Draft&);
 // transformation.cpp
 void define_transformation(Cards&, Draft&);
 void node_transform(Cards&, Draft&);

@@ -40,6 +40,26 @@ void mat_null(Cards& cards, Draft& draft) {
     draft.model.materials.push_back(material);
 }
 
+namespace {
+
+/// CON1 names the axes; CON2 has a digit for x y z, rotation about x y z: 1 is held.
+void hold_locally(Card& c, Draft& draft, fabric::RigidCard& rigid) {
+    const Index system = c.row("CON1", draft.coordinates);
+    int code = c.integer("CON2", within(0, 111111));
+    unsigned held = 0;  // bit 0 is the first of six digits
+    for (unsigned bit = 6; bit-- > 0; code /= 10) {
+        if (code % 10 > 1) return c.fault("CON2", "six digits, each 0 or 1");
+        held |= static_cast<unsigned>(code % 10) << bit;
+    }
+    rigid.fixed_moves = held & 7U;
+    rigid.fixed_turns = held >> 3U;
+    if (system >= 0)
+        draft.local_constraints.emplace_back(static_cast<Index>(draft.model.materials.size()),
+                                             system);
+}
+
+}  // namespace
+
 void mat_rigid(Cards& cards, Draft& draft) {
     fabric::Material material;
     material.title = material_title(cards);
@@ -54,12 +74,16 @@ void mat_rigid(Cards& cards, Draft& draft) {
     }
     {
         Card c = cards.next("CMO CON1 CON2");
-        const int global = c.choice("CMO", {0, 1}, {-1});
-        const int moves = c.integer("CON1", within(0, 7));
-        const int turns = c.integer("CON2", within(0, 7));
-        if (global == 1) {
-            rigid.fixed_moves = HELD.at(static_cast<std::size_t>(moves));
-            rigid.fixed_turns = HELD.at(static_cast<std::size_t>(turns));
+        const int axes = c.choice("CMO", {-1, 0, 1});
+        if (axes < 0) {
+            hold_locally(c, draft, rigid);
+        } else {
+            const int moves = c.integer("CON1", within(0, 7));
+            const int turns = c.integer("CON2", within(0, 7));
+            if (axes == 1) {
+                rigid.fixed_moves = HELD.at(static_cast<std::size_t>(moves));
+                rigid.fixed_turns = HELD.at(static_cast<std::size_t>(turns));
+            }
         }
     }
     Card c = cards.next("A1 A2 A3 V1 V2 V3");

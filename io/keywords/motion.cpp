@@ -72,6 +72,7 @@ void motion_rigid(Cards& cards, Draft& draft) {
                 motion.rigid_part = c.row("PID", draft.parts);
                 if (motion.rigid_part >= 0 && !is_rigid(draft, motion.rigid_part))
                     c.fault("PID", "a part with *MAT_RIGID");
+                expect_lead(c, draft, "PID", motion.rigid_part);
             });
 }
 

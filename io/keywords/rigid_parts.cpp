@@ -147,30 +147,31 @@ void element_solid(Cards& cards, Draft& draft) {
 
 namespace {
 
-/// Which rigid part each node belongs to.
+/// Which rigid part each node belongs to, of merged ones their lead.
 void find_owners(Draft& draft) {
     const Model& model = draft.model;
     draft.rigid_owner.assign(model.x.size(), -1);
     for (const Shell& shell : model.shells)
         if (shell.part >= 0 && is_rigid(draft, shell.part))
             for (const Index node : shell.nodes)
-                if (node >= 0) draft.rigid_owner[static_cast<std::size_t>(node)] = shell.part;
+                if (node >= 0) draft.rigid_owner[static_cast<std::size_t>(node)] = lead_of(draft, shell.part);
     for (const RigidExtraNode& extra : model.rigid_extra_nodes)
-        draft.rigid_owner[static_cast<std::size_t>(extra.node)] = extra.part;
+        draft.rigid_owner[static_cast<std::size_t>(extra.node)] = lead_of(draft, extra.part);
 }
 
 /// Nodes of other rigid parts cannot ride on this one too.
 void ride(Card& c, Draft& draft, const char* field, Index part, const std::vector<Index>& nodes) {
     if (draft.rigid_owner.empty()) find_owners(draft);
     Model& model = draft.model;
+    const Index lead = lead_of(draft, part);
     for (const Index node : nodes) {
         Index& owner = draft.rigid_owner[static_cast<std::size_t>(node)];
-        if (owner >= 0 && owner != part)
+        if (owner >= 0 && owner != lead)
             return c.fault(field, fmt::format("nodes of no other rigid part: node {} is of part {}",
                                               model.node_id[static_cast<std::size_t>(node)],
                                               model.parts[static_cast<std::size_t>(owner)].id));
         if (owner < 0) model.rigid_extra_nodes.push_back({part, node});
-        owner = part;
+        owner = lead;
     }
 }
 

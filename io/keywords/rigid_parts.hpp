@@ -10,6 +10,12 @@ namespace corpuscle::io::keywords {
 /// Is its material *MAT_RIGID?
 bool is_rigid(const Draft& draft, Index part);
 
+/// The part that leads the merged body which this one is of; itself, if it is not merged.
+Index lead_of(const Draft& draft, Index part);
+
+/// A fault unless the part leads its body: what says how a body moves is said of its lead.
+void expect_lead(Card& c, const Draft& draft, const char* field, Index part);
+
 /// The cards of *PART_INERTIA behind that of the part.
 void part_inertia(Cards& cards, Draft& draft, Index part);
 

@@ -59,12 +59,12 @@ TEST_CASE("a keyword that is not supported is a fault, or a warning when it cann
           "[io]") {
     const DeckFolder folder;
     const auto faults =
-        folder.faults(small_deck("*ELEMENT_BEAM\n1,1\n*CONSTRAINED_RIGID_BODIES\n1,2\n"
+        folder.faults(small_deck("*ELEMENT_BEAM\n1,1\n*CONSTRAINED_SPOTWELD\n1,2\n"
                                  "*ELEMENT_SHELL_THICKNESS\n*FROBNICATE\n"
                                  "*PRAT\nx\n*MAT_FABIRC_TITLE\nx\n"));
     REQUIRE(faults.size() == 6);
     CHECK(contains(faults[0], "deck.k:30: *ELEMENT_BEAM"));
-    CHECK(contains(faults[1], "*CONSTRAINED_RIGID_BODIES is not supported yet"));
+    CHECK(contains(faults[1], "*CONSTRAINED_SPOTWELD is not supported yet"));
     CHECK(contains(faults[2], "*ELEMENT_SHELL_THICKNESS is not acted on yet"));
     CHECK(faults[3] == "deck.k:35: *FROBNICATE is not supported");
     CHECK(contains(faults[4], "did you mean *PART?"));
