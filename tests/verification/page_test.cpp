@@ -24,7 +24,12 @@ namespace {
 constexpr const char* VISITOR = R"(<pre id="seen"></pre><script>
 // nobody looks at this window, so it is never painted by itself
 window.requestAnimationFrame = (draw) => setTimeout(draw, 10);
-const later = () => new Promise((go) => setTimeout(go, 50));
+const pause = () => new Promise((go) => setTimeout(go, 50));
+const later = async () => {
+    await pause();
+    for (const run of window.page.runs) await readFrame(run, frameAt(run, window.page.t));  // when it is asked for
+    await pause();
+};
 const ink = () => {
     const canvas = document.querySelector("#scene canvas.picture"), gl = canvas.getContext("webgl2");
     const pixels = new Uint8Array(4 * canvas.width * canvas.height);
@@ -35,7 +40,7 @@ const ink = () => {
     return [inked / (canvas.width * canvas.height), sum];
 };
 (async () => {
-    while (!document.body.dataset.ready) await later();
+    while (!document.body.dataset.ready) await pause();
     await later();
     const seen = [], slider = document.getElementById("slider");
     const note = (name, value) => seen.push(`${name}=${value};`);

@@ -64,7 +64,7 @@ std::string filled(std::string_view form,
 
 std::string page(const std::vector<fs::path>& folders) {
     std::vector<std::string> faults;
-    std::string data, title;
+    std::string data, frames, title;
     std::size_t runs = 0, studies = 0;
     for (const fs::path& folder : folders) {
         if (!title.empty()) title += ", ";
@@ -78,6 +78,10 @@ std::string page(const std::vector<fs::path>& folders) {
             data += element(fmt::format("run{}", runs), "application/json", run.json);
             data += element(fmt::format("bytes{}", runs), "application/octet-stream",
                             base64(deflated(run.bytes)));
+            for (std::size_t k = 0; k < run.frames.size(); ++k)
+                (k == 0 ? data : frames) +=
+                    element(fmt::format("frame{}_{}", runs, k), "application/octet-stream",
+                            base64(deflated(run.frames[k])));
             ++runs;
         } else {
             faults.push_back(
@@ -88,7 +92,8 @@ std::string page(const std::vector<fs::path>& folders) {
     return filled(PAGE_HTML, {{"@TITLE@", escaped(title)},
                               {"@STYLE@", std::string(PAGE_STYLE)},
                               {"@SCRIPT@", std::string(PAGE_SCRIPT)},
-                              {"@DATA@", data}});
+                              {"@DATA@", data},
+                              {"@FRAMES@", frames}});
 }
 
 }  // namespace corpuscle::report

@@ -23,9 +23,9 @@ using Lines = std::vector<double>;
 
 /// A frame as it is drawn.
 struct Picture {
-    Lines x;  ///< N × 3
-    Lines pressure, stress;
-    Lines particles;  ///< P × 3
+    Lines x;                          ///< N × 3
+    Lines pressure, stress, contact;  ///< contact pressure; empty: the run has no contact
+    Lines particles;                  ///< P × 3
     std::vector<std::int32_t> species;
     Lines speed;
 };
@@ -44,6 +44,8 @@ Picture read_picture(const io::Hdf5Reader& file, const std::string& at) {
     Picture picture;
     picture.x = file.read<double>(at + "coordinates");
     picture.pressure = file.read<double>(at + "shell_pressure");
+    if (file.has(at + "shell_contact_pressure"))
+        picture.contact = file.read<double>(at + "shell_contact_pressure");
     const Lines stress = file.read<double>(at + "shell_stress");
     for (std::size_t k = 0; k + 2 < stress.size(); k += 3)
         picture.stress.push_back(principal(&stress[k]));
@@ -74,7 +76,7 @@ public:
         histories();
         responses();
         summary();
-        return {fmt::format("{{{}}}", fmt::join(members_, ",\n")), blob_.bytes()};
+        return {fmt::format("{{{}}}", fmt::join(members_, ",\n")), blob_.bytes(), frames_};
     }
 
 private:
@@ -120,7 +122,7 @@ private:
             if (f % every == 0 || f + 1 == all.size()) shown.push_back(f);
         const std::vector<std::string> names = frame_names();
         std::array<Range, 3> box;
-        Range pressure, stress, speed;
+        Range pressure, stress, contact, speed;
         const auto measure = [&](const Lines& x) {
             for (std::size_t k = 0; k < x.size(); ++k) box[k % 3].take(x[k]);
         };
@@ -130,6 +132,7 @@ private:
             measure(picture.particles);
             for (const double value : picture.pressure) pressure.take(value);
             for (const double value : picture.stress) stress.take(value);
+            for (const double value : picture.contact) contact.take(value);
             for (const double value : picture.speed) speed.take(value);
         }
         const auto quantised = [&](const Lines& x) {
@@ -148,14 +151,19 @@ private:
             const Picture picture = read_picture(file_, names.at(f));
             const std::vector<std::uint16_t> x = quantised(picture.x);
             const std::vector<std::uint8_t> species(picture.species.begin(), picture.species.end());
-            entries.push_back(fmt::format(
-                "{{\"t\":{},\"x\":{},\"pressure\":{},\"stress\":{},\"count\":{},\"particles\":{},"
-                "\"species\":{},\"speed\":{}}}",
-                json(all[f]), blob_.add(change(x, before)),
-                blob_.add(in_bytes(picture.pressure, pressure)),
-                blob_.add(in_bytes(picture.stress, stress)), species.size(),
-                blob_.add(quantised(picture.particles)), blob_.add(species),
-                blob_.add(in_bytes(picture.speed, speed))));
+            Blob blob;
+            std::string entry = fmt::format("\"t\":{},\"x\":{},\"pressure\":{},\"stress\":{}",
+                                            json(all[f]), blob.add(change(x, before)),
+                                            blob.add(in_bytes(picture.pressure, pressure)),
+                                            blob.add(in_bytes(picture.stress, stress)));
+            if (!contact.is_empty)
+                entry +=
+                    fmt::format(",\"contact\":{}", blob.add(in_bytes(picture.contact, contact)));
+            entry += fmt::format(",\"count\":{},\"particles\":{},\"species\":{},\"speed\":{}",
+                                 species.size(), blob.add(quantised(picture.particles)),
+                                 blob.add(species), blob.add(in_bytes(picture.speed, speed)));
+            entries.push_back("{" + entry + "}");
+            frames_.push_back(blob.bytes());
             before = x;
         }
         member("frames", fmt::format("[{}]", fmt::join(entries, ",\n")));
@@ -164,8 +172,10 @@ private:
             return fmt::format("[{},{}]", json(r.low), json(r.high));
         };
         member("box", fmt::format("[{},{},{}]", range(box[0]), range(box[1]), range(box[2])));
-        member("ranges", fmt::format("{{\"pressure\":{},\"stress\":{},\"speed\":{}}}",
-                                     range(pressure), range(stress), range(speed)));
+        const std::string touching =
+            contact.is_empty ? "" : fmt::format("\"contact\":{},", range(contact));
+        member("ranges", fmt::format("{{\"pressure\":{},\"stress\":{},{}\"speed\":{}}}",
+                                     range(pressure), range(stress), touching, range(speed)));
         units();
     }
 
@@ -228,6 +238,7 @@ private:
     fs::path folder_;
     io::Hdf5Reader file_;
     Blob blob_;
+    std::vector<std::string> frames_;
     std::vector<std::string> members_;
 };
 

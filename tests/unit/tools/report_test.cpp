@@ -3,6 +3,7 @@
 #include <zlib.h>
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <cstring>
 #include <fstream>
 
@@ -106,8 +107,8 @@ TEST_CASE("a run's data hold its mesh, places and histories", "[report]") {
     const double high = std::stod(data.json.substr(box_at + used + 1));
     const std::size_t first = data.json.find("\"frames\""),
                       second = data.json.find("\"t\":", data.json.find("\"t\":", first) + 4);
-    const auto x_0 = section<std::uint16_t>(data.bytes, number(data.json, "x", first), 15);
-    const auto x_1 = section<std::uint16_t>(data.bytes, number(data.json, "x", second), 15);
+    const auto x_0 = section<std::uint16_t>(data.frames[0], number(data.json, "x", first), 15);
+    const auto x_1 = section<std::uint16_t>(data.frames[1], number(data.json, "x", second), 15);
     for (std::size_t n = 0; n < 5; ++n) {
         const auto place = [&](std::uint16_t q) { return low + (high - low) * q / 65535.0; };
         const double step = (high - low) / 65535.0;
@@ -115,6 +116,19 @@ TEST_CASE("a run's data hold its mesh, places and histories", "[report]") {
         CHECK(place(static_cast<std::uint16_t>(x_0[3 * n] + x_1[3 * n])) ==
               Approx(run.frames[1].coordinates[n].x()).margin(step));
     }
+
+    // contact pressure of two shells, in the range of all
+    float least = INFINITY, most = -INFINITY;
+    for (const Frame& frame : run.frames)
+        for (const float value : frame.shell_contact_pressure) {
+            least = std::min(least, value);
+            most = std::max(most, value);
+        }
+    const auto contact =
+        section<std::uint8_t>(data.frames[1], number(data.json, "contact", second), 2);
+    for (std::size_t s = 0; s < 2; ++s)
+        CHECK(least + (most - least) * static_cast<float>(contact[s]) / 255.0F ==
+              Approx(run.frames[1].shell_contact_pressure[s]).margin((most - least) / 510.0));
 
     const std::size_t pressure = data.json.find("\"name\":\"airbag/7/pressure\"");
     REQUIRE(pressure != std::string::npos);
@@ -131,10 +145,10 @@ TEST_CASE("a page is whole in itself and asks nothing of the net", "[report]") {
         CHECK(page.find(asks) == std::string::npos);
     CHECK(page.find("default-src 'none'") != std::string::npos);
     for (const char* part :
-         {"id=\"run0\"", "id=\"bytes0\"", "id=\"run1\"", "id=\"bytes1\"", "class Viewer",
-          "class Chart", "id=\"slider\"", "\"termination\": \"normal\""})
+         {"id=\"run0\"", "id=\"bytes0\"", "id=\"run1\"", "id=\"bytes1\"", "id=\"frame0_1\"",
+          "class Viewer", "class Chart", "id=\"slider\"", "\"termination\": \"normal\""})
         CHECK(page.find(part) != std::string::npos);
-    for (const char* mark : {"@TITLE@", "@STYLE@", "@DATA@", "@SCRIPT@"})
+    for (const char* mark : {"@TITLE@", "@STYLE@", "@DATA@", "@SCRIPT@", "@FRAMES@"})
         CHECK(page.find(mark) == std::string::npos);
 }
 

@@ -1,7 +1,11 @@
 // What the page was given: runs as JSON and bytes, or a study's table.
 
+/** Frames but the first stand behind the scripts, so that those need not wait for them. */
+const wholePage = new Promise((go) => document.addEventListener("DOMContentLoaded", go));
+
 /** The bytes behind <script id>: base64 of deflate. */
 async function bytesOf(id) {
+    if (!document.getElementById(id)) await wholePage;
     const text = atob(document.getElementById(id).textContent.trim());
     const packed = new Uint8Array(text.length);
     for (let k = 0; k < text.length; ++k) packed[k] = text.charCodeAt(k);  // Uint8Array.from is many times slower
@@ -9,27 +13,38 @@ async function bytesOf(id) {
     return new Response(stream).arrayBuffer();
 }
 
-/** A run with its arrays in place; positions are summed up from their changes. */
+/** A run with its mesh, its histories and its first frame in place. */
 async function readRun(index) {
     const run = JSON.parse(document.getElementById(`run${index}`).textContent);
+    run.index = index;
+    const first = run.frames.length ? readFrame(run, 0) : null;
     const bytes = await bytesOf(`bytes${index}`);
     run.corners = new Uint32Array(bytes, run.corners_at, 3 * run.triangles);
     run.shellOf = new Uint32Array(bytes, run.shell_of_at, run.triangles);
-    let before = null;
-    for (const frame of run.frames) {
-        const x = new Uint16Array(bytes, frame.x, 3 * run.nodes);
-        if (before) for (let k = 0; k < x.length; ++k) x[k] += before[k];
-        before = frame.x = x;
-        frame.pressure = new Uint8Array(bytes, frame.pressure, run.shells);
-        frame.stress = new Uint8Array(bytes, frame.stress, run.shells);
-        frame.particles = new Uint16Array(bytes, frame.particles, 3 * frame.count);
-        frame.species = new Uint8Array(bytes, frame.species, frame.count);
-        frame.speed = new Uint8Array(bytes, frame.speed, frame.count);
-    }
     for (const history of run.histories) history.values = new Float32Array(bytes, history.at, run.rows);
     run.time = run.histories[0].values;
     run.parts = [...new Set(run.shell_part)];
+    await first;
     return run;
+}
+
+/** A frame with its arrays in place, and those before it: positions are summed up from their changes. */
+function readFrame(run, k) {
+    const frame = run.frames[k];
+    const read = async () => {
+        const last = k > 0 ? readFrame(run, k - 1) : null;
+        const bytes = await bytesOf(`frame${run.index}_${k}`), before = await last;
+        frame.x = new Uint16Array(bytes, frame.x, 3 * run.nodes);
+        if (before) for (let i = 0; i < frame.x.length; ++i) frame.x[i] += before.x[i];
+        for (const name of Object.keys(run.ranges))
+            if (name !== "speed") frame[name] = new Uint8Array(bytes, frame[name], run.shells);
+        frame.particles = new Uint16Array(bytes, frame.particles, 3 * frame.count);
+        frame.species = new Uint8Array(bytes, frame.species, frame.count);
+        frame.speed = new Uint8Array(bytes, frame.speed, frame.count);
+        frame.isRead = true;
+        return frame;
+    };
+    return frame.reading ??= read();
 }
 
 /** The frame that is nearest to t. */

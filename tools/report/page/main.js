@@ -50,12 +50,40 @@ class Page {
         this.is_due = false;
         const field = element("colour").value;
         for (const viewer of this.viewers) {
-            if (this.is_new) viewer.take(frameAt(viewer.run, this.t), field, element("dots").value);
+            if (this.is_new) this.take(viewer, frameAt(viewer.run, this.t), field);
             viewer.draw(element("cut").value / 1000);
         }
         if (this.is_new) for (const chart of this.charts) chart.draw(this.t);
         this.is_new = false;
-        for (const run of this.runs) drawLegend(run.legend, field === "part" ? null : run.ranges[field], run.units.pressure);
+        for (const run of this.runs) drawLegend(run.legend, run.ranges[field], run.units.pressure);
+    }
+
+    /** A frame that is not read yet is drawn when it is. */
+    take(viewer, k, field) {
+        if (viewer.run.frames[k].isRead) return viewer.take(k, viewer.run.ranges[field] ? field : "part", element("dots").value);
+        readFrame(viewer.run, k).then(() => this.renew(), failed);
+    }
+
+    renew() {
+        this.is_new = true;
+        this.ask();
+    }
+
+    /** Goes to t, and is there when the picture is. */
+    async visit(t) {
+        this.go(t);
+        await Promise.all(this.runs.map((run) => readFrame(run, frameAt(run, this.t))));
+        this.is_new = true;
+        this.draw();
+    }
+
+    /** Reads all frames, one after the other. */
+    async readAhead() {
+        for (const run of this.runs)
+            for (let k = 0; k < run.frames.length; ++k) {
+                await readFrame(run, k);
+                await new Promise((go) => setTimeout(go));
+            }
     }
 
     play() {
@@ -79,7 +107,7 @@ class Page {
     }
 
     listen() {
-        const renew = () => { this.is_new = true; this.ask(); };
+        const renew = () => this.renew();
         element("slider").addEventListener("input", (event) => this.go(event.target.value / 1000 * this.end));
         element("play").addEventListener("click", () => this.play());
         for (const id of ["colour", "dots"]) element(id).addEventListener("change", renew);
@@ -111,7 +139,13 @@ async function begin() {
     else window.page = new Page(runs);
     fillTables(element("tables"), runs);
     element("state").textContent = runs.map((run) => `${run.name}: ${run.termination}`).join("; ");
+    if (runs.length && !runs.some((run) => run.ranges.contact)) element("colour").querySelector("[value=contact]").remove();
     document.body.dataset.ready = "yes";
+    if (window.page) setTimeout(() => window.page.readAhead().catch(failed), 100);
 }
 
-begin().catch((why) => { element("state").textContent = `the page cannot be shown: ${why.message}`; });
+function failed(why) {
+    element("state").textContent = `the page cannot be shown: ${why.message}`;
+}
+
+begin().catch(failed);

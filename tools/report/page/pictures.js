@@ -17,8 +17,7 @@
     pen.font = "28px system-ui, sans-serif";
     for (let k = 0; k < count; ++k) {
         const frame = frames[count === 1 ? 0 : Math.round(k * (frames.length - 1) / (count - 1))];
-        window.page.go(frame.t);
-        window.page.draw();
+        await window.page.visit(frame.t);
         lines.push(`picture_${String(k).padStart(2, "0")}.png ${viewer.canvas.toDataURL("image/png")}`);
         const [x, y] = [k % columns * WIDTH, Math.floor(k / columns) * HEIGHT];
         pen.drawImage(viewer.canvas, x, y, WIDTH, HEIGHT);

@@ -76,7 +76,7 @@ class Viewer {
         }
     }
 
-    /** Takes what a frame shows: field is part, pressure or stress; dots species, speed or off. */
+    /** Takes what a frame shows: field is part, pressure, stress or contact; dots species, speed or off. */
     take(index, field, dots) {
         const {run, shells} = this, frame = run.frames[index];
         const partColour = new Map(run.parts.map((part, k) => [part, PART_COLOURS[k % PART_COLOURS.length]]));
