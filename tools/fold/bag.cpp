@@ -35,7 +35,7 @@ enum Piece { FRONT, BACK, MODULE, REINFORCEMENT, FRONT_VENT, BACK_VENT, TETHER }
 
 class Sewing {
 public:
-    Sewing(const Recipe& recipe, Sheet plan) : r_(recipe), plan_(std::move(plan)) {}
+    Sewing(const Recipe& recipe, Plan plan) : r_(recipe), plan_(std::move(plan)) {}
 
     Bag run() {
         check_tethers();
@@ -65,7 +65,7 @@ private:
     [[nodiscard]] double half_gap(const Vec3& X) const {
         double edge = INF, strip = INF;
         for (const auto& [a, b] : rim_)
-            edge = std::min(edge, distance_to_edge(X, plan_.X[a], plan_.X[b]));
+            edge = std::min(edge, distance_to_edge(X, plan_.back.X[a], plan_.back.X[b]));
         for (const Tether& t : r_.tethers)
             strip = std::min(strip, distance_outside(TetherStrip(t), X));
         const double open = std::min(1.0, edge / r_.pattern.closing);
@@ -73,28 +73,34 @@ private:
         return 0.5 * r_.pattern.gap * open * (1.0 + wide);
     }
 
-    Index add_node(std::size_t n, double z) {
+    Index add_node(const Sheet& plan, std::size_t n, double z) {
         Sheet& s = bag_.sheet;
-        s.X.push_back(plan_.X[n]);
-        s.x.emplace_back(plan_.X[n].x(), plan_.X[n].y(), z);
-        s.on.push_back(plan_.on[n]);
+        s.X.push_back(plan.X[n]);
+        s.x.emplace_back(plan.X[n].x(), plan.X[n].y(), z);
+        s.on.push_back(plan.on[n]);
         return static_cast<Index>(s.X.size()) - 1;
     }
 
+    void add_seam_node(std::size_t n) {
+        front_[n] = back_[n] = add_node(plan_.back, n, 0.0);
+        bag_.seam.push_back(front_[n]);
+        auto& on = bag_.sheet.on[front_[n]];
+        if (on.empty() || on.front() >= 0) on.insert(on.begin(), SEAM);
+    }
+
     void add_nodes() {
-        rim_ = rim_edges(plan_.cells);
+        rim_ = rim_edges(plan_.back.cells);
         std::set<Index> seam;
         for (const auto& [a, b] : rim_) seam.insert({a, b});
-        for (std::size_t n = 0; n < plan_.X.size(); ++n) {
-            const bool is_sewn = seam.contains(static_cast<Index>(n));
-            const double half = is_sewn ? 0.0 : half_gap(plan_.X[n]);
-            front_.push_back(add_node(n, half));
-            back_.push_back(is_sewn ? front_.back() : add_node(n, -half));
-            if (is_sewn) {
-                bag_.seam.push_back(front_.back());
-                auto& on = bag_.sheet.on[front_.back()];
-                if (on.empty() || on.front() >= 0) on.insert(on.begin(), SEAM);
+        front_.resize(plan_.front.X.size());
+        back_.resize(plan_.back.X.size());
+        for (std::size_t n = 0; n < std::max(front_.size(), back_.size()); ++n) {
+            if (seam.contains(static_cast<Index>(n))) {
+                add_seam_node(n);
+                continue;
             }
+            if (n < front_.size()) front_[n] = add_node(plan_.front, n, half_gap(plan_.front.X[n]));
+            if (n < back_.size()) back_[n] = add_node(plan_.back, n, -half_gap(plan_.back.X[n]));
         }
     }
 
@@ -108,40 +114,49 @@ private:
     }
 
     void add_panels() {
+        const auto add_front = [&](std::size_t e) {
+            add(plan_.front.cells[e], front_,
+                is_vent_of(plan_.front.part[e], true) ? FRONT_VENT : FRONT);
+        };
         std::set<Index> module;
-        for (std::size_t e = 0; e < plan_.cells.size(); ++e) {
-            const int region = plan_.part[e];
-            add(plan_.cells[e], front_, is_vent_of(region, true) ? FRONT_VENT : FRONT);
+        const auto add_back = [&](std::size_t e) {
+            const int region = plan_.back.part[e];
             Piece piece = BACK;
             if (is_vent_of(region, false)) piece = BACK_VENT;
             if (region == RING) piece = REINFORCEMENT;
             if (region == HOLE) piece = MODULE;
             if (region == HOLE || region == RING)
-                for (const Index n : plan_.cells[e]) module.insert(back_[n]);
-            if (region != HOLE || !r_.hole->is_open) add(plan_.cells[e], back_, piece);
+                for (const Index n : plan_.back.cells[e]) module.insert(back_[n]);
+            if (region != HOLE || !r_.hole->is_open) add(plan_.back.cells[e], back_, piece);
+        };
+        const std::size_t fronts = plan_.front.cells.size(), backs = plan_.back.cells.size();
+        for (std::size_t e = 0; e < std::max(fronts, backs); ++e) {
+            if (e < fronts) add_front(e);
+            if (e < backs) add_back(e);
         }
         bag_.module.assign(module.begin(), module.end());
     }
 
-    /// The panels' cells between, once more: their own nodes but for the two ends.
+    /// Its own nodes but for the two ends: these are the panels'.
     void add_tether(const Tether& t) {
         const TetherStrip strip(t);
+        const Sheet& plan = plan_.between;
         const double near = 0.45 * r_.pattern.element;  // lines of folds may have taken its edges
         const bool is_along_x = t.direction % 180 == 0;
         const int axis = is_along_x ? 0 : 1;
         const double way = t.direction < 180 ? 1.0 : -1.0;
         std::vector<std::size_t> cells;
         double first = INF, last = -INF;
-        for (std::size_t e = 0; e < plan_.cells.size(); ++e) {
-            const Cell& c = plan_.cells[e];
-            const Vec3 middle = (plan_.X[c[0]] + plan_.X[c[1]] + plan_.X[c[2]] +
-                                 (corner_count(c) == 4 ? plan_.X[c[3]] : plan_.X[c[2]])) /
+        for (std::size_t e = 0; e < plan.cells.size(); ++e) {
+            const Cell& c = plan.cells[e];
+            const Vec3 middle = (plan.X[c[0]] + plan.X[c[1]] + plan.X[c[2]] +
+                                 (corner_count(c) == 4 ? plan.X[c[3]] : plan.X[c[2]])) /
                                 4.0;
             if (!is_in(strip, middle, 0.0)) continue;
             cells.push_back(e);
             for (const Index n : c) {
-                first = std::min(first, way * plan_.X[n][axis]);
-                last = std::max(last, way * plan_.X[n][axis]);
+                first = std::min(first, way * plan.X[n][axis]);
+                last = std::max(last, way * plan.X[n][axis]);
             }
         }
         if (cells.empty() || last - first < 2.0 * near)
@@ -152,14 +167,14 @@ private:
         for (const std::size_t e : cells) {
             Cell c;
             for (int k = 0; k < 4; ++k) {
-                const Index n = plan_.cells[e][k];
-                const double at = way * plan_.X[n][axis];
+                const Index n = plan.cells[e][k];
+                const double at = way * plan.X[n][axis];
                 if (at < first + end)
                     c[k] = back_[n];
                 else if (at > last - end)
                     c[k] = front_[n];
                 else if (const auto [found, is_new] = own.try_emplace(n, 0); is_new)
-                    c[k] = found->second = add_node(n, 0.0);
+                    c[k] = found->second = add_node(plan, n, 0.0);
                 else
                     c[k] = found->second;
             }
@@ -183,7 +198,7 @@ private:
     static constexpr int SEAM = -1000000;  ///< a line that counts as curved: its nodes stay
 
     const Recipe& r_;
-    Sheet plan_;
+    Plan plan_;
     Bag bag_;
     std::vector<std::pair<Index, Index>> rim_;
     std::vector<Index> front_, back_;  ///< rows of the bag by those of the plan
@@ -202,9 +217,9 @@ void turn_front(Bag& bag) {
     }
 }
 
-Bag make_bag(const Recipe& recipe, const PlanLines& lines) {
+Bag make_bag(const Recipe& recipe, const PlanLines& lines, bool is_alike) {
     if (recipe.pattern.kind == PatternKind::DECK) return make_deck_bag(recipe);
-    return Sewing(recipe, make_plan(recipe, lines)).run();
+    return Sewing(recipe, make_plan(recipe, lines, is_alike)).run();
 }
 
 }  // namespace corpuscle::fold

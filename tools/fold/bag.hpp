@@ -24,8 +24,9 @@ struct Bag {
 /// Cuts and sews: the front lies above (+z) the back, half the gap on each side of z = 0, more
 /// where a tether lies between them, closing towards the seam. Seen from the front all cells run
 /// counter-clockwise, as imprint() wants them.
+/// @param is_alike  as make_plan() has it
 /// @throws InputError as make_plan(), or if tethers overlap
-[[nodiscard]] Bag make_bag(const Recipe& recipe, const PlanLines& lines);
+[[nodiscard]] Bag make_bag(const Recipe& recipe, const PlanLines& lines, bool is_alike = false);
 
 /// Turns the front's cells: all normals then point inward.
 void turn_front(Bag& bag);

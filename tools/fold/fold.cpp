@@ -14,10 +14,12 @@ namespace {
 /// How a mesh is made for the folds. Where the bends of oblique folds meet, facets are twisted, and
 /// meshes of layers that do not match may come too close: then another mesh helps, or a finer one.
 struct Way {
-    double snap;  ///< share of an edge that a node moves to a fold's border at most
-    int parts;    ///< of a band
+    double snap;    ///< share of an edge that a node moves to a fold's border at most
+    int parts;      ///< of a band
+    bool is_alike;  ///< each layer of the bag has the holes of all others in its mesh
 };
-constexpr std::array WAYS{Way{0.35, 1}, Way{0.25, 1}, Way{0.35, 2}, Way{0.25, 2}, Way{0.3, 3}};
+constexpr std::array WAYS{Way{0.35, 1, false}, Way{0.35, 1, true}, Way{0.25, 1, true},
+                          Way{0.35, 2, true},  Way{0.25, 2, true}, Way{0.3, 3, true}};
 /// Nodes on other lines that are nearer to a border than this share of an edge count as on it:
 /// slivers would be worse.
 constexpr double GIVES_WAY = 0.08;
@@ -153,7 +155,7 @@ bool cut_corners_inward(Panel panel, Bag& bag) {
 
 Bag fold_once(const Recipe& recipe, const std::vector<Move>& folds, Way way) {
     const double gap = recipe.pattern.gap;
-    Bag bag = make_bag(recipe, plan_lines(folds, gap, way.parts));
+    Bag bag = make_bag(recipe, plan_lines(folds, gap, way.parts), way.is_alike);
     int name = FIRST_NAME;
     const auto do_move = [&](const auto& fold) {
         for (const double border : borders(fold, way.parts))
@@ -184,7 +186,9 @@ void press_dish(double depth, Bag& bag) {
 /// The first way that does not cross, or the first.
 Bag best_of(const Recipe& recipe, const std::vector<Move>& folds) {
     Bag first;
+    const bool is_always_alike = recipe.vents.empty() && !recipe.hole;
     for (const auto& way : WAYS) {
+        if (is_always_alike && !way.is_alike) continue;
         const Bag bag = fold_once(recipe, folds, way);
         for (const Panel panel : {Panel::BACK, Panel::FRONT}) {
             Bag cut = bag;

@@ -24,9 +24,4 @@ struct Imprint {
 /// @returns for every cell of the sheet, -1 or 1: the side of the line that it is on
 std::vector<int> imprint(Sheet& sheet, Imprint line);
 
-/// Moves free nodes, and those on a line along it, to where their worst cell is better: `rounds`
-/// times over all nodes that have a cell below `wanted`.
-/// @param wanted  sine of a corner's angle [-]
-void smooth(Sheet& sheet, double wanted, int rounds);
-
 }  // namespace corpuscle::fold

@@ -26,9 +26,15 @@ struct TetherStrip {
     explicit TetherStrip(const Tether& tether);
 };
 
-/// One panel, flat, for a disc or a rectangle: quads on the lines and between them, the rim, the
-/// hole, its ring and the vents imprinted. `part` is the Region.
+/// Flat meshes of a disc or a rectangle: quads on the lines and between them, the rim imprinted.
+/// Nodes of the same row are at the same place but for those that holes have drawn near.
+struct Plan {
+    Sheet front, back;  ///< with their holes, ring and vents; `part` is the Region
+    Sheet between;      ///< for tethers: without
+};
+
+/// @param is_alike  panels and tethers get the holes of all, so that meshes of layers match
 /// @throws InputError if a hole, a vent or a tether is not within the pattern
-[[nodiscard]] Sheet make_plan(const Recipe& recipe, const PlanLines& lines);
+[[nodiscard]] Plan make_plan(const Recipe& recipe, const PlanLines& lines, bool is_alike);
 
 }  // namespace corpuscle::fold

@@ -74,9 +74,9 @@ void check_width(const Tuck& f, const Points& local, double gap, double size) {
     double over = 0.0;
     for (const Vec3& p : local) {
         if (p.x() <= f.line) continue;
-        Range t;  // of the bag within an element of where p comes to lie
+        Range t;  // of the bag within two elements, a long edge, of where p comes to lie
         for (const Vec3& q : local)
-            if (q.x() <= f.line && std::abs(q.x() - (2.0 * f.line - p.x())) < size)
+            if (q.x() <= f.line && std::abs(q.x() - (2.0 * f.line - p.x())) < 2.0 * size)
                 t.include(q.y());
         over = std::max({over, p.y() - t.high, t.low - p.y()});
     }

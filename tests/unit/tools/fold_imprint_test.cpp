@@ -1,6 +1,7 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 #include "tools/fold/imprint.hpp"
+#include "tools/fold/improve.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -83,8 +84,15 @@ TEST_CASE("a circle is imprinted with its area and without slivers", "[fold]") {
     for (const Vec3& X : s.X) line.level.push_back(X.norm() - radius);
     const std::vector<int> side = imprint(s, line);
     CHECK(area(s, side, -1) == Approx(std::numbers::pi * radius * radius).epsilon(0.03));
-    smooth(s, 0.5, 10);
+    const double size = 2.0 / 30.0;
+    const Freedom freedom{{{-1, line.settle}}, {}};
+    smooth(s, 0.28 * size, 8, freedom);
+    collapse_short_edges(s, 0.17 * size, freedom);
+    smooth(s, 0.28 * size, 8, freedom);
     CHECK(least_quality(s) > 0.17);  // 10 degrees
+    double least = 1.0;
+    for (const Cell& c : s.cells) least = std::min(least, reach(c, s.X));
+    CHECK(least > 0.17 * size);
     for (std::size_t n = 0; n < s.X.size(); ++n)
         for (const int name : s.on[n])
             if (name == 1 || name == 2)
