@@ -201,53 +201,46 @@ void RigidBody::take(const contact::RigidMover& moved, double dt, double span,
     carry(dt, nodes);
 }
 
-/// V by the impulses of the holds, along their axes H alone: Hᵀ (V + H m) = what they hold.
-void RigidBody::hold_translation(double t, double dt, double span) {
-    held_moves_.clear();
-    std::vector<Vec3> axes;
-    std::vector<double> target;
+/// What holds translation, or rotation, now; motions go before fixed axes along which they lead.
+RigidBody::Holds RigidBody::holds(bool rotation, double t, double dt, double span) {
+    Holds now;
     const auto hold = [&](const Vec3& axis, double rate) {
-        const std::size_t before = held_moves_.size();
-        add_axis(held_moves_, axis);
-        if (held_moves_.size() == before) return;  // held already
-        axes.push_back(axis);
-        target.push_back(rate);
+        const std::size_t before = now.orthonormal.size();
+        add_axis(now.orthonormal, axis);
+        if (now.orthonormal.size() == before) return;  // held already
+        now.axes.push_back(axis);
+        now.rates.push_back(rate);
     };
     for (Motion& motion : motions_)
-        if (!motion.rotation && motion.curve.is_active(t))
+        if (motion.rotation == rotation && motion.curve.is_active(t))
             hold(motion.axis, motion.curve.velocity(t, dt, span));
+    const unsigned fixed = rotation ? fixed_turns_ : fixed_moves_;
     for (int a = 0; a < 3; ++a)
-        if (fixed_moves_ & (1U << a)) hold(fixed_axes_.col(a), 0.0);
-    if (axes.empty()) return;
-    const Axes H = columns(axes);
-    velocity_ += H * (H.transpose() * H).ldlt().solve(wanted(target) - H.transpose() * velocity_);
+        if (fixed & (1U << a)) hold(fixed_axes_.col(a), 0.0);
+    return now;
+}
+
+/// V by the impulses of the holds, along their axes H alone: Hᵀ (V + H m) = what they hold.
+void RigidBody::hold_translation(double t, double dt, double span) {
+    const Holds now = holds(false, t, dt, span);
+    held_moves_ = now.orthonormal;
+    if (now.axes.empty()) return;
+    const Axes H = columns(now.axes);
+    velocity_ +=
+        H * (H.transpose() * H).ldlt().solve(wanted(now.rates) - H.transpose() * velocity_);
 }
 
 /// L by the moments of the holds, along their axes H alone: Hᵀ I⁻¹ (L + H m) = what they hold.
 void RigidBody::hold_rotation(double t, double dt, double span) {
-    held_turns_.clear();
-    std::vector<double> target;
-    const auto hold = [&](const Vec3& axis, double rate) {
-        std::vector<Vec3> orthogonal;
-        for (const Vec3& h : held_turns_) add_axis(orthogonal, h);
-        const std::size_t before = orthogonal.size();
-        add_axis(orthogonal, axis);
-        if (orthogonal.size() == before) return;  // held already
-        held_turns_.push_back(axis);
-        target.push_back(rate);
-    };
-    for (Motion& motion : motions_)
-        if (motion.rotation && motion.curve.is_active(t))
-            hold(motion.axis, motion.curve.velocity(t, dt, span));
-    for (int a = 0; a < 3; ++a)
-        if (fixed_turns_ & (1U << a)) hold(fixed_axes_.col(a), 0.0);
-    if (held_turns_.empty()) return;
-    const Axes H = columns(held_turns_);
+    const Holds now = holds(true, t, dt, span);
+    held_turns_ = now.axes;
+    if (now.axes.empty()) return;
+    const Axes H = columns(now.axes);
     const Mat3 inverse = inverse_inertia();
     const Eigen::VectorXd moment =
         (H.transpose() * inverse * H)
             .ldlt()
-            .solve(wanted(target) - H.transpose() * (inverse * angular_momentum_));
+            .solve(wanted(now.rates) - H.transpose() * (inverse * angular_momentum_));
     angular_momentum_ += H * moment;
 }
 

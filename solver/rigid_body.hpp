@@ -96,6 +96,12 @@ private:
     void carry(double dt, fabric::Nodes& nodes);
     [[nodiscard]] Vec3 spin_of(const Eigen::Quaterniond& turn, const Vec3& momentum) const;
     [[nodiscard]] Eigen::Quaterniond turned(double dt) const;
+    struct Holds {
+        std::vector<Vec3> axes;         ///< independent
+        std::vector<Vec3> orthonormal;  ///< that span the same
+        std::vector<double> rates;      ///< along the axes
+    };
+    [[nodiscard]] Holds holds(bool rotation, double t, double dt, double span);
     void hold_translation(double t, double dt, double span);
     void hold_rotation(double t, double dt, double span);
     [[nodiscard]] Mat3 inverse_inertia() const;

@@ -154,7 +154,8 @@ void find_owners(Draft& draft) {
     for (const Shell& shell : model.shells)
         if (shell.part >= 0 && is_rigid(draft, shell.part))
             for (const Index node : shell.nodes)
-                if (node >= 0) draft.rigid_owner[static_cast<std::size_t>(node)] = lead_of(draft, shell.part);
+                if (node >= 0)
+                    draft.rigid_owner[static_cast<std::size_t>(node)] = lead_of(draft, shell.part);
     for (const RigidExtraNode& extra : model.rigid_extra_nodes)
         draft.rigid_owner[static_cast<std::size_t>(extra.node)] = lead_of(draft, extra.part);
 }

@@ -184,8 +184,10 @@ std::string did_you_mean(std::string_view keyword) {
     return std::string(meant);
 }
 
-/// A keyword that is skipped may still be a slip of the pen.
-std::string misspelt(std::string_view keyword) {
+/// A keyword that is skipped may have been answered elsewhere, or be a slip of the pen.
+std::string remark_on(std::string_view keyword) {
+    if (keyword.starts_with("DATABASE_BINARY_INTFOR"))
+        return "; contact pressure is in every frame of results.h5";
     constexpr std::size_t SLIP = 2;
     constexpr std::size_t LONGEST = 60;
     if (keyword.size() > LONGEST) return {};
@@ -215,7 +217,7 @@ Match find(std::string_view keyword) {
                                     ? ""
                                     : fmt::format(" with no suffix but {}", entry->options))};
     }
-    if (begins_with_any(keyword, HARMLESS)) return {nullptr, {}, true, misspelt(keyword)};
+    if (begins_with_any(keyword, HARMLESS)) return {nullptr, {}, true, remark_on(keyword)};
     if (const std::string meant = did_you_mean(keyword); !meant.empty())
         return {nullptr, {}, false, fmt::format("is not supported, did you mean *{}?", meant)};
     const bool is_later = begins_with_any(keyword, LATER);

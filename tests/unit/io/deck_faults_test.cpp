@@ -76,6 +76,8 @@ TEST_CASE("a keyword that is not supported is a fault, or a warning when it cann
     CHECK(model.warnings.size() == 3);
     CHECK(any_contains(folder.read(small_deck("*DATABASE_GLSTTA\n1\n")).warnings,
                        "cannot change the answer (did you mean *DATABASE_GLSTAT?)"));
+    CHECK(any_contains(folder.read(small_deck("*DATABASE_BINARY_INTFOR\n1\n")).warnings,
+                       "contact pressure is in every frame"));
 }
 
 TEST_CASE("too few cards are a fault, and so are too many", "[io]") {
