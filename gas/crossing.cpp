@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdint>
 #include <cstring>
 #include <utility>
 
@@ -51,7 +52,7 @@ struct Corners {
     [[nodiscard]] Four size() const {
         Four most{};
         for (const Four& a : along) {
-            const Four size = a < 0.0 ? -a : a;
+            const Four size = lanes::absolute(a);
             most = size > most ? size : most;
         }
         return most;
@@ -88,19 +89,6 @@ struct Prism {
         out.size = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
         return out;
     }
-
-    /// Are all corners on one side of the plane through the origin that is parallel to the triangle
-    /// at t, and farther from it than rounding can be wrong? Cost: one cross product, six dot
-    /// products.
-    [[nodiscard]] bool is_on_one_side() const {
-        constexpr double ROUNDING = 1e-13;  // of the products below, generously
-        const Vec3 first = a[0], n = (b[0] - first).cross(a[2] - first);
-        const double slack = ROUNDING * size * n.lpNorm<1>();
-        const Corners normal{{lanes::all(n[0]), lanes::all(n[1]), lanes::all(n[2])}};
-        const Four above = lanes::all(slack), h_a = dot(normal, a), h_b = dot(normal, b);
-        return (greater(h_a, above) & greater(h_b, above)) == 0xfU ||
-               (greater(-above, h_a) & greater(-above, h_b)) == 0xfU;
-    }
 };
 
 /// Faces of the three tetrahedra; vertices in ascending order, so that neighbours compute the same
@@ -127,11 +115,25 @@ constexpr std::array<Piece, 3> PIECES = {{
     {{0, 3, 4, 5}, {F345, F045, F035, F034}},
 }};
 
+/// In which pieces the origin lies, a bit each, by the signs of the faces: weights are ± the face
+/// determinants, with alternating signs.
+constexpr auto PIECES_AROUND = [] {
+    std::array<std::uint8_t, 1U << FACES> out{};
+    for (unsigned signs = 0; signs < out.size(); ++signs)
+        for (unsigned p = 0; p < 3; ++p) {
+            const auto& face = PIECES[p].face;
+            const auto sign = [&](int i) { return signs >> face[i] & 1U; };
+            if (sign(0) != sign(1) && sign(1) != sign(2) && sign(2) != sign(3))
+                out[signs] |= static_cast<std::uint8_t>(1U << p);
+        }
+    return out;
+}();
+
 /// |i j k| of all faces, i · (j × k), and a bit each: is it positive? The sign is exact.
 struct Faces {
     std::array<double, 3 * lanes::LANES> value;
     unsigned is_positive;
-    [[nodiscard]] bool sign(Face f) const { return (is_positive >> f & 1U) != 0; }
+    [[nodiscard]] unsigned pieces() const { return PIECES_AROUND[is_positive % (1U << FACES)]; }
 };
 
 /// Four cross products side by side, 0 × 1, 4 × 5, 2 × 5, 0 × 3, and three rows of dot products
@@ -177,18 +179,13 @@ std::optional<Crossing> cross(const Path& path, const Triangle& triangle, const 
     const auto order = ascending(triangle);
     const Prism prism = Prism::seen_by(
         path, {triangle[order[0]], triangle[order[1]], triangle[order[2]]}, x_0, x_1);
-    if (prism.is_on_one_side()) return std::nullopt;
 
     const Faces faces = faces_of(prism);
     std::optional<Crossing> first;
-    for (int p = 0; p < 3; ++p) {
+    for (unsigned around = faces.pieces(); around != 0; around &= around - 1) {
+        const int p = std::countr_zero(around);
         if (p == ignored) continue;
         const auto& [corner, face] = PIECES[p];
-        // Barycentric weights of the origin are ± the face determinants, with alternating signs.
-        const bool inside = (faces.sign(face[0]) != faces.sign(face[1])) &
-                            (faces.sign(face[1]) != faces.sign(face[2])) &
-                            (faces.sign(face[2]) != faces.sign(face[3]));
-        if (!inside) continue;
         double total = 0.0, late = 0.0;
         for (int i = 0; i < 4; ++i) {
             const double weight = std::abs(faces.value[face[i]]);

@@ -34,8 +34,8 @@ struct Crossing {
 /// agree: a path never slips through an edge or a corner.
 ///
 /// Returns the earliest crossing later than `after`, not counting piece `ignored` (that the path
-/// has just been reflected by: a straight path meets a plane once). Cost: a plane test; then ten
-/// determinants, by fours.
+/// has just been reflected by: a straight path meets a plane once). Cost: ten determinants, by
+/// fours.
 std::optional<Crossing> cross(const Path& path, const Triangle& triangle, const Vec3* x_0,
                               const Vec3* x_1, double after = -1.0, int ignored = -1);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "solver/base/parallel.hpp"
 
@@ -22,6 +23,11 @@ float height(const Quad& normal, const Quad& x) {
     return normal[0] * x[0] + normal[1] * x[1] + normal[2] * x[2];
 }
 
+/// At t, at t + dt.
+std::pair<Quad, Quad> halves(const Eight& a) {
+    return {Quad{a[0], a[1], a[2], a[3]}, Quad{a[4], a[5], a[6], a[7]}};
+}
+
 Quad cross_product(const Quad& a, const Quad& b) {
     using Ints = std::int32_t __attribute__((vector_size(16)));
     constexpr Ints NEXT{1, 2, 0, 3};
@@ -38,14 +44,12 @@ void FacetBounds::update(const FacetLists& lists, std::span<const Vec3> x_0,
     size_ = half.maxCoeff();
     const std::span<const Triangle> triangles = lists.triangles();
     const auto nodes = static_cast<std::size_t>(lists.nodes().back()) + 1;
-    small_0_.resize(nodes);
-    small_1_.resize(nodes);
+    node_.resize(nodes);
     parallel::for_each(lists.nodes().size(), [&](std::size_t i) {
         const Index n = lists.nodes()[i];
         const Eigen::Vector3f a = (x_0[n] - origin_).cast<float>(),
                               b = (x_1[n] - origin_).cast<float>();
-        small_0_[n] = Quad{a[0], a[1], a[2], 0.0F};
-        small_1_[n] = Quad{b[0], b[1], b[2], 0.0F};
+        node_[n] = Eight{a[0], a[1], a[2], 0.0F, b[0], b[1], b[2], 0.0F};
     });
 
     // Half the slack of paths is for what a facet at t strays from its plane, all by rounding.
@@ -55,8 +59,9 @@ void FacetBounds::update(const FacetLists& lists, std::span<const Vec3> x_0,
         triangles.size(),
         [&](std::size_t f) {
             const auto& [i, j, k] = triangles[f];
-            const Quad &a = small_0_[i], &b = small_0_[j], &c = small_0_[k];
-            const Quad &d = small_1_[i], &e = small_1_[j], &g = small_1_[k];
+            const auto [a, d] = halves(node_[i]);
+            const auto [b, e] = halves(node_[j]);
+            const auto [c, g] = halves(node_[k]);
             const auto least = [](const Quad& p, const Quad& q) { return p < q ? p : q; };
             const auto most = [](const Quad& p, const Quad& q) { return p > q ? p : q; };
             const Quad low = least(least(least(a, b), c), least(least(d, e), g)),
@@ -76,6 +81,8 @@ void FacetBounds::update(const FacetLists& lists, std::span<const Vec3> x_0,
             bound.at_0 = low_0;
             bound.low_1 = low_1;
             bound.high_1 = high_1;
+            const Quad side = -less - low;
+            bound.size = std::max({side[0], side[1], side[2]});
         },
         parallel::CHUNK);
 }

@@ -91,7 +91,8 @@ Meeting first_meeting(const Scene& scene, const Path& path, const Vec3& from, do
             for (; near != 0; near &= near - 1) {
                 const Index facet =
                     facets[begin + static_cast<std::size_t>(std::countr_zero(near))];
-                if (!bounds[facet].is_missed_by(small))
+                if (!bounds[facet].is_missed_by(small) &&
+                    !bounds.is_passed_beside(facet, scene.triangles[facet], small))
                     meet(scene, path, facet, after, last, first);
             }
         }

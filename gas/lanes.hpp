@@ -30,6 +30,12 @@ inline Four load(const double* from) {
     return out;
 }
 
+inline Four absolute(const Four& a) {
+    constexpr std::int64_t REST = INT64_MAX;  // all bits but the sign
+    return reinterpret_cast<Four>(reinterpret_cast<const FourBits&>(a) &
+                                  FourBits{REST, REST, REST, REST});
+}
+
 /// Four points x y z x, y z x y, z x y z as columns.
 inline std::array<Four, 3> columns(const Four& a, const Four& b, const Four& c) {
     constexpr FourBits ONE{0, -1, 0, 0}, TWO{0, 0, -1, 0}, OUTER{-1, 0, 0, -1};
