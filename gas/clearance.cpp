@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/patches.hpp"
+#include "gas/each_block.hpp"
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {
@@ -20,8 +21,6 @@ constexpr double ROUNDING = 2e-6;
 
 /// Cells to the next with facets, from which on it is not worth knowing how many.
 constexpr std::uint8_t FAR = 5;
-
-constexpr std::size_t BLOCKS_A_CHUNK = 1;
 
 /// A little more, so that normals sum up to no more than one.
 float sum_of_components(const std::array<float, 3>& a) {
@@ -44,37 +43,25 @@ void Clearance::build(std::span<const Triangle> triangles, std::span<const Vec3>
     sort_by_block(triangles, x);
     const std::size_t blocks = start_.size() - 1;
     off_.assign(grid_.size(), FAR);
-    parallel::for_chunks(
-        blocks,
-        [&](std::size_t begin, std::size_t end, std::size_t) {
-            BlockOfCells block;
-            for (std::size_t b = begin; b < end; ++b) {
-                enter(b, block);
-                for (const int cell : block.cells()) off_[block.row(cell)] = 0;
-            }
-        },
-        BLOCKS_A_CHUNK);
+    for_each_block(blocks, [&](std::size_t b, BlockOfCells& block) {
+        enter(b, block);
+        for (const int cell : block.cells()) off_[block.row(cell)] = 0;
+    });
     number_cells();
     free_.clear();
     for (int k = 0; k < FAR; ++k)
         free_.push_back(reach_ + static_cast<float>((1.0 - ON_THE_FACE) * k * grid_.edge));
-    parallel::for_chunks(
-        blocks,
-        [&](std::size_t begin, std::size_t end, std::size_t) {
-            BlockOfCells block;
-            for (std::size_t b = begin; b < end; ++b) {
-                enter(b, block);
-                block.sort();
-                block.take_corners(triangles, x, x);
-                for (const int cell : block.cells()) {
-                    Slab& slab = slab_[row_[block.row(cell)]];
-                    static_cast<Planes&>(slab) = block.planes(cell, sum_of_components);
-                    slab.low -= static_cast<float>(rounding);
-                    slab.high += static_cast<float>(rounding);
-                }
-            }
-        },
-        BLOCKS_A_CHUNK);
+    for_each_block(blocks, [&](std::size_t b, BlockOfCells& block) {
+        enter(b, block);
+        block.sort();
+        block.take_corners(triangles, x, x);
+        for (const int cell : block.cells()) {
+            Slab& slab = slab_[row_[block.row(cell)]];
+            static_cast<Planes&>(slab) = block.planes(cell, sum_of_components);
+            slab.low -= static_cast<float>(rounding);
+            slab.high += static_cast<float>(rounding);
+        }
+    });
 }
 
 /// Each facet into the blocks that its box overlaps, by `reach` larger. In the order of facets.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "gas/each_block.hpp"
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {
@@ -19,8 +20,7 @@ constexpr double ON_THE_FACE = 1e-4;
 /// Of the grid's size: heights in single precision may be wrong by less.
 constexpr double ROUNDING = 2e-6;
 
-/// Some hundred facets each.
-constexpr std::size_t BLOCKS_A_CHUNK = 1, PATCHES_A_CHUNK = 8;
+constexpr std::size_t PATCHES_A_CHUNK = 8;  ///< some hundred facets
 
 /// Without squares that a small unit of length would bring to naught.
 float length(const std::array<float, 3>& a) {
@@ -66,17 +66,11 @@ void FacetLists::build(const Grid& grid, std::span<const Vec3> x_0, std::span<co
     pair_blocks_with_patches(x_0, x_1);
 
     // Room first: entries and slabs of each block, then where each block's begin.
-    parallel::for_chunks(
-        block_.size() - 1,
-        [&](std::size_t begin, std::size_t end, std::size_t) {
-            BlockOfCells block;
-            for (std::size_t b = begin; b < end; ++b) {
-                enter(b, block);
-                block_[b].facet = block.entries();
-                block_[b].slab = block.cells().size();
-            }
-        },
-        BLOCKS_A_CHUNK);
+    for_each_block(block_.size() - 1, [&](std::size_t b, BlockOfCells& block) {
+        enter(b, block);
+        block_[b].facet = block.entries();
+        block_[b].slab = block.cells().size();
+    });
     std::size_t facets = 0, slabs = 1;
     for (Block& b : block_) {
         facets += std::exchange(b.facet, facets);
@@ -86,13 +80,8 @@ void FacetLists::build(const Grid& grid, std::span<const Vec3> x_0, std::span<co
     slab_.resize(slabs);
     slab_[0] = {};
     slab_row_.assign(grid_.size(), 0);
-    parallel::for_chunks(
-        block_.size() - 1,
-        [&](std::size_t begin, std::size_t end, std::size_t) {
-            BlockOfCells block;
-            for (std::size_t b = begin; b < end; ++b) fill(b, x_0, x_1, block);
-        },
-        BLOCKS_A_CHUNK);
+    for_each_block(block_.size() - 1,
+                   [&](std::size_t b, BlockOfCells& block) { fill(b, x_0, x_1, block); });
     clearance_.build(triangles_, x_1, grid, CLEARANCE_CELL * grid.edge, reach);
 }
 
