@@ -1,7 +1,8 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 //
-// Claim: `corpuscle check` names the pairs of shells that cross or are too close at the start.
+// Claim: `corpuscle check` names the pairs of shells that cross or are too close at the start, and
+// says whether particles are too few.
 
 #include <catch2/catch.hpp>
 
@@ -29,8 +30,9 @@ std::string deck(double height_of_2) {
            "*CONTACT_AIRBAG_SINGLE_SURFACE\n0,0,5\n\n\n*END\n";
 }
 
-std::string check(const std::filesystem::path& file) {
-    const std::string command = CORPUSCLE_PROGRAM " check '" + file.string() + "' 2>&1";
+std::string check(const std::filesystem::path& file, const std::string& options = "") {
+    const std::string command =
+        CORPUSCLE_PROGRAM " check '" + file.string() + "' " + options + " 2>&1";
     FILE* const pipe = popen(command.c_str(), "r");
     REQUIRE(pipe != nullptr);
     std::string text;
@@ -52,4 +54,12 @@ TEST_CASE("check names the shells that cross and those that are too close at the
     const std::string apart = check(folder.write("apart.k", deck(0.01)));
     CHECK_THAT(apart, Contains("contact at the start:"));
     CHECK_THAT(apart, !Contains("crossed"));
+}
+
+TEST_CASE("check says whether a bag has particles enough, and how many would be", "[contact]") {
+    using Catch::Contains;
+    const auto deck =
+        std::filesystem::path(CORPUSCLE_MODELS) / "driver_bag_folded" / "driver_bag_folded.k";
+    CHECK_THAT(check(deck, "-D NP=10000"), Contains("too few") && Contains("NP = "));
+    CHECK_THAT(check(deck, "-D NP=100000"), Contains("enough") && !Contains("too few"));
 }

@@ -28,14 +28,16 @@ def main():
     times = run["frames/time"][:]
     shells = run["mesh/shell_nodes"][:][run["mesh/shell_part"][:] != HOUSING]
     instants = [t for t in INSTANTS if t <= times[-1] * (1 + 1e-6)]
-    half = max(150.0, np.abs(run[f"frames/{len(times) - 1:05d}/coordinates"][:]).max())
+    last = run[f"frames/{int(np.abs(times - instants[-1]).argmin()):05d}/coordinates"][:]
+    half = max(100.0, np.abs(last[:, :2]).max(), 0.5 * last[:, 2].max() + 15.0)
     figure = plt.figure(figsize=(2.6 * len(instants), 3.2))
     for i, t in enumerate(instants):
         axes = figure.add_subplot(1, len(instants), i + 1, projection="3d")
         frame = int(np.abs(times - t).argmin())
         draw(axes, run[f"frames/{frame:05d}/coordinates"][:].astype(float), shells)
         axes.set(xlim=(-half, half), ylim=(-half, half), zlim=(-30, 2 * half - 30),
-                 box_aspect=(1, 1, 1), title=f"{times[frame]:.1f} ms")
+                 title=f"{times[frame]:.1f} ms")
+        axes.set_box_aspect((1, 1, 1), zoom=1.45)
         axes.view_init(15, -60)
         axes.set_axis_off()
     save(figure, "driver_bag_folded", "driver_bag_folded.png")

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "tools/fold/imprint.hpp"
+#include "tools/fold/improve.hpp"
 #include "tools/fold/inspect.hpp"
 
 namespace corpuscle::fold {
@@ -23,6 +24,10 @@ constexpr std::array WAYS{Way{0.35, 1, false}, Way{0.35, 1, true}, Way{0.25, 1, 
 /// Nodes on other lines that are nearer to a border than this share of an edge count as on it:
 /// slivers would be worse.
 constexpr double GIVES_WAY = 0.08;
+/// Of an element: reach of cells that lose an edge once all is folded; how far lines move for it;
+/// what is left as it is round a crossing. And how often that is tried.
+constexpr double TOO_SMALL = 0.15, SLACK = 0.12, ROUND_CROSSING = 1.5;
+constexpr int TRIES = 6;
 constexpr int FIRST_NAME = 2000000;
 
 /// All moves, with the bands that the draft needs.
@@ -165,7 +170,6 @@ Bag fold_once(const Recipe& recipe, const std::vector<Move>& folds, Way way) {
         apply(fold, gap, bag.sheet.x);
     };
     for (const Move& move : folds) std::visit(do_move, move);
-    turn_front(bag);
     return bag;
 }
 
@@ -183,6 +187,31 @@ void press_dish(double depth, Bag& bag) {
             for (Points* at : {&bag.sheet.x, &bag.sheet.X}) (*at)[n].z() -= depth;
 }
 
+/// Slivers drawn together, but for places where layers would cross by it.
+/// @param bag  before its corners are cut
+/// @param cut  after that: what is left if nothing helps
+Bag without_slivers(const Bag& bag, Panel panel, double size, Bag cut) {
+    Points spots;
+    const Freedom freedom{{}, [&](const Vec3& X) {
+                              return std::none_of(spots.begin(), spots.end(), [&](const Vec3& s) {
+                                  return (X - s).norm() < ROUND_CROSSING * size;
+                              });
+                          }};
+    for (int k = 0; k < TRIES; ++k) {
+        Bag tried = bag;
+        if (collapse({TOO_SMALL * size, SLACK * size, sewn_nodes(bag)}, freedom, tried.sheet) == 0)
+            return cut;
+        drop_loose_nodes(tried.sheet, {&tried.seam, &tried.module});
+        cut_corners_inward(panel, tried);
+        const auto crossings = crossing_cells(tried.sheet);
+        if (crossings.empty()) return tried;
+        for (const auto& [a, b] : crossings)
+            for (const Index cell : {a, b})
+                for (const Index n : tried.sheet.cells[cell]) spots.push_back(tried.sheet.X[n]);
+    }
+    return cut;
+}
+
 /// The first way that does not cross, or the first.
 Bag best_of(const Recipe& recipe, const std::vector<Move>& folds) {
     Bag first;
@@ -193,7 +222,8 @@ Bag best_of(const Recipe& recipe, const std::vector<Move>& folds) {
         for (const Panel panel : {Panel::BACK, Panel::FRONT}) {
             Bag cut = bag;
             const bool is_cut = cut_corners_inward(panel, cut);
-            if (crossing_cells(cut.sheet).empty()) return cut;
+            if (crossing_cells(cut.sheet).empty())
+                return without_slivers(bag, panel, recipe.pattern.element, std::move(cut));
             if (first.sheet.x.empty()) first = std::move(cut);
             if (!is_cut) break;  // no corner: the other panel is no other way
         }
@@ -207,6 +237,7 @@ Bag fold(const Recipe& recipe) {
     const std::vector<Move> folds =
         plan_folds(recipe, make_bag(recipe, {}).sheet.x, recipe.pattern.element);
     Bag best = best_of(recipe, folds);
+    turn_front(best);
     if (recipe.hole && recipe.hole->depth > 0.0) press_dish(recipe.hole->depth, best);
     return best;
 }

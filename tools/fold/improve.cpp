@@ -92,13 +92,14 @@ constexpr double LEAST_OF_QUAD = 0.3;  ///< quality below which it is cut [-]
 
 class Collapser {
 public:
-    Collapser(Sheet& sheet, double too_small, const Freedom& freedom)
+    Collapser(const ShortEdges& edges, const Freedom& freedom, Sheet& sheet)
         : sheet_(sheet),
-          too_small_(too_small),
+          edges_(edges),
           freedom_(freedom),
           near_(neighbours(sheet)),
           rim_(sheet.X.size(), 0) {
         for (const auto& [a, b] : rim_edges(sheet.cells)) rim_[a] = rim_[b] = 1;
+        is_seam_ = edges.is_seam.empty() ? rim_ : edges.is_seam;
     }
 
     int run() {
@@ -150,21 +151,33 @@ private:
         // along a rim or the border of a region, never across what lies between two of them
         if (is_border && !(shared == 1 || (shared == 2 && parts[0] != parts[1]))) return false;
         if (rim_[a] && shared != 1) return false;
-        return true;
+        return is_border || is_of_one_part(a);
+    }
+
+    [[nodiscard]] bool is_of_one_part(Index n) const {
+        const auto part = [&](Index e) { return sheet_.part[e]; };
+        return std::all_of(near_.cells[n].begin(), near_.cells[n].end(),
+                           [&](Index e) { return part(e) == part(near_.cells[n].front()); });
+    }
+
+    /// Whether a may go to b.
+    [[nodiscard]] bool may_go(Index a, Index b) const {
+        if ((is_seam_[a] && !is_seam_[b]) || !may_move(sheet_.X[a], freedom_)) return false;
+        const auto &of_a = sheet_.on[a], &of_b = sheet_.on[b];
+        return is_within(of_a, of_b) ||
+               (of_a.size() <= of_b.size() && (sheet_.X[a] - sheet_.X[b]).norm() < edges_.slack);
     }
 
     bool draw(Index a, Index b) {
-        if (!is_within(sheet_.on[a], sheet_.on[b]) || (rim_[a] && !rim_[b]) ||
-            !may_move(sheet_.X[a], freedom_))
-            return false;
+        if (!may_go(a, b)) return false;
         const double before = least_reach(near_.cells[a], sheet_);
-        if (before >= too_small_) return false;
+        if (before >= edges_.too_small) return false;
         std::vector<std::pair<Index, Cell>> after;
         if (!cells_after(a, b, after)) return false;
         double least = INF;
         for (const auto& [e, cell] : after) {
             if (cell[0] < 0) continue;
-            if (is_flat_on_rim(cell)) return false;
+            if (lies_on_seam(cell)) return false;
             least = std::min(least, reach(cell, sheet_.X));
         }
         if (least <= before) return false;
@@ -172,10 +185,10 @@ private:
         return true;
     }
 
-    /// All its corners on the rim: it would lie on the other panel's.
-    [[nodiscard]] bool is_flat_on_rim(const Cell& c) const {
+    /// All its corners, or a diagonal, on the seam: it would lie on the other panel's.
+    [[nodiscard]] bool lies_on_seam(const Cell& c) const {
         int inner = 0;
-        for (int k = 0; k < corner_count(c); ++k) inner += rim_[c[k]] ? 0 : 1;
+        for (int k = 0; k < corner_count(c); ++k) inner += is_seam_[c[k]] ? 0 : 1;
         return inner == 0 || (corner_count(c) == 4 && inner < 2);
     }
 
@@ -197,10 +210,10 @@ private:
     }
 
     Sheet& sheet_;
-    double too_small_;
+    const ShortEdges& edges_;
     const Freedom& freedom_;
     Neighbours near_;
-    std::vector<char> rim_, touched_;
+    std::vector<char> rim_, is_seam_, touched_;
 };
 
 }  // namespace
@@ -225,9 +238,9 @@ void smooth(Sheet& sheet, double wanted, int rounds, const Freedom& freedom) {
         for (const double share : {0.4, 0.2, 0.1, 0.05}) smoother.round(wanted, share * wanted);
 }
 
-int collapse_short_edges(Sheet& sheet, double too_small, const Freedom& freedom) {
+int collapse(const ShortEdges& edges, const Freedom& freedom, Sheet& sheet) {
     int count = 0;
-    while (const int more = Collapser(sheet, too_small, freedom).run()) {
+    while (const int more = Collapser(edges, freedom, sheet).run()) {
         count += more;
         std::size_t kept = 0;
         for (std::size_t e = 0; e < sheet.cells.size(); ++e)

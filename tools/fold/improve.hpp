@@ -29,10 +29,16 @@ struct Freedom {
 /// line along it. Nodes whose cells have more than `wanted` stay.                               [m]
 void smooth(Sheet& sheet, double wanted, int rounds, const Freedom& freedom);
 
-/// Draws short edges together, where no line has to move for it and the least reach of all cells
-/// that it changes becomes greater. A node goes to another that is on all of its lines.
-/// @param too_small  cells with more than this are left alone [m]
+/// Which edges are short, and what stands in the way.
+struct ShortEdges {
+    double too_small;    ///< cells whose reach is more are left alone                     [m]
+    double slack = 0.0;  ///< how far a straight line may be moved                         [m]
+    std::vector<char> is_seam{};  ///< by node: do panels meet there? Empty: only the sheet's rim is
+};
+
+/// Draws short edges together where the least reach of all cells that this changes becomes greater.
+/// A node goes to another that is on all of its lines, or nearer than the slack.
 /// @returns  how many
-int collapse_short_edges(Sheet& sheet, double too_small, const Freedom& freedom);
+int collapse(const ShortEdges& edges, const Freedom& freedom, Sheet& sheet);
 
 }  // namespace corpuscle::fold

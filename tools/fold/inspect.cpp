@@ -6,10 +6,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Dense>
 #include <numbers>
 
 namespace corpuscle::fold {
 namespace {
+
+/// Greatest principal strain of a triangle, with its edges as columns of D (flat) and d (now):
+///
+///     E = ½ (D⁻ᵀ dᵀ d D⁻¹ - 1)  [Green]
+double green_strain(const Triangle& t, const Sheet& s) {
+    const Vec3 a = s.X[t[1]] - s.X[t[0]], b = s.X[t[2]] - s.X[t[0]];
+    const Vec3 along = a.normalized(), across = a.cross(b).cross(a).normalized();
+    Eigen::Matrix2d D;
+    D << along.dot(a), along.dot(b), across.dot(a), across.dot(b);
+    Eigen::Matrix<double, 3, 2> d;
+    d << s.x[t[1]] - s.x[t[0]], s.x[t[2]] - s.x[t[0]];
+    const Eigen::Matrix<double, 3, 2> F = d * D.inverse();
+    const Eigen::Matrix2d E = 0.5 * (F.transpose() * F - Eigen::Matrix2d::Identity());
+    return 0.5 * E.trace() + std::hypot(0.5 * (E(0, 0) - E(1, 1)), E(0, 1));
+}
+
+void stretches(const Sheet& s, Inspection& found) {
+    for (std::size_t e = 0; e < s.cells.size(); ++e)
+        for (const Triangle& t : triangles({s.cells[e]}))
+            if (const double strain = green_strain(t, s);
+                found.stretched_at < 0 || strain > found.greatest_stretch) {
+                found.greatest_stretch = strain;
+                found.stretched_at = static_cast<Index>(e);
+            }
+}
 
 /// Which of an edge's cells comes first, for messages.
 void strains(const Sheet& s, Inspection& found) {
@@ -98,6 +124,7 @@ Inspection inspect(const Bag& bag, double reach) {
     found.crossings = crossing_cells(s);
     find_least_gap(s, reach, found);
     strains(s, found);
+    stretches(s, found);
     flat_quality(s, found);
     found.low = found.high = s.x.front();
     for (const Vec3& x : s.x) {
@@ -137,6 +164,8 @@ std::string text(const Inspection& f) {
     all += fmt::format(
         "edge strain that the fold puts in: {:.3g} (shell {}) to {:.3g} (shell {}), RMS {:.3g}\n",
         f.least_strain, shell(f.shortest_at), f.greatest_strain, shell(f.longest_at), f.rms_strain);
+    all += fmt::format("greatest principal Green strain of a shell: {:.3g} (shell {})\n",
+                       f.greatest_stretch, shell(f.stretched_at));
     all += fmt::format(
         "flat mesh: least angle {:.3g} degrees (shell {}), longest over shortest edge {:.3g}",
         f.least_angle * 180.0 / std::numbers::pi, shell(f.least_angle_at), f.greatest_aspect);

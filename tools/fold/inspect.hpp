@@ -13,6 +13,8 @@ struct Inspection {
     std::array<Index, 2> least_gap_at{-1, -1};
     double least_strain = 0.0, greatest_strain = 0.0, rms_strain = 0.0;  ///< of edges          [-]
     Index shortest_at = -1, longest_at = -1;
+    double greatest_stretch = 0.0;  ///< greatest principal Green strain of a shell          [-]
+    Index stretched_at = -1;
     Vec3 low, high;            ///< corners of the pack, middle of the cloth        [m]
     int layers = 0;            ///< most cells above each other
     double least_angle = 0.0;  ///< of the flat mesh, at a corner                 [rad]

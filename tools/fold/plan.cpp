@@ -101,7 +101,7 @@ std::vector<int> imprint_circle(Sheet& sheet, const Circle& c, int name) {
 
 void improve(Sheet& sheet, double size, const Freedom& freedom) {
     for (int k = 0; k < 3; ++k) {
-        collapse_short_edges(sheet, TOO_SMALL * size, freedom);
+        collapse({TOO_SMALL * size}, freedom, sheet);
         smooth(sheet, WANTED * size, ROUNDS, freedom);
     }
 }

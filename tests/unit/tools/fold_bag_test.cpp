@@ -14,6 +14,7 @@
 #include "solver/base/error.hpp"
 #include "tools/fold/bag_deck.hpp"
 #include "tools/fold/fold.hpp"
+#include "tools/fold/inspect.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::fold;
@@ -143,6 +144,19 @@ TEST_CASE("the deck holds the folded bag and its flat shape", "[fold]") {
         CHECK((model.x[n] - bag.sheet.x[n]).norm() < 1e-9);
         CHECK((model.references[0].nodes[n].second - bag.sheet.X[n]).norm() < 1e-9);
     }
+}
+
+TEST_CASE("the strain across a needle is reported, which its edges hardly show", "[fold]") {
+    Bag bag;
+    bag.parts = {{1, "cloth", false}};
+    bag.sheet.X = {{0, 0, 0}, {1, 0, 0}, {0.5, 0.01, 0}};
+    bag.sheet.x = {{0, 0, 3}, {0, 1, 3}, {-0.02, 0.5, 3}};  // turned, and twice as high
+    bag.sheet.cells = {{0, 1, 2, 2}};
+    bag.sheet.part = {0};
+    const Inspection found = inspect(bag, 0.0);
+    CHECK(found.greatest_strain < 1e-3);
+    CHECK(found.greatest_stretch == Approx(0.5 * (2.0 * 2.0 - 1.0)));
+    CHECK(found.stretched_at == 0);
 }
 
 TEST_CASE("a pack says by how much it does not fit", "[fold]") {

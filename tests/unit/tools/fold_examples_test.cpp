@@ -4,9 +4,12 @@
 // Claim: every recipe in models/recipes folds, and never crosses itself.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <filesystem>
+#include <numbers>
 
 #include "tools/fold/fold.hpp"
+#include "tools/fold/improve.hpp"
 #include "tools/fold/inspect.hpp"
 
 using namespace corpuscle;
@@ -28,4 +31,26 @@ TEST_CASE("the example recipes fold without a crossing", "[fold]") {
         CHECK(found.greatest_strain < 0.08);
         if (recipe.package) CHECK(fit(found, *recipe.package).find("fits into") == 0);
     }
+}
+
+TEST_CASE("the folded driver bag has no needles, and the areas of its drawing", "[fold]") {
+    const Recipe recipe =
+        read_recipe(std::filesystem::path(CORPUSCLE_MODELS) / "driver_bag_folded" / "fold.toml");
+    const Bag bag = fold::fold(recipe);
+    double least = 1e9, vents = 0.0, front = 0.0;
+    for (std::size_t e = 0; e < bag.sheet.cells.size(); ++e) {
+        Points X;
+        Cell flat{0, 1, 2, 2};
+        const Cell& c = bag.sheet.cells[e];
+        for (int k = 0; k < corner_count(c); ++k) X.push_back(bag.sheet.X[c[k]]);
+        if (corner_count(c) == 4) flat[3] = 3;
+        const BagPart& part = bag.parts[bag.sheet.part[e]];
+        if (part.is_front) std::reverse(X.begin(), X.end());  // fold() turns its cells
+        if (part.id != recipe.parts.module) least = std::min(least, reach(flat, X));
+        if (part.id == recipe.parts.vent) vents += area(c, bag.sheet.X);
+        if (part.id == recipe.parts.front) front += area(c, bag.sheet.X);
+    }
+    CHECK(least > 0.2 * recipe.pattern.element);
+    CHECK(front == Approx(0.25 * std::numbers::pi * 720.0 * 720.0).epsilon(1e-3));
+    CHECK(vents == Approx(0.5 * std::numbers::pi * 30.0 * 30.0).epsilon(0.02));
 }

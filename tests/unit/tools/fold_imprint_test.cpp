@@ -87,7 +87,7 @@ TEST_CASE("a circle is imprinted with its area and without slivers", "[fold]") {
     const double size = 2.0 / 30.0;
     const Freedom freedom{{{-1, line.settle}}, {}};
     smooth(s, 0.28 * size, 8, freedom);
-    collapse_short_edges(s, 0.17 * size, freedom);
+    collapse({0.17 * size}, freedom, s);
     smooth(s, 0.28 * size, 8, freedom);
     CHECK(least_quality(s) > 0.17);  // 10 degrees
     double least = 1.0;
@@ -105,4 +105,34 @@ TEST_CASE("what moves or is cut in the plan is where it was in the pack", "[fold
     imprint(s, straight(s, Vec3(0.6, 0.8, 0.0), 0.1));
     for (std::size_t n = 0; n < s.X.size(); ++n)
         CHECK((s.x[n] - Vec3(s.X[n].y(), -s.X[n].x(), 3.0)).norm() < 1e-12);
+}
+
+TEST_CASE("reach is the half's or the whole square's, and an inverted cell has none", "[fold]") {
+    const Points X{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}};
+    CHECK(reach({0, 1, 2, 3}, X) == Approx(3.0 / std::sqrt(8.0)));
+    CHECK(reach({0, 1, 2, 2}, X) == Approx(3.0 / std::sqrt(12.0)));
+    CHECK(reach({0, 2, 1, 1}, X) < 0.0);
+}
+
+TEST_CASE("short edges are drawn together, lines and area stay", "[fold]") {
+    Sheet s = square(10);
+    const Vec3 normal = Vec3(1.0, 0.3, 0.0).normalized();
+    Imprint line = straight(s, normal, 0.015);
+    line.snap = 0.0;  // so that slivers are left
+    imprint(s, line);
+    const auto least_reach = [&] {
+        double least = 1.0;
+        for (const Cell& c : s.cells) least = std::min(least, reach(c, s.X));
+        return least;
+    };
+    const double before = least_reach();
+    CHECK(collapse({0.03}, {}, s) > 0);
+    CHECK(least_reach() > 1.5 * before);
+    CHECK(area(s, std::vector<int>(s.cells.size(), 1), 1) == Approx(4.0));
+    drop_loose_nodes(s);
+    for (std::size_t n = 0; n < s.X.size(); ++n)
+        for (const int name : s.on[n]) {
+            if (name == 7) CHECK(normal.dot(s.X[n]) == Approx(0.015).margin(1e-12));
+            if (name < 3) CHECK(s.X[n][name - 1] == Approx(0.0).margin(1e-12));
+        }
 }
