@@ -30,7 +30,7 @@ void Candidates::admit(const Points& x, const Points& v, double t, double dt,
     motion_.foresee(x, v, dt);
     bar_all_crossing(x);
     build(x, v, t, dt);
-    meet_gently(t, is_on);
+    meet_gently(x, t, is_on);
 }
 
 /// Crossing triangles are nobody's contact, whichever card finds them first.
@@ -47,10 +47,10 @@ void Candidates::bar_all_crossing(const Points& x) {
 }
 
 /// Pairs of the cards that have just become valid start with the gap that they have.
-void Candidates::meet_gently(double t, std::span<const std::uint8_t> is_on) {
+void Candidates::meet_gently(const Points& x, double t, std::span<const std::uint8_t> is_on) {
     for (std::size_t i = 0; i < list_.size(); ++i) {
         const auto card = static_cast<std::size_t>(list_[i].card);
-        if (was_on_[card] || !is_on[card] || !give_gentle_gap(i, t)) continue;
+        if (was_on_[card] || !is_on[card] || !give_gentle_gap(i, x, t)) continue;
         close_starts_.push_back(std::minmax(watch_[i].first, watch_[i].second));
     }
     std::sort(close_starts_.begin(), close_starts_.end());
@@ -76,36 +76,25 @@ void Candidates::build(const Points& x, const Points& v, double t, double dt) {
     }
     sort_memories();
     set_boxes(x);
-    near_triangles_.update(triangle_box_);
-    knows_boxes_ = true;
+    find_late(x, life_);
+    search_.build(x, late_, node_box_, own_);
     list_pairs(x);
     forget_parted_pairs();
-    if (!freed.empty()) give_gentle_gaps(freed, t);
+    if (!freed.empty()) give_gentle_gaps(freed, x, t);
 }
 
-/// Boxes of what nodes and triangles may reach; two of them overlap where a gap may come within
-/// reach.
+/// Boxes of what nodes may reach; of two things that may come within reach they overlap.
 void Candidates::set_boxes(const Points& x) {
     parallel::for_each(x.size(),
                        [&](std::size_t n) { set_node_box(static_cast<Index>(n), x[n], life_); });
-    parallel::for_each(triangle_box_.size(),
-                       [&](std::size_t t) { set_triangle_box(static_cast<Index>(t)); });
 }
 
 /// @param time  for which the node is predicted [s]
 void Candidates::set_node_box(Index node, const Vec3& from, double time) {
     const Vec3 sweep = time * motion_.velocity(node);
+    own_[node] = budget_ * motion_.slack(node);
     node_box_[node] = {from + sweep.cwiseMin(0.0), from + sweep.cwiseMax(0.0)};
-    node_box_[node].inflate(0.5 * reach_ * cloth_.node_thickness[node] +
-                            budget_ * motion_.slack(node));
-}
-
-void Candidates::set_triangle_box(Index triangle) {
-    const auto& [a, b, c] = cloth_.triangles[triangle];
-    Box& box = triangle_box_[triangle];
-    box = node_box_[a];
-    box.include(node_box_[b]);
-    box.include(node_box_[c]);
+    node_box_[node].inflate(0.5 * reach_ * cloth_.node_thickness[node] + own_[node]);
 }
 
 /// Where nodes are predicted to be after so long.
@@ -117,21 +106,19 @@ void Candidates::find_late(const Points& x, double time) {
 }
 
 void Candidates::list_pairs(const Points& x) {
-    const auto pairs = near_triangles_.patch_pairs();
+    const auto pairs = search_.patch_pairs();
     const std::size_t count = parallel::chunk_count(pairs.size(), CHUNK);
     chunks_.resize(std::max(chunks_.size(), count));
-    find_late(x, life_);
-    const Outlook ahead{x, late_, x, life_, true};
-    slab_.resize(cloth_.triangles.size());
-    parallel::for_each(slab_.size(),
-                       [&](std::size_t t) { slab_[t] = slab_of(static_cast<Index>(t), ahead); });
+    const Outlook ahead{x, life_, true};
     const auto search = [&](std::size_t begin, std::size_t end, std::size_t c) {
-        chunks_[c].list.clear();
-        chunks_[c].watch.clear();
+        Chunk& out = chunks_[c];
+        out.list.clear();
+        out.watch.clear();
         for (std::size_t i = begin; i < end; ++i)
-            near_triangles_.for_each_in(pairs[i], [&](Index a, Index b) {
-                list_pairs_of(a, slab_[a], b, slab_[b], ahead, chunks_[c]);
-            });
+            search_.for_each_in(
+                pairs[i],
+                [&](Piece a, Piece b, Distances apart) { meet_edges(a, b, apart, ahead, out); },
+                [&](Piece n, Index t, Distances apart) { meet_node(n, t, apart, ahead, out); });
     };
     parallel::for_chunks(pairs.size(), search, CHUNK);
 
@@ -166,8 +153,8 @@ void Candidates::bar_crossing_pairs(const Points& x) {
             barred_.push_back(key_of(false, cloth_.triangles[a][k], b));
             barred_.push_back(key_of(false, cloth_.triangles[b][k], a));
             for (int m = 0; m < 3; ++m) {
-                barred_.push_back(key_of(true, cloth_.edge[a][k], cloth_.edge[b][m]));
-                barred_.push_back(key_of(true, cloth_.edge[b][m], cloth_.edge[a][k]));
+                const auto [first, second] = std::minmax(cloth_.edge[a][k], cloth_.edge[b][m]);
+                barred_.push_back(key_of(true, first, second));
             }
         }
     std::sort(barred_.begin(), barred_.end());
@@ -200,15 +187,17 @@ Index Candidates::find_memory(std::uint64_t key) const {
 }
 
 /// Pairs that are nearer than their contact thickness start with the gap that they have.
-void Candidates::give_gentle_gaps(const std::vector<std::uint64_t>& keys, double t) {
+void Candidates::give_gentle_gaps(const std::vector<std::uint64_t>& keys, const Points& x,
+                                  double t) {
     for (std::size_t i = 0; i < list_.size(); ++i) {
         if (!std::binary_search(keys.begin(), keys.end(), list_[i].key)) continue;
-        give_gentle_gap(i, t);
+        give_gentle_gap(i, x, t);
     }
 }
 
-bool Candidates::give_gentle_gap(std::size_t i, double t) {
-    const double short_by = thickness(i) - least_distance(i);
+bool Candidates::give_gentle_gap(std::size_t i, const Points& x, double t) {
+    if (least_distance(i) >= thickness(i)) return false;
+    const double short_by = thickness(i) - nearest(list_[i].pair, x).apart.norm();
     if (short_by <= 0.0) return false;
     PairMemory& memory = make_memory(i);
     memory.short_by = short_by;

@@ -19,8 +19,6 @@ constexpr std::size_t ROWS = 8192, TRIANGLES = 4;  ///< a chunk, of pairs and of
 /// among them, by the same rules as in a build, with every node where it is predicted to be now.
 void Candidates::renew(const Points& x) {
     ++renewals_;
-    if (!knows_boxes_) near_triangles_.update(triangle_box_);
-    knows_boxes_ = true;
     motion_.renew(strayed_, x);
     find_renewed_triangles();
     drop_renewed_pairs();
@@ -68,28 +66,34 @@ void Candidates::drop_renewed_pairs() {
 void Candidates::list_renewed_pairs(const Points& x) {
     const double rest_of_life = life_ - motion_.age();
     for (const Index n : strayed_) set_node_box(n, motion_.predicted(n), rest_of_life);
-    for (const Index t : renewed_) {
-        set_triangle_box(t);
-        near_triangles_.renew(t, triangle_box_[t]);
-    }
     predicted_.resize(x.size());
-    for (std::size_t n = 0; n < x.size(); ++n)
-        predicted_[n] = motion_.predicted(static_cast<Index>(n));
-
+    parallel::for_each(
+        x.size(), [&](std::size_t n) { predicted_[n] = motion_.predicted(static_cast<Index>(n)); });
     find_late(predicted_, rest_of_life);
-    const Outlook ahead{predicted_, late_, x, rest_of_life, false};
+    search_.renew(renewed_, predicted_, late_, node_box_, own_);
+
+    const Outlook ahead{x, rest_of_life, false};
     const std::size_t count = parallel::chunk_count(renewed_.size(), TRIANGLES);
     chunks_.resize(std::max(chunks_.size(), count));
     const auto search = [&](std::size_t begin, std::size_t end, std::size_t c) {
-        chunks_[c].list.clear();
-        chunks_[c].watch.clear();
+        Chunk& out = chunks_[c];
+        out.list.clear();
+        out.watch.clear();
         for (std::size_t i = begin; i < end; ++i) {
-            const Index a = renewed_[i];
-            const Slab slab_a = slab_of(a, ahead);
-            near_triangles_.for_each_near(a, [&](Index b) {
-                if (is_renewed_[b] && b < a) return;
-                list_pairs_of(a, slab_a, b, slab_of(b, ahead), ahead, chunks_[c]);
-            });
+            const Index mine = renewed_[i];
+            // two renewed triangles find each other twice
+            const auto is_the_others = [&](Index other) {
+                return is_renewed_[other] && other < mine;
+            };
+            search_.for_each_near(
+                mine,
+                [&](Piece a, Piece b, Distances apart) {
+                    if (!is_the_others(b.triangle)) meet_edges(a, b, apart, ahead, out);
+                },
+                [&](Piece n, Index t, Distances apart) {
+                    if (!is_the_others(n.triangle == mine ? t : n.triangle))
+                        meet_node(n, t, apart, ahead, out);
+                });
         }
     };
     parallel::for_chunks(renewed_.size(), search, TRIANGLES);

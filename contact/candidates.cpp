@@ -26,10 +26,10 @@ Candidates::Candidates(const Cloth& cloth, double reach)
     : cloth_(cloth),
       reach_(reach),
       motion_(cloth),
-      near_triangles_(cloth.patches),
+      search_(cloth, reach),
       budget_(cloth.greatest_thickness),
       node_box_(cloth.inverse_mass.size()),
-      triangle_box_(cloth.triangles.size()) {}
+      own_(node_box_.size(), 0.0) {}
 
 void Candidates::foresee(const Points& x, const Points& v, double t, double dt) {
     motion_.foresee(x, v, dt);

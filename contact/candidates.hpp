@@ -11,7 +11,7 @@
 #include "contact/cloth.hpp"
 #include "contact/distance.hpp"
 #include "contact/motion.hpp"
-#include "contact/triangle_pairs.hpp"
+#include "contact/near_search.hpp"
 
 namespace corpuscle::contact {
 
@@ -80,10 +80,8 @@ public:
                motion_.ahead(watch_[i].first) + motion_.ahead(watch_[i].second);
     }
 
-    /// Takes the distance of pair i at the present x.
-    void tell_distance(std::size_t i, double distance) {
-        watch_[i].sum = distance + spent(watch_[i]);
-    }
+    /// Takes how far the sides of pair i are apart at the present x, as a vector and a distance.
+    void tell_distance(std::size_t i, const Vec3& apart, double distance, const Points& x);
 
     /// What pair i remembers, or nothing.
     [[nodiscard]] PairMemory* memory(std::size_t i) {
@@ -114,7 +112,7 @@ public:
     void visit_state(Archive& archive) {
         archive(motion_, budget_, steps_, life_, list_, watch_, memories_, parted_accounts_,
                 crossing_, close_starts_, was_on_, barred_, builds_, renewals_, dead_, node_box_,
-                triangle_box_);
+                own_, search_);
     }
 
 private:
@@ -149,7 +147,6 @@ private:
     void set_budget(double dt);
     void set_boxes(const Points& x);
     void set_node_box(Index node, const Vec3& from, double time);
-    void set_triangle_box(Index triangle);
     void list_pairs(const Points& x);
     void renew(const Points& x);
     void find_renewed_triangles();
@@ -157,28 +154,14 @@ private:
     void list_renewed_pairs(const Points& x);
     void hand_on_memories(std::size_t first);
     void add_chunks(std::size_t count);
-    [[nodiscard]] Box edge_box(Index a, Index b) const;
-    struct Outlook {         ///< from where and how far it is looked ahead
-        const Points& x;     ///< predicted positions, to within the budget             [m]
-        const Points& late;  ///< likewise, at the end of the lists' life               [m]
-        const Points& now;   ///< where the nodes are                                   [m]
-        double life;         ///< [s]
-        bool is_build;       ///< memories are sorted
+    struct Outlook {        ///< how far it is looked ahead
+        const Points& now;  ///< where the nodes are                                        [m]
+        double life;        ///< [s]
+        bool is_build;      ///< nodes are where they are predicted, and memories are sorted
     };
-    /// A triangle seen along its normal, now and late.
-    struct Slab {
-        Vec3 normal;                            ///< zero: without area
-        double low, high, late_low, late_high;  ///< [m]
-        double margin;  ///< what it takes of a gap that matters                       [m]
-    };
-    [[nodiscard]] Slab slab_of(Index triangle, const Outlook& ahead) const;
-    [[nodiscard]] static std::array<int, 3> sides_of(const Slab& slab, const Triangle& nodes,
-                                                     double apart, const Outlook& ahead);
-    void find_late(const Points& x, double time);
-    void list_pairs_of(Index a, const Slab& slab_a, Index b, const Slab& slab_b,
-                       const Outlook& ahead, Chunk& out) const;
     struct Meeting {  ///< of two triangles
         Index a, b;   ///< rows; the pair's first is of a
+        Distances apart;
         const Outlook& ahead;
         Chunk& out;
     };
@@ -186,28 +169,34 @@ private:
         return static_cast<std::uint64_t>(is_edges) << 63 |
                static_cast<std::uint64_t>(first) << 32 | static_cast<std::uint64_t>(second);
     }
-    void consider(const Pair& pair, int card, std::uint64_t key, const Meeting& where) const;
-    [[nodiscard]] double slack_of(const Pair& pair) const;
+    void find_own();
+    void find_late(const Points& x, double time);
+    void meet_edges(Piece a, Piece b, Distances apart, const Outlook& ahead, Chunk& out) const;
+    void meet_node(Piece n, Index triangle, Distances apart, const Outlook& ahead,
+                   Chunk& out) const;
+    void list(const Pair& pair, int card, std::uint64_t key, const Meeting& where) const;
+    [[nodiscard]] double closing_rate(const Pair& pair, const Vec3& apart, double gap,
+                                      const Points& x, double time) const;
     [[nodiscard]] double neighbours_thickness(const Pair& pair) const;
     void bar_all_crossing(const Points& x);
     void bar_crossing_pairs(const Points& x);
     void sort_memories();
     void forget_parted_pairs();
     [[nodiscard]] Index find_memory(std::uint64_t key) const;
-    void give_gentle_gaps(const std::vector<std::uint64_t>& keys, double t);
-    bool give_gentle_gap(std::size_t i, double t);
-    void meet_gently(double t, std::span<const std::uint8_t> is_on);
+    void give_gentle_gaps(const std::vector<std::uint64_t>& keys, const Points& x, double t);
+    bool give_gentle_gap(std::size_t i, const Points& x, double t);
+    void meet_gently(const Points& x, double t, std::span<const std::uint8_t> is_on);
 
     const Cloth& cloth_;
     double reach_;
     Motion motion_;
-    TrianglePairs near_triangles_;
-    double budget_;       ///< stray at which the lists are spent             [m]
-    double steps_ = 4.0;  ///< that they are meant to live
-    double life_ = 0.0;   ///< age at which they are spent                    [s]
-    std::vector<Box> node_box_, triangle_box_;  ///< of what they may reach                     [m]
-    std::vector<Slab> slab_;                    ///< by triangle, in a build
-    Points late_;                               ///< N × 3                                  [m]
+    NearSearch search_;
+    double budget_;              ///< stray at which the lists are spent             [m]
+    double steps_ = 4.0;         ///< that they are meant to live
+    double life_ = 0.0;          ///< age at which they are spent                    [s]
+    std::vector<Box> node_box_;  ///< of what they may reach                               [m]
+    std::vector<double> own_;    ///< by node: its part of the budget                      [m]
+    Points late_;                ///< N × 3                                                [m]
     std::vector<Candidate> list_;
     std::vector<Watch> watch_;
     std::vector<Chunk> chunks_;
@@ -225,7 +214,6 @@ private:
     std::vector<std::vector<std::size_t>> dropped_;           ///< by chunk: rows of those pairs
     Points predicted_;                                        ///< N × 3                     [m]
     std::size_t dead_ = 0;                                    ///< rows of dropped pairs
-    bool knows_boxes_ = false;  ///< near_triangles_ does; not after a restart
 };
 
 }  // namespace corpuscle::contact

@@ -117,6 +117,13 @@ Nearest nearest(const Pair& pair, const Corners& x) {
     return {{1.0, -w[0], -w[1], -w[2]}, x[0] - w[0] * x[1] - w[1] * x[2] - w[2] * x[3], true};
 }
 
+double separation(const Pair& pair, const Vec3& direction, const Corners& x) {
+    std::array<double, 4> at;
+    for (int k = 0; k < 4; ++k) at[k] = direction.dot(x[k]);
+    return pair.is_edges ? std::min(at[0], at[1]) - std::max(at[2], at[3])
+                         : at[0] - std::max({at[1], at[2], at[3]});
+}
+
 double greatest_approach(const Pair& pair, const Corners& v) {
     const Vec3 mean = 0.25 * (v[0] + v[1] + v[2] + v[3]);
     std::array<double, 4> square;

@@ -68,6 +68,10 @@ using Corners = std::array<Vec3, 4>;
 /// if they move by that: seen from their mean, both sides' fastest nodes head on.
 [[nodiscard]] double greatest_approach(const Pair& pair, const Corners& v);
 
+/// Separation of a pair's two sides along a direction: no node of the first is nearer to one of the
+/// second than that, seen along it. Along the line between their nearest places it is the gap. [m]
+[[nodiscard]] double separation(const Pair& pair, const Vec3& direction, const Corners& x);
+
 /// The nearest places of a pair whose nodes are at x.
 [[nodiscard]] Nearest nearest(const Pair& pair, const Corners& x);
 

@@ -125,7 +125,7 @@ void SurfaceContact::State::look_at_pairs(const Points& x, const Points& v,
             if (!is_on[card]) continue;
             const Nearest places = nearest(pairs[i], x);
             const double gap = places.apart.norm();
-            pairs.tell_distance(i, gap);
+            pairs.tell_distance(i, places.apart, gap, x);
             const double thickness = std::min(pairs.thickness(i), most[card]);
             if (!places.is_inside || gap >= REACH * thickness || gap == 0.0) continue;
             const RestGap rest = rest_gap(i, thickness);

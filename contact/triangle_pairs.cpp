@@ -26,28 +26,12 @@ TrianglePairs::TrianglePairs(const Patches& patches)
       patch_bounds_(patches.size()) {
     for (auto& side : low_) side.resize(patches.triangle.size());
     for (auto& side : high_) side.resize(patches.triangle.size());
-    place_.resize(patches.triangle.size());
-    patch_of_.resize(patches.triangle.size());
-    for (std::size_t p = 0; p < patches.size(); ++p)
-        for (Index i = patches.start[p]; i < patches.start[p + 1]; ++i) {
-            place_[patches.triangle[i]] = i;
-            patch_of_[patches.triangle[i]] = static_cast<Index>(p);
-        }
 }
 
 void TrianglePairs::set_bounds(Index i, const Box& box) {
     for (int k = 0; k < 3; ++k) {
         low_[k][i] = below(box.low[k]);
         high_[k][i] = above(box.high[k]);
-    }
-}
-
-void TrianglePairs::renew(Index triangle, const Box& box) {
-    set_bounds(place_[triangle], box);
-    Bounds& all = patch_bounds_[patch_of_[triangle]];
-    for (int k = 0; k < 3; ++k) {
-        all.low[k] = std::min(all.low[k], below(box.low[k]));
-        all.high[k] = std::max(all.high[k], above(box.high[k]));
     }
 }
 

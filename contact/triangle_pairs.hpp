@@ -22,24 +22,6 @@ public:
     /// Takes the triangles' boxes, one each, and pairs the patches.
     void update(std::span<const Box> triangle_boxes);
 
-    /// Takes one triangle's box anew; patch_pairs() stay as they are.
-    void renew(Index triangle, const Box& box);
-
-    /// meet(b) for every triangle b but `triangle` itself whose box overlaps its own.
-    template <class Meet>
-    void for_each_near(Index triangle, Meet&& meet) const {
-        const Index i = place_[triangle];
-        const Bounds mine = bounds(i);
-        const auto meet_other = [&](Index, Index b) {
-            if (b != triangle) meet(b);
-        };
-        for (std::size_t p = 0; p < patch_bounds_.size(); ++p) {
-            if (!overlap(mine, patch_bounds_[p])) continue;
-            for (Index j = patches_.start[p]; j < patches_.start[p + 1]; j += BLOCK)
-                meet_block(i, mine, j, std::min(BLOCK, patches_.start[p + 1] - j), meet_other);
-        }
-    }
-
     /// Patch pairs p <= q, sorted, each patch also with itself.
     [[nodiscard]] std::span<const std::pair<Index, Index>> patch_pairs() const { return pairs_; }
 
@@ -87,7 +69,6 @@ private:
     void set_bounds(Index i, const Box& box);
 
     const Patches& patches_;
-    std::vector<Index> place_, patch_of_;  ///< by triangle: where it is in the patches' order
     BroadPhase tree_;
     std::array<std::vector<float>, 3> low_, high_;  ///< of triangles, in the patches' order  [m]
     std::vector<Box> patch_box_;

@@ -30,6 +30,11 @@ Named name(Pair pair) {
     return {pair.is_edges, n[0], n[1], n[2], n[3]};
 }
 
+void tell_distance(Candidates& pairs, std::size_t i, const Points& x) {
+    const Vec3 apart = nearest(pairs[i], x).apart;
+    pairs.tell_distance(i, apart, apart.norm(), x);
+}
+
 /// Every node against every triangle and every edge against every edge that has no node in common.
 std::vector<Pair> all_pairs(const std::vector<Triangle>& triangles, std::size_t nodes) {
     std::vector<Pair> pairs;
@@ -133,7 +138,7 @@ TEST_CASE("of 200 random crumpled states, moving, nothing near or about to meet 
                 if (pairs.may_meet(i)) may_meet.insert(name(pairs[i]));
                 if (!pairs.is_due(i)) continue;
                 due.insert(name(pairs[i]));
-                pairs.tell_distance(i, nearest(pairs[i], corners(pairs[i], x)).apart.norm());
+                tell_distance(pairs, i, x);
             }
             if (n % 11 != 0) continue;  // fresh lists, and lists that have lived
             listed += pairs.size();
@@ -191,8 +196,7 @@ TEST_CASE("whatever is near is due, and whatever may meet is known, as in a list
         for (std::size_t i = 0; i < pairs.size(); ++i) {
             if (pairs.is_due(i)) due.insert(name(pairs[i]));
             if (pairs.may_meet(i)) may_meet.insert(name(pairs[i]));
-            if (pairs.is_due(i))
-                pairs.tell_distance(i, nearest(pairs[i], corners(pairs[i], x)).apart.norm());
+            if (pairs.is_due(i)) tell_distance(pairs, i, x);
         }
         if (n % 10 != 0) continue;
         for (const Pair& pair : everything) {

@@ -1,0 +1,160 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "contact/blocks.hpp"
+#include "contact/broad_phase.hpp"
+
+namespace corpuscle::contact {
+
+/// A node or an edge of the triangle that owns it, or a whole triangle (side 0).
+struct Piece {
+    Index triangle, side;
+};
+
+/// Lower bounds of a pair's distance: now and late; in between it is not below the line from one to
+/// the other.                                                                               [m]
+struct Distances {
+    double now, late;
+};
+
+/// Which nodes and triangles, and which edges, may come near to each other until late: FCL pairs
+/// patches of cloth by their boxes, blocks of eight by theirs; then eight pairs at once are looked
+/// at along the line between their nearest places. In single precision, on the safe side.
+class NearSearch {
+public:
+    /// @param reach  gap below which pairs matter, in contact thicknesses
+    NearSearch(const Cloth& cloth, double reach);
+
+    /// Takes the cloth anew.
+    /// @param x, late    where each node is predicted to be, now and late, N × 3            [m]
+    /// @param node_box   of all that each node may reach until late
+    /// @param own        by node: how far it may be from its prediction                     [m]
+    void build(const Points& x, const Points& late, std::span<const Box> node_box,
+               std::span<const double> own);
+
+    /// Takes some triangles anew, with all that they own; the others' boxes and the pairs of
+    /// patches stay as they are. All places are taken anew.
+    void renew(std::span<const Index> triangles, const Points& x, const Points& late,
+               std::span<const Box> node_box, std::span<const double> own);
+
+    /// Patch pairs p <= q that may touch, sorted, each patch also with itself.
+    [[nodiscard]] std::span<const std::pair<Index, Index>> patch_pairs() const { return pairs_; }
+
+    /// Each pair between a pair of patches once: edges(Piece, Piece, Distances) and node(Piece,
+    /// triangle, Distances). Some have nodes in common.
+    template <class Edges, class Node>
+    void for_each_in(const std::pair<Index, Index>& patches, Edges&& edges, Node&& node) const {
+        const auto [p, q] = patches;
+        for_each_pair(edges_, p, edges_, q, p == q, edges);
+        const auto turned = [&](Piece t, Piece n, Distances apart) { node(n, t.triangle, apart); };
+        for_each_pair(triangles_, p, nodes_, q, false, turned);
+        if (p != q) for_each_pair(triangles_, q, nodes_, p, false, turned);
+    }
+
+    /// Likewise each pair of a triangle, with what it owns, and all others.
+    template <class Edges, class Node>
+    void for_each_near(Index triangle, Edges&& edges, Node&& node) const {
+        for (Index side = 0; side < 3; ++side) {
+            if (const auto [block, lane] = edges_.place(triangle, side); block >= 0)
+                for (std::size_t p = 0; p < patches_; ++p)
+                    meet_patch(edges_, block, lane, edges_, p, edges);
+            if (const auto [block, lane] = nodes_.place(triangle, side); block >= 0)
+                for (std::size_t p = 0; p < patches_; ++p)
+                    meet_patch(
+                        nodes_, block, lane, triangles_, p,
+                        [&](Piece n, Piece t, Distances apart) { node(n, t.triangle, apart); });
+        }
+        const auto [block, lane] = triangles_.place(triangle);
+        for (std::size_t p = 0; p < patches_; ++p)
+            meet_patch(triangles_, block, lane, nodes_, p,
+                       [&](Piece t, Piece n, Distances apart) { node(n, t.triangle, apart); });
+    }
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(origin_, rounding_);
+    }
+
+private:
+    template <int A, int B>
+    static EightSeparations separations_of(const EightMoving<A>& a, const EightMoving<B>& b) {
+        if constexpr (A == 3)
+            return separations(b, a);
+        else
+            return separations(a, b);
+    }
+
+    /// One lane of a block against another block.
+    /// @param allowed  lanes that are to be met
+    template <int A, int B, class Meet>
+    void meet_block(const typename Blocks<A>::Block& mine, int lane,
+                    const typename Blocks<B>::Block& other, unsigned allowed, Meet&& meet) const {
+        const EightSeparations apart = separations_of(spread(mine.moving, lane), other.moving);
+        for (unsigned bits = allowed & near(apart, mine.margin[lane] + other.margin); bits != 0;
+             bits &= bits - 1) {
+            const int l = std::countr_zero(bits);
+            const double length = std::sqrt(static_cast<double>(apart.square[l]));
+            const auto distance = [&](float along) {
+                return length > 0.0 ? static_cast<double>(along) / length - 2.0 * rounding_ : 0.0;
+            };
+            meet(Piece{mine.triangle[lane], mine.side[lane]},
+                 Piece{other.triangle[l], other.side[l]},
+                 Distances{std::max(0.0, distance(apart.now[l])), distance(apart.late[l])});
+        }
+    }
+
+    template <int A, int B, class Meet>
+    void meet_patch(const Blocks<A>& mine, Index block, int lane, const Blocks<B>& others,
+                    std::size_t patch, Meet&& meet) const {
+        const Bounds box = mine[block][lane];
+        if (!box.overlaps(others.of_patch(patch))) return;
+        others.for_each_near(box, patch, [&](Index b) {
+            const unsigned allowed = others[b].overlapping(box);
+            if (allowed != 0) meet_block<A, B>(mine[block], lane, others[b], allowed, meet);
+        });
+    }
+
+    /// @param is_same  both are the same: each pair is met once, none with itself
+    template <int A, int B, class Meet>
+    void for_each_pair(const Blocks<A>& mine, Index p, const Blocks<B>& others, Index q,
+                       bool is_same, Meet&& meet) const {
+        for (Index i = mine.start()[p]; i < mine.start()[p + 1]; ++i) {
+            const typename Blocks<A>::Block& block = mine[i];
+            others.for_each_near(block.all(), q, [&](Index j) {
+                if (is_same && j < i) return;
+                for (int lane = 0; lane < EIGHT && block.triangle[lane] >= 0; ++lane) {
+                    unsigned allowed = others[j].overlapping(block[lane]);
+                    if (is_same && j == i) allowed &= ~0U << (lane + 1);
+                    if (allowed != 0) meet_block<A, B>(block, lane, others[j], allowed, meet);
+                }
+            });
+        }
+    }
+
+    void find_half_reach(double reach);
+    void find_rounding(std::span<const Box> node_box);
+    void pair_patches();
+    [[nodiscard]] bool may_touch(Index p, Index q) const;
+
+    const Cloth& cloth_;
+    std::size_t patches_;
+    std::vector<double> half_reach_;  ///< by triangle                                     [m]
+    Blocks<1> nodes_;
+    Blocks<2> edges_;
+    Blocks<3> triangles_;
+    std::vector<Index> patch_part_, patch_body_;  ///< that a whole patch is of, or -1
+    BroadPhase tree_;
+    std::vector<Box> patch_box_;
+    std::vector<std::pair<Index, Index>> pairs_;
+    Vec3 origin_ = Vec3::Zero();  ///< of single precision                                    [m]
+    double rounding_ = 0.0;       ///< of that, at most                                       [m]
+    bool knows_boxes_ = false;    ///< not after a restart
+};
+
+}  // namespace corpuscle::contact
