@@ -87,8 +87,14 @@ EdgeFeet feet_of_edges(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec
     // a length
     constexpr double PARALLEL = 1e-12;
     if (cross > PARALLEL * dd * ee) {
-        const double s = (de * er - dr * ee) / cross, t = (dd * er - de * dr) / cross;
-        if (s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0) return {EdgeRegion::INSIDE, s, t};
+        const double inner = (de * er - dr * ee) / cross;
+        double s = std::clamp(inner, 0.0, 1.0), t = (de * s + er) / ee;
+        if (inner > 0.0 && inner < 1.0 && t > 0.0 && t < 1.0) return {EdgeRegion::INSIDE, s, t};
+        if (t < 0.0 || t > 1.0) {
+            t = t < 0.0 ? 0.0 : 1.0;
+            s = share(de * t - dr, dd);
+        }
+        return {EdgeRegion::END, s, t};
     }
 
     EdgeFeet best{EdgeRegion::END, 0.0, 0.0};

@@ -39,7 +39,8 @@ struct EdgeFeet {
 /// legal.
 ///
 /// cost: at most 5 div, no sqrt
-/// Source: the solution within both [Ericson 2005, 5.1.9], else the best of the four ends.
+/// Source: the solution within both, clamped one after the other [Ericson 2005, 5.1.9]; of
+/// parallels the best of the four ends.
 [[nodiscard]] EdgeFeet feet_of_edges(const Vec3& p0, const Vec3& p1, const Vec3& q0,
                                      const Vec3& q1);
 
