@@ -98,6 +98,7 @@ bool read_uniform(const BagGas& bag, const Region& where, const Points& x, Senso
 SensorReading read(const SensorCard& sensor, std::span<const BagGas> bags, const Points& x) {
     const Region where = region(sensor, x);
     SensorReading reading;
+    reading.centre = where.centre;
     Sums sums;
     double R = 0.0;
     for (const BagGas& bag : bags) {

@@ -30,6 +30,7 @@ struct SensorReading {
     double temperature = 0;  ///< of that motion; 0 for fewer than two particles               [K]
     double density = 0;      ///< particles' mass over the sensor's volume                [kg/m^3]
     Vec3 velocity = Vec3::Zero();  ///< mean by mass                                         [m/s]
+    Vec3 centre = Vec3::Zero();    ///< of the sensor                                        [m]
 };
 
 /// Sums over all particles inside, whatever part of the sensor lies in the bag:

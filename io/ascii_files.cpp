@@ -47,13 +47,16 @@ AsciiFiles::AsciiFiles(const std::filesystem::path& folder, const RecordLayout& 
                        const OutputIntervals& intervals, const std::string& title) {
     std::error_code ignored;  // what cannot be made cannot be opened below, and that says why
     std::filesystem::create_directories(folder, ignored);
-    for (const char* name :
-         {"glstat", "abstat", "abstat_cpm", "matsum", "rcforc", "rwforc", "rbdout", "nodout"})
+    for (const char* name : {"glstat", "abstat", "abstat_cpm", "cpm_sensor", "matsum", "rcforc",
+                             "rwforc", "rbdout", "nodout"})
         std::filesystem::remove(folder / name, ignored);  // of an earlier run
     list_files(folder, layout, intervals);
     for (File& file : files_) {
         file.out.reset(std::fopen(file.path.c_str(), "wb"));
-        file.write(fmt::format(" {}\n{:25}corpuscle, in the columns of ls-dyna\n", title, ""));
+        file.write(
+            !file.heading.empty()
+                ? file.heading
+                : fmt::format(" {}\n{:25}corpuscle, in the columns of ls-dyna\n", title, ""));
     }
 }
 
@@ -67,12 +70,13 @@ AsciiFiles::AsciiFiles(const std::filesystem::path& folder, const RecordLayout& 
 
 void AsciiFiles::list_files(const std::filesystem::path& folder, const RecordLayout& layout,
                             const OutputIntervals& intervals) {
-    const auto add = [&](const char* name, double interval, State state) {
+    const auto add = [&](const char* name, double interval, State state, std::string heading = {}) {
         if (!(interval > 0.0)) return;  // NaN or 0: not asked for
         File& file = files_.emplace_back();
         file.path = folder / name;
         file.interval = interval;
         file.state = std::move(state);
+        file.heading = std::move(heading);
     };
     const auto who = std::make_shared<const RecordLayout>(layout);
     const auto now = [who](auto&& text) {
@@ -82,6 +86,10 @@ void AsciiFiles::list_files(const std::filesystem::path& folder, const RecordLay
         [](const Sample& s, const Sample& start, const Sample&) { return glstat_state(s, start); });
     add("abstat", intervals.abstat, now(abstat_state));
     add("abstat_cpm", intervals.abstat_cpm, now(abstat_cpm_state));
+    add(
+        "cpm_sensor", intervals.cpm_sensor,
+        [](const Sample& s, const Sample&, const Sample&) { return cpm_sensor_state(s); },
+        cpm_sensor_heading(layout));
     add("matsum", intervals.matsum, now(matsum_state));
     add("rcforc", intervals.rcforc, now(rcforc_state));
     add("rwforc", intervals.rwforc, now(rwforc_state));

@@ -17,8 +17,8 @@
 
 namespace corpuscle::io {
 
-/// FOLDER/abstat, abstat_cpm, glstat, matsum, rcforc, rwforc, rbdout, nodout: each only when the
-/// deck asks for it, each at its own interval, from time 0 on.
+/// FOLDER/abstat, abstat_cpm, cpm_sensor, glstat, matsum, rcforc, rwforc, rbdout, nodout: each only
+/// when the deck asks for it, each at its own interval, from time 0 on.
 ///
 ///     if (files.due(t)) files.append(simulation.sample());
 class AsciiFiles {
@@ -56,7 +56,8 @@ private:
     struct File {
         std::filesystem::path path;
         std::unique_ptr<std::FILE, Close> out;
-        double interval;  ///< [s]
+        double interval;      ///< [s]
+        std::string heading;  ///< empty: the title
         State state;
         double count = 0;        ///< intervals until the next state
         std::uint64_t size = 0;  ///< bytes written

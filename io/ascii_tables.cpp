@@ -97,6 +97,25 @@ std::string abstat_cpm_state(const RecordLayout& layout, const Sample& sample) {
     return text;
 }
 
+std::string cpm_sensor_heading(const RecordLayout& layout) {
+    constexpr int NUMBERS = 16;  // as LS-DYNA writes, whatever it counts
+    return fmt::format(
+        "Airbag Particle sensor file\n{:5d}{:5d}\n{:>13}\n{:>13}{:>13}{:>13}\n{:>13}{:>13}{:>13}\n"
+        "{:>13}{:>13}{:>13}{:>13}\n\n\n",
+        layout.sensors, NUMBERS, "time", "x", "y", "z", "vx", "vy", "vz", "pres", "dens", "temp",
+        "npart");
+}
+
+std::string cpm_sensor_state(const Sample& sample) {
+    std::string text = field(sample.time, 13, 5) + '\n';
+    for (const Sample::Sensor& s : sample.sensors)
+        text += fmt::format("{}\n{}{}\n{}{:13d}\n", fields(s.centre, 13, 5),
+                            fields(s.velocity, 13, 5), field(s.velocity.norm(), 13, 5),
+                            fields({s.pressure, s.density, s.temperature}, 13, 5),
+                            static_cast<long long>(s.particles));
+    return text;
+}
+
 std::string matsum_state(const RecordLayout& layout, const Sample& sample) {
     std::string text = fmt::format("\n\n time ={}\n", field(sample.time, 13, 4));
     const auto along = [](std::string_view name, const Vec3& v) {

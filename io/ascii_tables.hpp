@@ -19,6 +19,9 @@ namespace corpuscle::io {
 [[nodiscard]] std::string abstat_state(const RecordLayout& layout, const Sample& sample);
 /// abstat of the bags of particles alone.
 [[nodiscard]] std::string abstat_cpm_state(const RecordLayout& layout, const Sample& sample);
+/// What cpm_sensor begins with instead of a title, and a state of it.
+[[nodiscard]] std::string cpm_sensor_heading(const RecordLayout& layout);
+[[nodiscard]] std::string cpm_sensor_state(const Sample& sample);
 [[nodiscard]] std::string matsum_state(const RecordLayout& layout, const Sample& sample);
 [[nodiscard]] std::string rcforc_state(const RecordLayout& layout, const Sample& sample);
 [[nodiscard]] std::string rwforc_state(const RecordLayout& layout, const Sample& sample);

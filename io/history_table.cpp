@@ -150,6 +150,7 @@ void sensors(auto&& row, const RecordLayout& layout, const Sample& s) {
         row(of + "density", DENSITY, "particles' mass over the sensor's volume",
             s.sensors[i].density);
         row(of + "velocity", VELOCITY, "mean of the particles, by mass", s.sensors[i].velocity);
+        row(of + "coordinates", LENGTH, "of the sensor's centre", s.sensors[i].centre);
     }
 }
 

@@ -99,7 +99,7 @@ struct OutputIntervals {
     double frames = NaN;            ///< *DATABASE_BINARY_D3PLOT
     double checkpoint_steps = NaN;  ///< *DATABASE_BINARY_D3DUMP; NaN: by the clock            [-]
     double abstat = NaN, glstat = NaN, rcforc = NaN, rwforc = NaN, rbdout = NaN, nodout = NaN;
-    double abstat_cpm = NaN, matsum = NaN;
+    double abstat_cpm = NaN, matsum = NaN, cpm_sensor = NaN;
 };
 
 /// A scene: pure data, in the deck's units. Built by io from a deck, or by hand in a test.

@@ -110,7 +110,7 @@ struct Sample {
     std::vector<Contact> contacts;
     struct Sensor {
         double particles = 0, pressure = 0, temperature = 0, density = 0;
-        Vec3 velocity = Vec3::Zero();
+        Vec3 velocity = Vec3::Zero(), centre = Vec3::Zero();
     };
     std::vector<Sensor> sensors;
     Points node_coordinates, node_velocity;  ///< of the history nodes

@@ -153,8 +153,8 @@ Sample Simulation::sample() {
         row.sensors.size(),
         [&](std::size_t s) {
             const gas::SensorReading now = gas::read(model_.sensors[s], bags_, nodes_.x);
-            row.sensors[s] = {now.particles, now.pressure, now.temperature, now.density,
-                              now.velocity};
+            row.sensors[s] = {now.particles, now.pressure, now.temperature,
+                              now.density,   now.velocity, now.centre};
         },
         /*chunk=*/1);
     for (const Index node : model_.history_nodes) {

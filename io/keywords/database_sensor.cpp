@@ -28,8 +28,9 @@ gas::SensorCard shape(Card& c) {
 void database_cpm_sensor(Cards& cards, Draft& draft) {
     {
         Card c = cards.next("DT BINARY=1");
+        const double interval = c.real("DT", NON_NEGATIVE);
+        draft.model.output.cpm_sensor = interval > 0.0 ? interval : NaN;  // 0: results.h5 alone
         c.harmless("BINARY");
-        c.noted("DT", "sensors are sampled with all other histories, in results.h5");
     }
     if (!cards.rows()) return cards.fault("has no sensor, expected a line SEGSID OFFSET R/LX ...");
     while (cards.rows()) {

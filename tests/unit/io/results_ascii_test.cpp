@@ -80,6 +80,26 @@ TEST_CASE("abstat_cpm has the rows of the bags of particles alone", "[io]") {
     for (std::size_t i = 0; i < rows.size(); ++i) CHECK(rows[i] == all[i]);
 }
 
+TEST_CASE("cpm_sensor: heading of its own, then the time and three lines a sensor", "[io]") {
+    RecordLayout layout = scene::layout();
+    layout.sensors = 2;
+    Sample s = scene::sample(layout, 3);
+    s.sensors = {{120.0, 1.1e5, 320.0, 1.2, Vec3(3, -4, 12), Vec3(0.1, -0.2, 0.3)},
+                 {0.0, 0.0, 0.0, 0.0, Vec3::Zero(), Vec3(-1, 2, -3)}};
+    const auto heading = lines(io::cpm_sensor_heading(layout)),
+               rows = lines(io::cpm_sensor_state(s));
+    REQUIRE(heading.size() == 8);
+    check_near(cut(heading[1], {5, 5}), {2, 16});
+    CHECK(heading[5] == "         pres         dens         temp        npart");
+    REQUIRE(rows.size() == 1 + 2 * 3);
+    check_near(cut(rows[0], {13}), {1.5});
+    check_near(cut(rows[1], {13, 13, 13}), {0.1, -0.2, 0.3});
+    check_near(cut(rows[2], {13, 13, 13, 13}), {3, -4, 12, 13});
+    check_near(cut(rows[3], {13, 13, 13, 13}), {1.1e5, 1.2, 320, 120});
+    check_near(cut(rows[4], {13, 13, 13}), {-1, 2, -3});
+    check_near(cut(rows[6], {13, 13, 13, 13}), {0, 0, 0, 0});
+}
+
 TEST_CASE("matsum has each part's energies and momentum and the mean velocity of its mass",
           "[io]") {
     const RecordLayout layout = scene::layout();
@@ -253,7 +273,8 @@ TEST_CASE("each text file appears only when asked for, each at its own interval"
     CHECK(abstat == std::vector<double>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
     CHECK(nodout == std::vector<double>{0.0, 2.5, 5.0, 7.5, 10.0});
     CHECK(lines(text_of(folder.path / "abstat"))[0] == " a bag");
-    for (const char* name : {"glstat", "abstat_cpm", "matsum", "rcforc", "rwforc", "rbdout"})
+    for (const char* name :
+         {"glstat", "abstat_cpm", "cpm_sensor", "matsum", "rcforc", "rwforc", "rbdout"})
         CHECK_FALSE(std::filesystem::exists(folder.path / name));
 }
 

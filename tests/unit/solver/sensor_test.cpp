@@ -77,6 +77,7 @@ TEST_CASE("a sensor reads density, pressure and temperature of the gas around it
     CHECK(found.density == Approx(density).epsilon(noise));
     CHECK(found.temperature == Approx(300.0).epsilon(noise));
     CHECK(found.pressure == Approx(1e5).epsilon(2.0 * noise));
+    CHECK(found.centre.x() == Approx(0.2));
     CHECK(found.velocity.norm() < noise * std::sqrt(3.0 * GAS_CONSTANT * 300.0 / 0.028));
 }
 
