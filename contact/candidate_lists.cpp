@@ -13,7 +13,10 @@
 namespace corpuscle::contact {
 namespace {
 
-constexpr double SWEEP = 0.5;  ///< farthest that a node may sweep while lists live, in edge lengths
+/// Farthest that a node may sweep while lists live, in edge lengths: in open cloth, with so many
+/// candidates a triangle at most, and in folded cloth.
+constexpr double SWEEP_OPEN = 0.25, SWEEP_FOLDED = 0.5;
+constexpr std::size_t OPEN = 8;
 constexpr std::size_t CHUNK = 8;  ///< patch pairs; some thousand triangle pairs
 
 }  // namespace
@@ -65,8 +68,9 @@ void Candidates::build(const Points& x, const Points& v, double t, double dt) {
     motion_.foresee(x, v, dt);
     life_ = steps_ * dt;
     const double fastest = motion_.fastest();
-    if (fastest * life_ > SWEEP * cloth_.mean_edge)
-        life_ = std::max(dt, SWEEP * cloth_.mean_edge / fastest);
+    const bool is_open = list_.size() <= OPEN * cloth_.triangles.size();
+    const double most = (is_open ? SWEEP_OPEN : SWEEP_FOLDED) * cloth_.mean_edge;
+    if (fastest * life_ > most) life_ = std::max(dt, most / fastest);
     ++builds_;
 
     std::vector<std::uint64_t> freed;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "contact/time_of_impact.hpp"
 #include "solver/base/parallel.hpp"
@@ -45,6 +46,7 @@ void CrossingGuard::stop(double t, double dt, Candidates& pairs, Impulses& impul
         parent_[speaker(node)] = speaker(node);
     }
     joined_.clear();
+    is_hub_ = false;
 }
 
 /// Stops the listed pairs, by impulses for so many rounds, then by clumps.
@@ -58,6 +60,8 @@ bool CrossingGuard::stop_dangers(int rounds, double dt, Candidates& pairs, Impul
         if (n < rounds && joined_.empty()) {
             stop_impacts(dt, pairs, impulses, load, motion);
         } else if (!make_clumps(pairs, impulses, motion)) {
+            // what hits a body in several places upsets each other: now it is one clump
+            if (!std::exchange(is_hub_, true)) continue;
             for (const auto& some : found_) unstopped_ += some.size();
             return false;
         }
@@ -124,7 +128,9 @@ void CrossingGuard::stop_impacts(double dt, const Candidates& pairs, Impulses& i
         }
 }
 
-/// Joins the nodes of all pairs that collide, with clumps that they belong to already.
+/// Joins the nodes of all pairs that collide, with clumps that they belong to already. Clumps in
+/// several places of a body are several: else a form, the pack under it and the housing that this
+/// rests on would stop dead as one whenever a few layers are tangled.
 /// @returns whether anything was joined that was not before
 bool CrossingGuard::make_clumps(const Candidates& pairs, Impulses& impulses, Movement& motion) {
     bool is_new = false;
@@ -132,10 +138,8 @@ bool CrossingGuard::make_clumps(const Candidates& pairs, Impulses& impulses, Mov
         for (const auto& impact : some)
             for (const Index node : pairs[impact.pair].node) {
                 joined_.push_back(node);
-                join(root(node), root(speaker(node)));
-                const Index a = root(node), b = root(pairs[impact.pair].node[0]);
-                is_new |= a != b;
-                join(a, b);
+                is_new |= unite(node, pairs[impact.pair].node[0]);
+                if (is_hub_) is_new |= unite(node, speaker(node));
             }
     std::sort(joined_.begin(), joined_.end());
     joined_.erase(std::unique(joined_.begin(), joined_.end()), joined_.end());

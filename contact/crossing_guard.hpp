@@ -53,7 +53,12 @@ private:
                       Movement& motion);
     bool make_clumps(const Candidates& pairs, Impulses& impulses, Movement& motion);
     Index root(Index node);
-    void join(Index a, Index b) { parent_[std::max(a, b)] = std::min(a, b); }
+    /// @returns whether they were of two clumps before
+    bool unite(Index node, Index other) {
+        const Index a = root(node), b = root(other);
+        parent_[std::max(a, b)] = std::min(a, b);
+        return a != b;
+    }
     /// A body's nodes change together: its first one speaks for all.
     [[nodiscard]] Index speaker(Index node) const {
         const Index body = cloth_.body[node];
@@ -69,6 +74,7 @@ private:
     unsigned round_ = 0, checked_ = 0;
     std::vector<Index> parent_;  ///< of a node in its clump
     std::vector<Index> joined_;  ///< nodes in clumps
+    bool is_hub_ = false;        ///< all that hits a body, wherever, is one clump with it
     std::size_t impacts_ = 0, clumps_ = 0, unstopped_ = 0;
 };
 
