@@ -67,8 +67,7 @@ void print_contact(const Simulation& simulation, const contact::SurfaceContact& 
         "stopped at the last moment, least gap {:.3g} of its rest value\n",
         counts.builds, counts.candidates, counts.near, counts.touching, counts.impacts,
         counts.least_gap);
-    if (counts.clumps > 0)
-        fmt::print("    {} tangles moved as one for a step\n", counts.clumps);
+    if (counts.clumps > 0) fmt::print("    {} tangles moved as one for a step\n", counts.clumps);
     if (counts.unstopped > 0)
         fmt::print("    {} times held surfaces drove others through each other\n",
                    counts.unstopped);
