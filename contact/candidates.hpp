@@ -169,7 +169,6 @@ private:
         return static_cast<std::uint64_t>(is_edges) << 63 |
                static_cast<std::uint64_t>(first) << 32 | static_cast<std::uint64_t>(second);
     }
-    void find_own();
     void find_late(const Points& x, double time);
     void meet_edges(Piece a, Piece b, Distances apart, const Outlook& ahead, Chunk& out) const;
     void meet_node(Piece n, Index triangle, Distances apart, const Outlook& ahead,
