@@ -52,7 +52,7 @@ double full_volume(const fold::Pattern& p) {
 /// the coarse mesh wants them. DT2MS: folds in any direction leave slivers, which would hold the
 /// step at a tenth.
 std::string deck_for(const fold::Bag& bag, const fold::Recipe& recipe, double volume) {
-    const std::string model = text_of(CORPUSCLE_MODELS "/driver_bag_folded/driver_bag_folded.k");
+    const std::string model = text_of(CORPUSCLE_MODELS "/driver_bag_folded/module.k");
     const auto between = [&](const std::string& from, const std::string& to) {
         const auto a = model.find(from);
         REQUIRE(a != std::string::npos);
@@ -63,7 +63,7 @@ std::string deck_for(const fold::Bag& bag, const fold::Recipe& recipe, double vo
     std::string deck =
         "*KEYWORD\n*TITLE\nrandom recipe\n*PARAMETER\nI NP, 10000\nR ENDTIM, 20.0\n"
         "R DTPLOT, 0.5\n*INCLUDE\nmesh.k\n*CONTROL_TERMINATION\n&ENDTIM\n";
-    deck += fmt::format("*PARAMETER\nR FLOW, {:.4f}\n", 1.25 * volume / 56.85e6);
+    deck += fmt::format("*PARAMETER\nR FLOW, {:.4f}\nR FIRE, 0.0\n", 1.25 * volume / 56.85e6);
     deck +=
         "*CONTROL_TIMESTEP\n0.0, 0.6, 0, 0.0, "
         "-0.003\n*DATABASE_ABSTAT\n0.1\n*DATABASE_GLSTAT\n0.1\n"

@@ -37,14 +37,14 @@ void check_near(const Vec3& found, const Vec3& expected, double within) {
 
 TEST_CASE("a guided headform keeps to its line and loses what it gives to the bag", "[models]") {
     const ModelRun run("oop_linear",
-                       "-j 1 --quiet -D NP=5000 -D ENDTIM=3 -D MEET=2 -D DISTANCE=15 -D SPEED=8 "
+                       "-j 1 --quiet -D NP=5000 -D ENDTIM=2 -D MEET=1 -D DISTANCE=65 -D SPEED=8 "
                        "-D ANGLE=20 -D OFFX=12 -D OFFY=-7");
     const io::BodyMotion head = form(run, 100);
     CHECK(head.mass == 6.8);
     const double tilt = 20.0 * M_PI / 180.0;
     const Vec3 line(0.0, std::sin(tilt), -std::cos(tilt));
-    // its foremost point would be at (12, -7, 15) at 2 ms
-    const Vec3 start = Vec3(12.0, -7.0, 15.0) - (2.0 * 8.0 + 82.5) * line;
+    // its foremost point would be at (12, -7, 65) at 1 ms
+    const Vec3 start = Vec3(12.0, -7.0, 65.0) - (1.0 * 8.0 + 82.5) * line;
     check_near(head.position.front(), start, 1e-6);
     check_near(head.velocity.front(), 8.0 * line, 1e-8);
     for (const Vec3& x : head.position)
@@ -59,7 +59,7 @@ TEST_CASE("a guided headform keeps to its line and loses what it gives to the ba
 
 TEST_CASE("a free torso form takes the bag's push in all directions", "[models]") {
     const ModelRun run("oop_linear_torso",
-                       "-j 1 --quiet -D NP=5000 -D ENDTIM=3 -D MEET=2 -D DISTANCE=15 -D SPEED=8 "
+                       "-j 1 --quiet -D NP=5000 -D ENDTIM=2 -D MEET=1 -D DISTANCE=65 -D SPEED=8 "
                        "-D ANGLE=10 -D OFFX=60 -D GUIDED=0",
                        "oop_linear");
     const io::BodyMotion torso = form(run, 101);

@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 # corpuscle: airbag deployment by the corpuscular method
 # SPDX-License-Identifier: MIT
-"""Writes the mesh of models/driver_bag_flat, and a coarser one for models/oop_linear: two discs seamed at
-their rim, and the inflator's orifices.
+"""Writes the mesh of models/driver_bag_flat: two discs seamed at their rim, and the inflator's orifices.
 
 Each disc is a square block, rings of quads round it, and three rings of triangles where the number of
 elements around doubles, so that elements stay near one size from the middle to the rim.
@@ -33,8 +32,7 @@ class Grid(NamedTuple):
     width: float   # of a ring, about                     [mm]
 
 
-FINE = Grid(5, ((20, 60.0), (40, 116.0), (80, 230.0), (160, RADIUS)), 13.6)
-COARSE = Grid(3, ((12, 60.0), (24, 116.0), (48, 230.0), (96, RADIUS)), 22.7)
+GRID = Grid(5, ((20, 60.0), (40, 116.0), (80, 230.0), (160, RADIUS)), 13.6)
 
 
 def flat_disc(grid):
@@ -138,5 +136,4 @@ if __name__ == "__main__":
     comment = ["Two discs of 720 mm diameter seamed at the rim, 1 mm apart, with a fixed dish and",
                "twelve orifices of the inflator in the middle of the rear one; lengths in mm.",
                "Written by tools/models/disc_bag.py: change it there."]
-    bag(FINE).write(MODELS / "driver_bag_flat" / "mesh.k", comment)
-    bag(COARSE).write(MODELS / "oop_linear" / "mesh_coarse.k", comment)
+    bag(GRID).write(MODELS / "driver_bag_flat" / "mesh.k", comment)
