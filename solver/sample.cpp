@@ -207,6 +207,7 @@ Frame Simulation::frame() {
     for (const gas::BagGas& bag : bags_) {
         if (!bag.card().show_particles) continue;
         if (!state.particles) state.particles.emplace();
+        if (bag.is_uniform()) continue;  // its particles are summed up and stand where they froze
         const gas::Particles& from = bag.particles();
         for (std::size_t i = 0; i < from.size(); ++i) {
             state.particles->id.push_back(from.id[i]);

@@ -132,6 +132,7 @@ TEST_CASE("going over to uniform pressure leaves mass, temperature and motion as
         if (!is_uniform) before = at_t.sample().airbags[0], at_before = at_t.time();
         if (is_uniform && after.volume == 0.0) {
             after = at_t.sample().airbags[0];
+            CHECK(at_t.frame().particles.value().id.empty());  // they froze
             owed = at_t.bags()[0].owed_impulse();
             at_after = at_t.time();
         }
