@@ -35,8 +35,8 @@ inline std::string seen(const std::string& dom, const std::string& name) {
     return dom.substr(at + name.size() + 1, dom.find(';', at) - at - name.size() - 1);
 }
 
-/// Four frames of a small scene that grows; the first bag's pressure in each.
-inline std::vector<double> write_results(const std::filesystem::path& folder) {
+/// Four frames of a small scene that grows, by so much a frame; the first bag's pressure in each.
+inline std::vector<double> write_results(const std::filesystem::path& folder, double growth = 0.2) {
     const RecordLayout layout = scene::layout();
     io::ResultsFile results(folder, scene::info(), layout);
     std::vector<double> pressure;
@@ -47,7 +47,7 @@ inline std::vector<double> write_results(const std::filesystem::path& folder) {
         results.append(sample);
         Frame frame = scene::frame(layout, k, 5);
         for (std::size_t n = 0; n < frame.coordinates.size(); ++n)
-            frame.coordinates[n] = (1.0 + 0.2 * static_cast<double>(k)) * layout.coordinates[n];
+            frame.coordinates[n] = (1.0 + growth * static_cast<double>(k)) * layout.coordinates[n];
         for (Vec3& x : frame.particles->position) x = 0.01 * x / x.norm();
         results.write(frame);
     }

@@ -1,10 +1,10 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 //
-// Claim: the page of a run works in a real browser: the picture is not blank and moves with the
-// slider, the curves hold the run's numbers, and no request leaves the file. Chromium opens the
-// page with a script appended that does what a person would; without Chromium this says that it
-// was skipped.
+// Claim: the page of a run, or of two, works in a real browser: the pictures are not blank, move
+// with the slider and are cut, the curves hold the runs' numbers, and no request leaves the file.
+// Chromium opens the page with a script appended that does what a person would; without Chromium
+// this says that it was skipped.
 
 #include <catch2/catch.hpp>
 
@@ -30,8 +30,9 @@ const later = async () => {
     for (const run of window.page.runs) await readFrame(run, frameAt(run, window.page.t));  // when it is asked for
     await pause();
 };
-const ink = () => {
-    const canvas = document.querySelector("#scene canvas.picture"), gl = canvas.getContext("webgl2");
+const pictures = () => [...document.querySelectorAll("#scene canvas.picture")];
+const ink = (canvas) => {
+    const gl = canvas.getContext("webgl2");
     const pixels = new Uint8Array(4 * canvas.width * canvas.height);
     gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
     let inked = 0, sum = 0;
@@ -45,19 +46,29 @@ const ink = () => {
     const seen = [], slider = document.getElementById("slider");
     const note = (name, value) => seen.push(`${name}=${value};`);
     const chart = () => document.querySelector("#charts canvas").getAttribute("aria-label");
-    const [inkStart, sumStart] = ink();
-    note("ink", inkStart); note("start", chart());
+    const start = pictures().map((one) => ink(one));
+    const differ = () => pictures().every((one, k) => ink(one)[1] !== start[k][1]);
+    note("pictures", start.length);
+    note("ink", Math.min(...start.map((of) => of[0]))); note("start", chart());
     slider.value = 1000;
     slider.dispatchEvent(new Event("input"));
     await later();
     note("end", chart()); note("clock", document.getElementById("clock").textContent);
-    note("moved", ink()[1] !== sumStart);
+    note("moved", differ());
     document.body.dispatchEvent(new KeyboardEvent("keydown", {key: "Home", bubbles: true}));
     await later();
-    note("home", chart()); note("back", ink()[1] === sumStart);
+    note("home", chart()); note("back", ink(pictures()[0])[1] === start[0][1]);
+    const cut = document.getElementById("cut");
+    cut.value = 500;
+    cut.dispatchEvent(new Event("input"));
+    await later();
+    note("cut", differ());
+    cut.value = 1000;
+    cut.dispatchEvent(new Event("input"));
+    await later();
     document.body.dispatchEvent(new KeyboardEvent("keydown", {key: "c", bubbles: true}));
     await later();
-    note("coloured", ink()[1] !== sumStart);
+    note("coloured", differ());
     note("requests", performance.getEntriesByType("resource").length);
     document.getElementById("seen").textContent = seen.join("");
 })();
@@ -72,28 +83,38 @@ std::string shown(float value) {
 
 }  // namespace
 
-TEST_CASE("a run's page works in a browser", "[report]") {
+TEST_CASE("a page of one run, and of two side by side, works in a browser", "[report]") {
     const std::string program = report::browser();
     if (program.empty()) {
         WARN("skipped: there is no Chromium on the PATH");
         return;
     }
+    const int runs = GENERATE(1, 2);
     const scene::Folder folder("page");
-    const std::vector<double> pressure = test::write_results(folder.path);
-    std::string page = report::page({folder.path});
+    std::vector<fs::path> folders;
+    std::string at_start, at_end;  // readings of the first chart, run by run
+    for (int run = 0; run < runs; ++run) {
+        folders.push_back(folder.path / std::to_string(run));
+        const std::vector<double> pressure = test::write_results(folders.back(), 0.2 + 0.1 * run);
+        for (std::string* readings : {&at_start, &at_end})
+            if (run > 0) readings->append(", ");
+        at_start += shown(static_cast<float>(pressure.front()));
+        at_end += shown(static_cast<float>(pressure.back()));
+    }
+    std::string page = report::page(folders);
     page.replace(page.rfind("</body>"), 0, VISITOR);
     std::ofstream(folder.path / "page.html") << page;
     const std::string dom = test::printed_by(
         report::dump_command(program, folder.path / "page.html", folder.path / "profile"));
+    CHECK(test::seen(dom, "pictures") == std::to_string(runs));
     CHECK(std::stod(test::seen(dom, "ink")) > 0.005);
     CHECK(test::seen(dom, "moved") == "true");
     CHECK(test::seen(dom, "back") == "true");
+    CHECK(test::seen(dom, "cut") == "true");
     CHECK(test::seen(dom, "coloured") == "true");
     CHECK(test::seen(dom, "requests") == "0");
-    CHECK(test::seen(dom, "start") ==
-          "airbag/7/pressure: " + shown(static_cast<float>(pressure.front())) + " GPa");
-    CHECK(test::seen(dom, "end") ==
-          "airbag/7/pressure: " + shown(static_cast<float>(pressure.back())) + " GPa");
+    CHECK(test::seen(dom, "start") == "airbag/7/pressure: " + at_start + " GPa");
+    CHECK(test::seen(dom, "end") == "airbag/7/pressure: " + at_end + " GPa");
     CHECK(test::seen(dom, "home") == test::seen(dom, "start"));
     CHECK(test::seen(dom, "clock") == "t = 4.5 ms");
 }
