@@ -34,7 +34,7 @@ constexpr double REACH = 3.5;
 
 /// Cells, in facet edges, where layers lie closer than that reach: there no way is free. Smaller:
 /// fewer facets to look at, more cells on the way.
-constexpr double THIN_CELL = 0.5;
+constexpr double THIN_CELL = 1.5;
 
 constexpr std::size_t MOST_CELLS = 2'000'000;
 

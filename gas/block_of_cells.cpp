@@ -3,6 +3,9 @@
 #include "gas/block_of_cells.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "contact/eight.hpp"
 
 namespace corpuscle::gas {
 namespace {
@@ -27,10 +30,12 @@ void BlockOfCells::begin(const Grid& grid, std::size_t block) {
     entries_ = 0;
     entered_.clear();
     start_.fill(0);
+    last_eight_.fill(-1);
+    eights_.fill(0);
     cells_.clear();
 }
 
-void BlockOfCells::enter(Index facet, const CellRange& range) {
+void BlockOfCells::enter(Index facet, const CellRange& range, Index eight) {
     Entered one{facet, {}};
     for (int a = 0; a < 3; ++a) {
         one.range.from[a] = std::max(range.from[a] - first_[a], 0);
@@ -41,7 +46,15 @@ void BlockOfCells::enter(Index facet, const CellRange& range) {
     for_each_cell(one.range, [&](int cell) {
         ++entries_;
         if (start_[cell + 1]++ == 0) cells_.push_back(cell);
+        eights_[cell] += std::exchange(last_eight_[cell], eight) != eight;
     });
+}
+
+std::size_t BlockOfCells::eights_by_eight() const {
+    constexpr Index EIGHT = contact::EIGHT;
+    Index blocks = 0;
+    for (const int cell : cells_) blocks += (eights_[cell] + EIGHT - 1) / EIGHT;
+    return static_cast<std::size_t>(blocks);
 }
 
 void BlockOfCells::sort() {

@@ -53,11 +53,14 @@ public:
     }
 
     void begin(const Grid& grid, std::size_t block);
-    void enter(Index facet, const CellRange& range);
+    /// A cell's eights are counted where those of an eight are entered one after another.
+    void enter(Index facet, const CellRange& range, Index eight = 0);
     /// Facets stay in the order in which they were entered.
     void sort();
 
     [[nodiscard]] std::size_t entries() const { return entries_; }
+    /// Of all cells, blocks that hold each cell's eights by EIGHT.
+    [[nodiscard]] std::size_t eights_by_eight() const;
     /// Cells with facets, ascending.
     [[nodiscard]] std::span<const int> cells() const { return cells_; }
     [[nodiscard]] std::size_t row(int cell) const {
@@ -95,6 +98,7 @@ private:
     const Grid* grid_ = nullptr;
     std::array<int, 3> first_{};  ///< cell
     std::size_t entries_ = 0;
+    std::array<Index, CELLS> last_eight_{}, eights_{};  ///< by cell: entered last; so far
     std::vector<Entered> entered_;
     std::vector<Corners> corners_;
     std::array<std::int32_t, CELLS + 1> start_{};  ///< until sort(): facets in the cell before

@@ -4,69 +4,140 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
 #include <span>
 #include <vector>
 
+#include "contact/blocks.hpp"
 #include "gas/facet_lists.hpp"
 
 namespace corpuscle::gas {
 
-/// Eight numbers at once, on every processor.
-using Eight = float __attribute__((vector_size(32)));
-
-using Quad = float __attribute__((vector_size(16)));  ///< x, y, z, 0
-
-/// Is any of a greater than its fellow in b?
-inline bool any_greater(const Eight& a, const Eight& b) {
-    const auto is_greater = a > b;
-#ifdef __AVX__
-    return __builtin_ia32_movmskps256(reinterpret_cast<Eight>(is_greater)) != 0;
+/// a b + c, rounded once where the processor can: only for bounds, which have room for either.
+inline contact::Eight fused(const contact::Eight& a, const contact::Eight& b,
+                            const contact::Eight& c) {
+#ifdef __FMA__
+    return _mm256_fmadd_ps(a, b, c);
 #else
-    bool any = false;
-    for (int i = 0; i < 8; ++i) any |= is_greater[i] != 0;
-    return any;
+    return a * b + c;
 #endif
 }
 
 /// A piece of a path, from one instant of the step to another, in single precision: what
 /// FacetBounds compare.
 struct SmallPath {
-    Eight box;                      ///< high, 0, -low, 0                                   [m]
+    contact::Bounds box;            ///< [m]
     std::array<float, 3> from, to;  ///< from the bounds' origin                            [m]
-    float after, before;            ///< shares of the step at its two ends                 [-]
-    float slack;                    ///< more than rounding can be wrong                    [m]
+    double after, length;           ///< share of the step at its start, and that it takes  [-]
+    bool is_far;                    ///< too far from the origin for single precision
 };
 
-/// What a facet sweeps in one step: its box, and a plane by which most paths pass on one side.
-///
-/// With n the facet's unit normal at t, all its nodes have the height n·x = at_0 at t and lie
-/// between low_1 and high_1 at t + dt. In between, at the share tau of the step, any point that the
-/// exact test (crossing.hpp) takes for the facet's lies between at_0 + tau (low_1 - at_0) and at_0
-/// + tau (high_1 - at_0). A path that is above at both its ends, or below, misses it.
-struct FacetBound {
-    Eight box;                    ///< low, 0, -high, 0                                    [m]
-    std::array<float, 3> normal;  ///< zero for a facet without area: no path is told apart
-    float at_0, low_1, high_1;    ///< heights                                             [m]
-    float size;                   ///< longest side of the box                             [m]
+/// An affine function of place, eight times over: gradient · x - offset.
+struct EightHeights {
+    contact::EightPoints gradient{};
+    contact::Eight offset{};
 
-    /// Do the boxes overlap?
-    [[nodiscard]] bool is_near(const SmallPath& path) const { return !any_greater(box, path.box); }
-
-    /// Does the path stay on one side?
-    [[nodiscard]] bool is_missed_by(const SmallPath& path) const {
-        float h_0 = 0.0F, h_1 = 0.0F;
-        for (int a = 0; a < 3; ++a) {
-            h_0 += normal[a] * path.from[a];
-            h_1 += normal[a] * path.to[a];
-        }
-        const float low = low_1 - at_0, high = high_1 - at_0;
-        const float below_0 = at_0 + path.after * low - path.slack,
-                    below_1 = at_0 + path.before * low - path.slack,
-                    above_0 = at_0 + path.after * high + path.slack,
-                    above_1 = at_0 + path.before * high + path.slack;
-        return (h_0 < below_0 && h_1 < below_1) || (h_0 > above_0 && h_1 > above_1);
+    [[nodiscard]] contact::Eight at(const contact::EightPoints& x) const {
+        return fused(gradient[0], x[0], fused(gradient[1], x[1], gradient[2] * x[2] - offset));
     }
+};
+
+/// What eight facets sweep in one step: each lies within a prism, all six corners that it has at t
+/// and at t + dt,
+///
+///     0 <= n·x - low <= thick,    0 <= b·x - b_0,    0 <= c·x - c_0,    (b + c)·x - b_0 - c_0 <= d
+///
+/// n its unit normal at t, b and c the gradients of two of its barycentric coordinates: what the
+/// exact test (crossing.hpp) takes for the facet's in between lies within, too. Any gradients are
+/// right, if only the bounds are those that the corners keep.
+struct EightPrisms {
+    EightHeights normal, b, c;
+    contact::Eight thick, d;
+
+    /// At which share of the way from one point to another each prism is entered: at least; more
+    /// than 1 where it is missed. Cost: 50 instructions.
+    [[nodiscard]] contact::Eight entered(const contact::EightPoints& from,
+                                         const contact::EightPoints& to) const;
+};
+
+/// Boxes of eight eights, and two parallel planes that all corners of each lie between.
+struct EightsBounds {
+    contact::EightBounds box;
+    EightHeights normal;
+    contact::Eight thick{};
+
+    /// A bit for each that the way from one point to another, with this box, may meet.
+    [[nodiscard]] unsigned near(const contact::Bounds& path, const contact::EightPoints& from,
+                                const contact::EightPoints& to) const {
+        using contact::greatest_of, contact::least_of;
+        const contact::Eight h_0 = normal.at(from), h_1 = normal.at(to);
+        const auto is_crossed =
+            (greatest_of(h_0, h_1) >= contact::Eight{}) & (least_of(h_0, h_1) <= thick);
+        return box.overlapping(path) & contact::bits_of(is_crossed);
+    }
+};
+
+/// By bits: which of eight lanes are set, one after another.
+inline constexpr auto LANES_SET = [] {
+    std::array<std::array<std::int32_t, contact::EIGHT>, 256> out{};
+    for (unsigned bits = 0; bits < out.size(); ++bits)
+        for (int l = 0, n = 0; l < contact::EIGHT; ++l)
+            if ((bits >> l & 1U) != 0) out[bits][n++] = l;
+    return out;
+}();
+
+/// Writes the lanes whose bits are set, one after another, without branches that nobody could
+/// foretell; room for eight is needed.
+template <class T>
+void write_lanes(unsigned bits, const T* from, T* to) {
+    static_assert(sizeof(T) == sizeof(contact::EightBits) / contact::EIGHT);
+    contact::EightBits lanes, numbers;
+    std::memcpy(&lanes, &LANES_SET[bits], sizeof(lanes));
+    std::memcpy(&numbers, from, sizeof(numbers));
+    numbers = __builtin_shuffle(numbers, lanes);
+    std::memcpy(to, &numbers, sizeof(numbers));
+}
+
+/// Facets that a path may meet, and the share of it before which it does not.
+class NearFacets {
+public:
+    static constexpr int EIGHTS_AT_ONCE = 64;
+
+    [[nodiscard]] bool is_empty() const { return count_ == 0; }
+    void clear() { count_ = 0; }
+    /// Those of an eight that are met within the path.
+    void add(const std::array<Index, contact::EIGHT>& facets, const contact::Eight& share) {
+        add(facets, contact::bits_of(share <= contact::all_eight(1.0F)), share);
+    }
+    void add(const std::array<Index, contact::EIGHT>& facets, unsigned bits,
+             const contact::Eight& share) {
+        write_lanes(bits, facets.data(), facet_.data() + count_);
+        write_lanes(bits, reinterpret_cast<const float*>(&share), share_.data() + count_);
+        count_ += std::popcount(bits);
+    }
+    struct One {
+        Index facet;
+        float share;
+    };
+    One take_nearest() {
+        int least = 0;
+        for (int i = 1; i < count_; ++i) least = share_[i] < share_[least] ? i : least;
+        const One out{facet_[least], share_[least]};
+        --count_;
+        facet_[least] = facet_[count_];
+        share_[least] = share_[count_];
+        return out;
+    }
+
+private:
+    static constexpr std::size_t ROOM = (EIGHTS_AT_ONCE + 1) * contact::EIGHT;
+    int count_ = 0;
+    std::array<Index, ROOM> facet_;
+    std::array<float, ROOM> share_;
 };
 
 /// Bounds of all facets in one step. Single precision, rounded outward: half the memory.
@@ -75,77 +146,104 @@ public:
     /// Facets of the lists move from x_0 to x_1.
     void update(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec3> x_1);
 
-    [[nodiscard]] const FacetBound& operator[](Index facet) const { return bound_[facet]; }
-
-    /// Does the path pass beside the facet? With r the nodes' places at t and t + dt, seen from the
-    /// path, d its way and e an edge at t, all (e × d)·r have the same sign for one of the edges.
-    /// (Along the path the product is naught.) Cost: some 60 instructions.
-    [[nodiscard]] bool is_passed_beside(Index facet, const Triangle& nodes,
-                                        const SmallPath& path) const;
+    /// meet(near) with a cell's facets that the path may meet, some at a time.
+    template <class Meet>
+    void for_some_near(const FacetLists& lists, const Slab& cell, const SmallPath& path,
+                       NearFacets& near, Meet&& meet) const;
 
     /// Between the shares `enters` and `leaves` of the way from `from`, where the particle is at
     /// the share `now` of the step, to `to` at its end.
     [[nodiscard]] SmallPath small(const Vec3& from, const Vec3& to, double now, double enters,
                                   double leaves) const {
         SmallPath out;
-        double size = size_;
+        float most = 0.0F;
         for (int a = 0; a < 3; ++a) {
             const double way = to[a] - from[a];
-            const double p = from[a] + enters * way - origin_[a],
-                         q = from[a] + leaves * way - origin_[a];
-            out.from[a] = static_cast<float>(p);
-            out.to[a] = static_cast<float>(q);
-            size = std::max({size, std::abs(p), std::abs(q)});
+            const auto p = static_cast<float>(from[a] + enters * way - origin_[a]),
+                       q = static_cast<float>(from[a] + leaves * way - origin_[a]);
+            out.from[a] = p;
+            out.to[a] = q;
+            out.box.low[a] = std::min(p, q);
+            out.box.high[a] = std::max(p, q);
+            most = std::max({most, -out.box.low[a], out.box.high[a]});
         }
-        out.after = static_cast<float>(now + enters * (1.0 - now));
-        out.before = static_cast<float>(now + leaves * (1.0 - now));
-        out.slack = static_cast<float>(ROUNDING * size);
-        const auto high = [&](int a) { return std::max(out.from[a], out.to[a]) + out.slack; };
-        const auto less = [&](int a) { return out.slack - std::min(out.from[a], out.to[a]); };
-        out.box = Eight{high(0), high(1), high(2), 0.0F, less(0), less(1), less(2), 0.0F};
+        out.after = now + enters * (1.0 - now);
+        out.length = (leaves - enters) * (1.0 - now);
+        out.is_far = !(most <= size_);
         return out;
     }
 
 private:
-    static constexpr double ROUNDING = 4e-6;  ///< some 60 units in the last place of a float
+    void set_prisms(const FacetLists& lists, std::size_t eight);
+    [[nodiscard]] EightsBounds bounds_of(const FacetLists::EightEights& eights) const;
 
     Vec3 origin_ = Vec3::Zero();  ///< near the facets: small numbers are rounded less        [m]
-    double size_ = 0.0;           ///< half the longest side of the grid                      [m]
-    std::vector<Eight> node_;     ///< by row: x, y, z, 0 at t and at t + dt               [m]
-    std::vector<FacetBound> bound_;
+    float size_ = 0.0F;           ///< no coordinate that is compared is larger               [m]
+    float slack_ = 0.0F;          ///< more than rounding can be wrong                        [m]
+    std::vector<std::array<std::array<float, 3>, 2>> node_;  ///< by row: at t and at t + dt  [m]
+    std::vector<EightPrisms> prisms_;
+    struct Bound {
+        contact::Bounds box;
+        std::array<float, 3> normal;
+        float low, thick;
+        void set_planes(const std::array<contact::EightPoints, 6>& corners,
+                        const contact::EightPoints& n, float slack);
+    };
+    std::vector<Bound> bound_;      ///< by eight
+    std::vector<EightsBounds> in_;  ///< as FacetLists::eights_in()
 };
 
-inline bool FacetBounds::is_passed_beside(Index facet, const Triangle& nodes,
-                                          const SmallPath& path) const {
-    using Ints = std::int32_t __attribute__((vector_size(32)));
-    const auto& p = path.from;
-    const Eight from{p[0], p[1], p[2], 0.0F, p[0], p[1], p[2], 0.0F};
-    const Eight a = node_[nodes[0]] - from, b = node_[nodes[1]] - from, c = node_[nodes[2]] - from;
-    // By component: a b c a at t, a b c a at t + dt.
-    constexpr Ints LOW{0, 8, 1, 9, 4, 12, 5, 13}, HIGH{2, 10, 3, 11, 6, 14, 7, 15},
-        FIRST{0, 1, 8, 9, 4, 5, 12, 13}, SECOND{2, 3, 10, 11, 6, 7, 14, 15},
-        NEXT{1, 2, 0, 1, 5, 6, 4, 5};
-    const Eight ab = __builtin_shuffle(a, b, LOW), ca = __builtin_shuffle(c, a, LOW);
-    const Eight x = __builtin_shuffle(ab, ca, FIRST), y = __builtin_shuffle(ab, ca, SECOND),
-                z = __builtin_shuffle(__builtin_shuffle(a, b, HIGH), __builtin_shuffle(c, a, HIGH),
-                                      FIRST);
-    const Eight along_x = __builtin_shuffle(x, NEXT) - x, along_y = __builtin_shuffle(y, NEXT) - y,
-                along_z = __builtin_shuffle(z, NEXT) - z;
-    const std::array<float, 3> d{path.to[0] - p[0], path.to[1] - p[1], path.to[2] - p[2]};
-    const Eight n_x = along_y * d[2] - along_z * d[1], n_y = along_z * d[0] - along_x * d[2],
-                n_z = along_x * d[1] - along_y * d[0];
-    // |n| is at most 6 E D along all axes together, E the facet's size and D the longest component
-    // of d; places are wrong by less than the slack, products of E D (D + 2 E) by some units.
-    const float E = bound_[facet].size,
-                D = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
-    const float slack = E * D * (12.0F * path.slack + 2e-6F * (D + 2.0F * E));
-    const Eight above = Eight{} + slack, below = -above;
-    bool is_beside = false;
-    for (int e = 0; e < 3; ++e) {
-        const Eight height = n_x[e] * x + n_y[e] * y + n_z[e] * z;
-        is_beside |= !any_greater(above, height) | !any_greater(height, below);
+/// A bit for each of up to eight numbers that is there.
+inline unsigned those(const std::array<Index, contact::EIGHT>& numbers) {
+    unsigned bits = 0;
+    for (int l = 0; l < contact::EIGHT; ++l) bits |= static_cast<unsigned>(numbers[l] >= 0) << l;
+    return bits;
+}
+
+inline contact::Eight EightPrisms::entered(const contact::EightPoints& from,
+                                           const contact::EightPoints& to) const {
+    using contact::all_eight, contact::Eight, contact::greatest_of, contact::least_of;
+    const Eight zero{}, one = all_eight(1.0F), tiny = all_eight(1e-30F);
+    const Eight h_0 = normal.at(from), rise = normal.at(to) - h_0;
+    const Eight slope = (rise > tiny) | (rise < -tiny) ? rise : tiny;
+    const Eight low = -h_0 / slope, high = (thick - h_0) / slope;
+    const Eight enters = greatest_of(least_of(low, high), zero),
+                leaves = least_of(greatest_of(low, high), one);
+    const Eight b_0 = b.at(from), b_rise = b.at(to) - b_0, c_0 = c.at(from),
+                c_rise = c.at(to) - c_0;
+    const Eight b_in = fused(enters, b_rise, b_0), b_out = fused(leaves, b_rise, b_0),
+                c_in = fused(enters, c_rise, c_0), c_out = fused(leaves, c_rise, c_0);
+    const Eight d_in = b_in + c_in, d_out = b_out + c_out;
+    const auto is_missed = (enters > leaves) | (greatest_of(b_in, b_out) < zero) |
+                           (greatest_of(c_in, c_out) < zero) | (least_of(d_in, d_out) > d);
+    return is_missed ? all_eight(2.0F) : enters;
+}
+
+template <class Meet>
+void FacetBounds::for_some_near(const FacetLists& lists, const Slab& cell, const SmallPath& path,
+                                NearFacets& near, Meet&& meet) const {
+    constexpr int EIGHT = contact::EIGHT, AT_ONCE = NearFacets::EIGHTS_AT_ONCE / EIGHT;
+    std::array<Index, NearFacets::EIGHTS_AT_ONCE + EIGHT> eights;
+    const contact::EightPoints from = contact::all_eight(path.from),
+                               to = contact::all_eight(path.to);
+    for (Index first = cell.first_eights; first < cell.last_eights; first += AT_ONCE) {
+        int count = 0;
+        const Index last = std::min(first + AT_ONCE, cell.last_eights);
+        for (Index k = first; k < last; ++k) {
+            const unsigned close =
+                path.is_far ? those(lists.eights_in()[k]) : in_[k].near(path.box, from, to);
+            write_lanes(close, lists.eights_in()[k].data(), eights.data() + count);
+            count += std::popcount(close);
+        }
+        for (int i = 0; i < count; ++i) {
+            const std::array<Index, EIGHT>& facets = lists.eights().facet[eights[i]];
+            if (path.is_far)
+                near.add(facets, those(facets), contact::Eight{});
+            else
+                near.add(facets, prisms_[eights[i]].entered(from, to));
+        }
+        if (!near.is_empty()) meet(near);
     }
-    return is_beside;
 }
 
 }  // namespace corpuscle::gas

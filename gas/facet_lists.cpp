@@ -44,6 +44,7 @@ FacetLists::FacetLists(std::vector<Triangle> triangles, std::span<const Vec3> x)
     : triangles_(std::move(triangles)),
       nodes_(nodes_of(triangles_)),
       patches_(contact::make_patches(x, triangles_)),
+      eights_(make_eights(x, triangles_, patches_)),
       range_(triangles_.size()) {}
 
 bool FacetLists::hold_for(std::span<const Vec3> x_1) const {
@@ -70,13 +71,16 @@ void FacetLists::build(const Grid& grid, std::span<const Vec3> x_0, std::span<co
         enter(b, block);
         block_[b].facet = block.entries();
         block_[b].slab = block.cells().size();
+        block_[b].eights = block.eights_by_eight();
     });
-    std::size_t facets = 0, slabs = 1;
+    std::size_t facets = 0, slabs = 1, eights = 0;
     for (Block& b : block_) {
         facets += std::exchange(b.facet, facets);
         slabs += std::exchange(b.slab, slabs);
+        eights += std::exchange(b.eights, eights);
     }
     facet_.resize(facets);
+    eights_in_.resize(eights);
     slab_.resize(slabs);
     slab_[0] = {};
     slab_row_.assign(grid_.size(), 0);
@@ -91,7 +95,7 @@ void FacetLists::enter(std::size_t number, BlockOfCells& block) const {
     block.begin(grid_, static_cast<std::size_t>(pairs_[first].first));
     for (std::size_t p = first; p < block_[number + 1].pair; ++p)
         for (const Index facet : patches_[static_cast<std::size_t>(pairs_[p].second)])
-            block.enter(facet, range_[facet]);
+            block.enter(facet, range_[facet], eights_.of[facet]);
 }
 
 /// Writes a block's facets and slabs. Heights are those of all nodes, and the margin.
@@ -101,12 +105,26 @@ void FacetLists::fill(std::size_t number, std::span<const Vec3> x_0, std::span<c
     block.sort();
     block.take_corners(triangles_, x_0, x_1);
     std::size_t to = block_[number].facet, row = block_[number].slab;
+    std::size_t eights = block_[number].eights;
     for (const int cell : block.cells()) {
         Slab& slab = slab_[row];
         slab_row_[block.row(cell)] = static_cast<Index>(row++);
         slab.begin = static_cast<Index>(to);
         for (const std::int32_t place : block.in(cell)) facet_[to++] = block.facet(place);
         slab.end = static_cast<Index>(to);
+        slab.first_eights = static_cast<Index>(eights);
+        int lane = contact::EIGHT;
+        Index last = -1;
+        for (const Index facet : in(slab)) {
+            const Index eight = eights_.of[facet];
+            if (std::exchange(last, eight) == eight) continue;
+            if (lane == contact::EIGHT) {
+                eights_in_[eights++].fill(-1);
+                lane = 0;
+            }
+            eights_in_[eights - 1][lane++] = last;
+        }
+        slab.last_eights = static_cast<Index>(eights);
         const Planes planes = block.planes(cell, length);
         const auto& n = planes.normal;
         const double all = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);
@@ -145,8 +163,8 @@ void FacetLists::pair_blocks_with_patches(std::span<const Vec3> x_0, std::span<c
     block_tree_.pairs(patch_tree_, pairs_);
     block_.clear();
     for (std::size_t p = 0; p < pairs_.size(); ++p)
-        if (p == 0 || pairs_[p].first != pairs_[p - 1].first) block_.push_back({p, 0, 0});
-    block_.push_back({pairs_.size(), 0, 0});
+        if (p == 0 || pairs_[p].first != pairs_[p - 1].first) block_.push_back({p, 0, 0, 0});
+    block_.push_back({pairs_.size(), 0, 0, 0});
 }
 
 }  // namespace corpuscle::gas

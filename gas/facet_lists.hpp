@@ -12,6 +12,7 @@
 #include "contact/broad_phase.hpp"
 #include "gas/block_of_cells.hpp"
 #include "gas/clearance.hpp"
+#include "gas/facet_eights.hpp"
 #include "gas/grid.hpp"
 #include "solver/base/surface.hpp"
 
@@ -24,6 +25,7 @@ struct Slab {
     std::array<float, 3> normal{0.0F, 0.0F, 0.0F};  ///< of unit length
     float low = 1.0F, high = -1.0F;                 ///< [m]
     Index begin = 0, end = 0;                       ///< of the cell's list
+    Index first_eights = 0, last_eights = 0;        ///< of its eights, by eight: begin and end
 
     [[nodiscard]] bool is_missed_by(const std::array<float, 3>& from,
                                     const std::array<float, 3>& to) const {
@@ -61,6 +63,10 @@ public:
     [[nodiscard]] std::span<const Index> in(const Slab& slab) const {
         return {facet_.data() + slab.begin, static_cast<std::size_t>(slab.end - slab.begin)};
     }
+    /// Eights with facets in a cell, by eight; -1 where there are no more.
+    using EightEights = std::array<Index, contact::EIGHT>;
+    [[nodiscard]] std::span<const EightEights> eights_in() const { return eights_in_; }
+    [[nodiscard]] const FacetEights& eights() const { return eights_; }
     [[nodiscard]] bool is_empty(std::size_t cell) const { return slab_row_[cell] == 0; }
     [[nodiscard]] const Slab& slab(std::size_t cell) const { return slab_[slab_row_[cell]]; }
 
@@ -107,8 +113,8 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(grid_, margin_, size_, per_edge_, builds_, built_at_, facet_, slab_, slab_row_,
-                clearance_);
+        archive(grid_, margin_, size_, per_edge_, builds_, built_at_, facet_, eights_in_, slab_,
+                slab_row_, clearance_);
     }
 
 private:
@@ -117,7 +123,7 @@ private:
     template <class Visit>
     bool walk(const Vec3& from, const Vec3& to, Visit&& visit) const {
         std::array<int, 3> cell, end, step;
-        std::array<double, 3> next, per_cell;
+        std::array<double, 3> at, next, per_cell;
         int steps = 0;
         for (int a = 0; a < 3; ++a) {
             const double p = (from[a] - grid_.low[a]) * grid_.per_edge,
@@ -126,11 +132,16 @@ private:
             end[a] = static_cast<int>(std::floor(q));
             step[a] = end[a] > cell[a] ? 1 : -1;
             steps += std::abs(end[a] - cell[a]);
-            per_cell[a] = 1.0 / std::abs(q - p);
-            const double face = cell[a] + (step[a] > 0 ? 1.0 : 0.0);
-            next[a] = cell[a] == end[a] ? INF : std::abs(face - p) * per_cell[a];
+            at[a] = p;
+            per_cell[a] = std::abs(q - p);
         }
         const auto along = [&](int a) { return std::clamp(cell[a], 0, grid_.count[a] - 1); };
+        if (steps == 0) return visit(grid_.row(along(0), along(1), along(2)), 0.0, 1.0);
+        for (int a = 0; a < 3; ++a) {
+            per_cell[a] = 1.0 / per_cell[a];
+            const double face = cell[a] + (step[a] > 0 ? 1.0 : 0.0);
+            next[a] = cell[a] == end[a] ? INF : std::abs(face - at[a]) * per_cell[a];
+        }
         double enters = 0.0;
         for (int i = 0;; ++i) {
             const int a =
@@ -171,6 +182,7 @@ private:
     std::vector<Triangle> triangles_;
     std::vector<Index> nodes_;  ///< rows of the facets' nodes, ascending
     contact::Patches patches_;
+    FacetEights eights_;
     contact::BroadPhase patch_tree_, block_tree_;
 
     Grid grid_;
@@ -183,14 +195,15 @@ private:
     std::vector<CellRange> range_;       ///< of the facets
     std::vector<contact::Box> box_;
     std::vector<std::pair<Index, Index>> pairs_;  ///< block, patch
-    /// A block's first pair; its first entry of facet_ and of slab_.
+    /// A block's first pair; its first entry of facet_, of slab_ and of eights_in_.
     struct Block {
-        std::size_t pair, facet, slab;
+        std::size_t pair, facet, slab, eights;
     };
-    std::vector<Block> block_;     ///< those with patches, and one more for where they end
-    std::vector<Index> facet_;     ///< cell after cell, block after block
-    std::vector<Slab> slab_;       ///< first that of all empty cells, then one a cell
-    std::vector<Index> slab_row_;  ///< per cell
+    std::vector<Block> block_;            ///< those with patches, and one more for where they end
+    std::vector<Index> facet_;            ///< cell after cell, block after block
+    std::vector<EightEights> eights_in_;  ///< likewise
+    std::vector<Slab> slab_;              ///< first that of all empty cells, then one a cell
+    std::vector<Index> slab_row_;         ///< per cell
     Clearance clearance_;
 };
 

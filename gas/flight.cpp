@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "gas/crossing.hpp"
 #include "gas/rough_wall.hpp"
@@ -76,26 +77,22 @@ Meeting first_meeting(const Scene& scene, const Path& path, const Vec3& from, do
         return first;
     }
     const FacetBounds& bounds = *scene.bounds;
+    NearFacets near;
     scene.lists.any_slab(from, path.at_1, [&](const Slab& slab, double enters, double leaves) {
         const bool is_part = leaves > enters;  // else nothing is known of the order
         const SmallPath small =
             bounds.small(from, path.at_1, now, is_part ? enters : 0.0, is_part ? leaves : 1.0);
-        // Boxes first, without branches: few are near.
-        constexpr std::size_t AT_ONCE = 64;
-        const auto facets = scene.lists.in(slab);
-        for (std::size_t begin = 0; begin < facets.size(); begin += AT_ONCE) {
-            const std::size_t count = std::min(AT_ONCE, facets.size() - begin);
-            std::uint64_t near = 0;
-            for (std::size_t k = 0; k < count; ++k)
-                near |= std::uint64_t{bounds[facets[begin + k]].is_near(small)} << k;
-            for (; near != 0; near &= near - 1) {
-                const Index facet =
-                    facets[begin + static_cast<std::size_t>(std::countr_zero(near))];
-                if (!bounds[facet].is_missed_by(small) &&
-                    !bounds.is_passed_beside(facet, scene.triangles[facet], small))
-                    meet(scene, path, facet, after, last, first);
+        // Of a share: more than single precision can be wrong.
+        constexpr double ROUNDING = 1e-6;
+        bounds.for_some_near(scene.lists, slab, small, near, [&](NearFacets& some) {
+            while (!some.is_empty()) {
+                const auto [facet, share] = some.take_nearest();
+                const double met_after = small.after + (share - ROUNDING) * small.length;
+                if (first.facet >= 0 && first.where.tau < met_after) break;
+                meet(scene, path, facet, after, last, first);
             }
-        }
+            some.clear();
+        });
         return is_settled(leaves);
     });
     return first;
