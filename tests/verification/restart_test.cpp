@@ -151,7 +151,8 @@ TEST_CASE("ten kills at random instants leave no trace in the results", "[restar
                                         std::to_string(scene.steps_between) +
                                         "\n*DATABASE_GLSTAT\n0.01\n");
     std::ofstream(deck) << text;
-    fs::copy_file(models / "mesh.k", folder / "mesh.k");
+    for (const char* included : {"mesh.k", "module.k"})
+        if (fs::exists(models / included)) fs::copy_file(models / included, folder / included);
 
     const auto words = [&](const std::string& out, int threads) {
         return std::vector<std::string>{
