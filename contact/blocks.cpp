@@ -39,11 +39,6 @@ void EightBounds::set(int lane, const Bounds& box) {
     }
 }
 
-Bounds EightBounds::operator[](int lane) const {
-    return {{low[0][lane], low[1][lane], low[2][lane]},
-            {high[0][lane], high[1][lane], high[2][lane]}};
-}
-
 Bounds EightBounds::all() const {
     Bounds out = (*this)[0];
     for (int lane = 1; lane < EIGHT; ++lane) out.include((*this)[lane]);
@@ -151,6 +146,7 @@ void Blocks<CORNERS>::bound(Index b, const Outline& outline) {
         box.inflate(outline.rounding);
         block.set(lane, {single(box.low, outline.origin), single(box.high, outline.origin)});
     }
+    block.whole = block.all();
 }
 
 template <int CORNERS>
@@ -162,7 +158,7 @@ void Blocks<CORNERS>::set_bounds(const Outline& outline) {
         of_patch = EightBounds()[0];
         for (Index b = start_[p]; b < start_[p + 1]; ++b) {
             const Index at = b - start_[p];
-            const Bounds all = block_[b].all();
+            const Bounds& all = block_[b].whole;
             group_[group_start_[p] + at / EIGHT].set(at % EIGHT, all);
             of_patch.include(all);
         }
@@ -174,9 +170,8 @@ void Blocks<CORNERS>::renew_bounds(Index b, const Outline& outline) {
     bound(b, outline);
     const std::size_t p = patch_[b];
     const Index at = b - start_[p];
-    const Bounds all = block_[b].all();
-    group_[group_start_[p] + at / EIGHT].set(at % EIGHT, all);
-    of_patch_[p].include(all);
+    group_[group_start_[p] + at / EIGHT].set(at % EIGHT, block_[b].whole);
+    of_patch_[p].include(block_[b].whole);
 }
 
 template class Blocks<1>;

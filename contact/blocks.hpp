@@ -30,7 +30,10 @@ struct EightBounds {
 
     EightBounds();  ///< overlap with nothing
     void set(int lane, const Bounds& box);
-    [[nodiscard]] Bounds operator[](int lane) const;
+    [[nodiscard]] Bounds operator[](int lane) const {
+        return {{low[0][lane], low[1][lane], low[2][lane]},
+                {high[0][lane], high[1][lane], high[2][lane]}};
+    }
     [[nodiscard]] Bounds all() const;
 
     /// Bit l: box l overlaps with the other.
@@ -60,6 +63,7 @@ template <int CORNERS>
 class Blocks {
 public:
     struct Block : EightBounds {
+        Bounds whole;  ///< box of them all
         EightMoving<CORNERS> moving = {};
         Eight margin = {};
         std::array<Index, EIGHT> triangle, side;  ///< owner, and which of its nodes or edges

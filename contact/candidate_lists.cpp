@@ -54,7 +54,7 @@ void Candidates::meet_gently(const Points& x, double t, std::span<const std::uin
     for (std::size_t i = 0; i < list_.size(); ++i) {
         const auto card = static_cast<std::size_t>(list_[i].card);
         if (was_on_[card] || !is_on[card] || !give_gentle_gap(i, x, t)) continue;
-        close_starts_.push_back(std::minmax(watch_[i].first, watch_[i].second));
+        close_starts_.push_back(std::minmax(watch_.first[i], watch_.second[i]));
     }
     std::sort(close_starts_.begin(), close_starts_.end());
     close_starts_.erase(std::unique(close_starts_.begin(), close_starts_.end()),
@@ -126,22 +126,21 @@ void Candidates::list_pairs(const Points& x) {
     };
     parallel::for_chunks(pairs.size(), search, CHUNK);
 
-    list_.clear();
-    watch_.clear();
     dead_ = 0;
-    add_chunks(count);
+    add_chunks(0, count);
 }
 
-/// Appends what the first chunks have found, in their order.
-void Candidates::add_chunks(std::size_t count) {
-    std::vector<std::size_t> start(count + 1, list_.size());
+/// Puts what the first chunks have found behind so many rows, in their order.
+void Candidates::add_chunks(std::size_t rows, std::size_t count) {
+    std::vector<std::size_t> start(count + 1, rows);
     for (std::size_t c = 0; c < count; ++c) start[c + 1] = start[c] + chunks_[c].list.size();
     list_.resize(start[count]);
     watch_.resize(start[count]);
     const auto copy = [&](std::size_t c) {
         const auto to = static_cast<std::ptrdiff_t>(start[c]);
         std::copy(chunks_[c].list.begin(), chunks_[c].list.end(), list_.begin() + to);
-        std::copy(chunks_[c].watch.begin(), chunks_[c].watch.end(), watch_.begin() + to);
+        for (std::size_t k = 0; k < chunks_[c].watch.size(); ++k)
+            watch_.put(start[c] + k, chunks_[c].watch[k]);
     };
     parallel::for_each(count, copy, CHUNK);
 }

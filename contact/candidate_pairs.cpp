@@ -15,9 +15,9 @@ bool has_node(const Triangle& t, Index node) {
     return t[0] == node || t[1] == node || t[2] == node;
 }
 
-/// The next float, or the one after it.
+/// A float that is not below x >= 0.
 float above(double x) {
-    return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
+    return static_cast<float>(x) * (1.0F + std::numeric_limits<float>::epsilon());
 }
 
 }  // namespace
@@ -68,7 +68,8 @@ void Candidates::list(const Pair& pair, int card, std::uint64_t key, const Meeti
     const Index memory = may_know ? find_memory(key) : -1;
     const int side = cloth_.rules.side_of(card, cloth_.part[where.a], cloth_.part[where.b]);
     Watch watch{gap, above(reach_ * thickness), above(approach), where.a, where.b};
-    watch.sum += spent(watch);
+    watch.sum += motion_.age() * static_cast<double>(watch.approach) +
+                 (motion_.way(where.a) + motion_.way(where.b));
     where.out.list.push_back({pair, memory, thickness, key, static_cast<std::int16_t>(card),
                               static_cast<std::int16_t>(side), false});
     where.out.watch.push_back(watch);
@@ -87,11 +88,10 @@ double Candidates::closing_rate(const Pair& pair, const Vec3& apart, double gap,
 }
 
 void Candidates::tell_distance(std::size_t i, const Vec3& apart, double distance, const Points& x) {
-    Watch& watch = watch_[i];
     const double left = life_ - motion_.age();
-    if (distance > static_cast<double>(watch.reach) && left > 0.0)
-        watch.approach = above(closing_rate(list_[i].pair, apart, distance, x, left));
-    watch.sum = distance + spent(watch);
+    if (distance > static_cast<double>(watch_.reach[i]) && left > 0.0)
+        watch_.set_approach(i, above(closing_rate(list_[i].pair, apart, distance, x, left)));
+    watch_.sum[i] = distance + spent(i);
 }
 
 }  // namespace corpuscle::contact

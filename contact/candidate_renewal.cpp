@@ -46,8 +46,8 @@ void Candidates::drop_renewed_pairs() {
     const auto find = [&](std::size_t begin, std::size_t end, std::size_t c) {
         dropped_[c].clear();
         for (std::size_t i = begin; i < end; ++i) {
-            const Watch& w = watch_[i];
-            if ((is_renewed_[w.first] | is_renewed_[w.second]) && w.sum < INF)
+            if ((is_renewed_[watch_.first[i]] | is_renewed_[watch_.second[i]]) &&
+                watch_.sum[i] < INF)
                 dropped_[c].push_back(i);
         }
     };
@@ -57,7 +57,7 @@ void Candidates::drop_renewed_pairs() {
             Candidate& dropped = list_[i];
             if (dropped.memory >= 0)
                 handed_on_.emplace_back(dropped.key, std::exchange(dropped.memory, -1));
-            watch_[i].sum = INF;
+            watch_.sum[i] = INF;
             ++dead_;
         }
     std::sort(handed_on_.begin(), handed_on_.end());
@@ -98,7 +98,7 @@ void Candidates::list_renewed_pairs(const Points& x) {
     };
     parallel::for_chunks(renewed_.size(), search, TRIANGLES);
     const std::size_t first = list_.size();
-    add_chunks(count);
+    add_chunks(first, count);
     hand_on_memories(first);
 }
 

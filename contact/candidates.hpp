@@ -12,6 +12,7 @@
 #include "contact/distance.hpp"
 #include "contact/motion.hpp"
 #include "contact/near_search.hpp"
+#include "contact/watch_list.hpp"
 
 namespace corpuscle::contact {
 
@@ -60,6 +61,12 @@ public:
     [[nodiscard]] std::size_t pairs() const { return list_.size() - dead_; }
     [[nodiscard]] const Pair& operator[](std::size_t i) const { return list_[i].pair; }
 
+    /// Has pair i, or what it remembers, brought near, to be read soon.
+    void prefetch(std::size_t i) const { __builtin_prefetch(&list_[i]); }
+    void prefetch_memory(std::size_t i) const {
+        if (list_[i].memory >= 0) __builtin_prefetch(&memories_[list_[i].memory], 1);
+    }
+
     /// Row of the card by which pair i touches.
     [[nodiscard]] int card(std::size_t i) const { return list_[i].card; }
 
@@ -69,15 +76,16 @@ public:
     /// Gap below which pair i pushes, at most.                                                 [m]
     [[nodiscard]] double thickness(std::size_t i);
 
-    /// Whether pair i may be within reach now.
-    [[nodiscard]] bool is_due(std::size_t i) const {
-        return least_distance(i) <= static_cast<double>(watch_[i].reach);
+    /// visit(i) for the pairs in rows begin ... end - 1 that may be within reach now.
+    template <class Visit>
+    void for_each_due(std::size_t begin, std::size_t end, Visit&& visit) const {
+        watch_.for_each_within<true>(begin, end, motion_.age(), motion_.ways(), visit);
     }
 
-    /// Whether pair i may meet in the step that was foreseen last.
-    [[nodiscard]] bool may_meet(std::size_t i) const {
-        return least_distance(i) <=
-               motion_.ahead(watch_[i].first) + motion_.ahead(watch_[i].second);
+    /// Likewise those that may meet in the step that was foreseen last.
+    template <class Visit>
+    void for_each_meeting(std::size_t begin, std::size_t end, Visit&& visit) const {
+        watch_.for_each_within<false>(begin, end, motion_.age(), motion_.ways_ahead(), visit);
     }
 
     /// Takes how far the sides of pair i are apart at the present x, as a vector and a distance.
@@ -124,25 +132,16 @@ private:
         std::int16_t card, side;
         bool is_settled;  ///< thickness allows for neighbours on the cloth
     };
-    struct Watch {
-        double sum;           ///< distance when it was last known, and what was spent then      [m]
-        float reach;          ///< gap from which it matters, at least                           [m]
-        float approach;       ///< rate at which the gap is predicted to shrink, at most       [m/s]
-        Index first, second;  ///< triangles
-    };
     struct Chunk {
         std::vector<Candidate> list;
         std::vector<Watch> watch;
     };
 
     /// By what a pair's distance has shrunk at most since the lists were built, and more. [m]
-    [[nodiscard]] double spent(const Watch& w) const {
-        return motion_.age() * static_cast<double>(w.approach) + motion_.way(w.first) +
-               motion_.way(w.second);
+    [[nodiscard]] double spent(std::size_t i) const {
+        return watch_.spent(i, motion_.age(), motion_.ways());
     }
-    [[nodiscard]] double least_distance(std::size_t i) const {
-        return watch_[i].sum - spent(watch_[i]);
-    }
+    [[nodiscard]] double least_distance(std::size_t i) const { return watch_.sum[i] - spent(i); }
     void build(const Points& x, const Points& v, double t, double dt);
     void set_budget(double dt);
     void set_boxes(const Points& x);
@@ -153,7 +152,7 @@ private:
     void drop_renewed_pairs();
     void list_renewed_pairs(const Points& x);
     void hand_on_memories(std::size_t first);
-    void add_chunks(std::size_t count);
+    void add_chunks(std::size_t rows, std::size_t count);
     struct Outlook {        ///< how far it is looked ahead
         const Points& now;  ///< where the nodes are                                        [m]
         double life;        ///< [s]
@@ -197,7 +196,7 @@ private:
     std::vector<double> own_;    ///< by node: its part of the budget                      [m]
     Points late_;                ///< N × 3                                                [m]
     std::vector<Candidate> list_;
-    std::vector<Watch> watch_;
+    WatchList watch_;
     std::vector<Chunk> chunks_;
     std::vector<PairMemory> memories_;
     double parted_accounts_ = 0.0;  ///< [J]

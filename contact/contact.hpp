@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+
 #include "contact/distance.hpp"
 
 namespace corpuscle::contact {
@@ -9,13 +11,16 @@ namespace corpuscle::contact {
 /// Two places of the cloth, or of rigid bodies, that are near each other: gap = |sum of weight x|,
 /// rate = normal · sum of weight v. The weights add up to zero, so forces along them keep momentum.
 struct Contact {
+    static constexpr std::uint8_t ALONE = 64;  ///< name of no column
+
     std::array<Index, 4> node;
     std::array<double, 4> weight;
-    Vec3 normal;           ///< from the second place to the first
-    double gap;            ///< [m]
-    double mass;           ///< 1 / (what an impulse of one makes of the rate)             [kg]
-    bool on_body = false;  ///< on a rigid body, where `mass` holds for the normal only
-    int card = 0;          ///< row of the card by which they touch
+    Vec3 normal;  ///< from the second place to the first
+    double gap;   ///< [m]
+    double mass;  ///< 1 / (what an impulse of one makes of the rate)             [kg]
+    std::uint8_t column = ALONE;  ///< name of its column (contact/columns.hpp)
+    bool on_body = false;         ///< on a rigid body, where `mass` holds for the normal only
+    int card = 0;                 ///< row of the card by which they touch
     int side = 0;       ///< 1: the first place is on SURFA, -1: the second is; 0: a single surface
     double rest = 0.0;  ///< gap below which it pushes                                  [m]
     double rest_rate = 0.0;  ///< growth of `rest`                                           [m/s]

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "contact/contact.hpp"
@@ -29,8 +30,10 @@ public:
         if (chunk_.size() < used_) {
             chunk_.resize(used_);
             near_.resize(used_);
+            briefs_.resize(used_);
         }
         for (auto& chunk : chunk_) chunk.clear();
+        for (auto& briefs : briefs_) briefs.clear();
         for (auto& near : near_) near.clear();
     }
     [[nodiscard]] std::size_t chunks() const { return used_; }
@@ -38,6 +41,19 @@ public:
     /// That push; and pairs that were only near when found, and then came too near too fast.
     [[nodiscard]] std::vector<Contact>& chunk(std::size_t c) { return chunk_[c]; }
     [[nodiscard]] const std::vector<Contact>& chunk(std::size_t c) const { return chunk_[c]; }
+    /// Adds one to a chunk, of this column.
+    Contact& add(std::size_t c, std::uint8_t column, const Contact& contact) {
+        briefs_[c].push_back({contact.node, column});
+        Contact& added = chunk_[c].emplace_back(contact);
+        added.column = column;
+        return added;
+    }
+    /// What is read of all contacts of a chunk, and seldom anything else.
+    struct Brief {
+        std::array<Index, 4> node;
+        std::uint8_t column;
+    };
+    [[nodiscard]] const std::vector<Brief>& briefs(std::size_t c) const { return briefs_[c]; }
     /// The others within reach.
     [[nodiscard]] std::vector<NearPair>& near(std::size_t c) { return near_[c]; }
     [[nodiscard]] const std::vector<NearPair>& near(std::size_t c) const { return near_[c]; }
@@ -79,12 +95,13 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(chunk_, near_, used_);
+        archive(chunk_, near_, briefs_, used_);
     }
 
 private:
     std::vector<std::vector<Contact>> chunk_;
     std::vector<std::vector<NearPair>> near_;
+    std::vector<std::vector<Brief>> briefs_;
     std::size_t used_ = 0;
 };
 

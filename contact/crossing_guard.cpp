@@ -76,8 +76,12 @@ void CrossingGuard::list_dangers(double t, const Candidates& pairs) {
     for (auto& near : near_) near.clear();
     for (auto& found : found_) found.clear();
     const auto search = [&](std::size_t begin, std::size_t end, std::size_t c) {
-        for (std::size_t i = begin; i < end; ++i)
-            if (pairs.may_meet(i) && cloth_.rules.is_on(pairs.card(i), t)) near_[c].push_back(i);
+        pairs.for_each_meeting(begin, end, [&](std::size_t i) {
+            pairs.prefetch(i);
+            near_[c].push_back(i);
+        });
+        std::erase_if(near_[c],
+                      [&](std::size_t i) { return !cloth_.rules.is_on(pairs.card(i), t); });
     };
     parallel::for_chunks(pairs.size(), search, CHUNK);
 }

@@ -17,25 +17,52 @@ constexpr double HALF = 0.5;      ///< of the remaining gap that one step may us
 }  // namespace
 
 Impulses::Impulses(const Cloth& cloth)
-    : cloth_(cloth), books_(cloth.rules.cards().size()), changed_(cloth.inverse_mass.size(), 0) {}
+    : cloth_(cloth), books_(cloth.rules.cards().size()), changed_(cloth.inverse_mass.size(), 0) {
+    for (Column& column : columns_) {
+        column.books.reserve(books_.size() + 2);
+        column.books = books_;
+    }
+}
 
-void Impulses::apply(double span, double dt, ContactList& contacts, Candidates& pairs,
-                     Movement& motion) {
+void Impulses::apply(double span, double dt, ContactList& contacts, Columns& columns,
+                     Candidates& pairs, Movement& motion) {
     for (ImpulseBooks& book : books_) book.given.setZero();
     book_kick(span, contacts, pairs, motion);
+    share_debt(contacts, columns);
     on_body_.clear();
-    contacts.for_each([&](Contact& c) {
+    columns.for_each(contacts, [&](Contact& c) {
         if (c.force <= 0.0) return;
         note_given(c, c.impulse * c.normal);
-        PairMemory& memory = c.memory < 0 ? pairs.make_memory(c.pair) : pairs.memory_at(c.memory);
-        double& account = memory.account;
-        account += c.impulse * (c.rest_rate - 0.5 * (c.rate_before + c.rate_kicked));
-        settle(span, c, account, motion);
+        settle(span, c, pairs.memory_at(c.memory).account, motion);
         if (c.on_body) on_body_.push_back(&c);
     });
     for (int sweep = 0; sweep < BODY_SWEEPS; ++sweep)
         for (Contact* const c : on_body_) rub(*c, motion);
-    limit_approach(dt, contacts, pairs, motion);
+    take_up(dt, contacts, columns, pairs, motion);
+    columns.sort(contacts);
+    limit_approach(dt, contacts, columns, motion);
+    close_columns();
+}
+
+/// Makes contacts of pairs whose nodes are so fast that they may come too near. Of those that
+/// impulses make so only later, the guard knows.
+void Impulses::take_up(double dt, ContactList& contacts, const Columns& columns,
+                       const Candidates& pairs, const Movement& motion) {
+    contacts.for_each_chunk([&](std::size_t chunk) {
+        for (const NearPair& near : contacts.near(chunk)) {
+            const Pair& pair = near.nodes;
+            Corners v;
+            for (int k = 0; k < 4; ++k) v[k] = motion.velocity(pair.node[k]);
+            if (greatest_approach(pair, v) <= -approach_limit(dt, near.gap, near.rest)) continue;
+            const Contact found = contact_at(cloth_, motion.bodies(), motion.x(), pair,
+                                             nearest(pair, motion.x()), near.gap);
+            Contact& c = contacts.add(chunk, columns.of(found, motion.x()), found);
+            c.pair = near.pair;
+            c.card = pairs.card(near.pair);
+            c.side = pairs.side(near.pair);
+            c.rest = near.rest;
+        }
+    });
 }
 
 /// What repulsion has done, and what is left of pairs that do not push any more.
@@ -45,10 +72,62 @@ void Impulses::book_kick(double span, ContactList& contacts, Candidates& pairs,
     for (std::size_t chunk = 0; chunk < contacts.chunks(); ++chunk)
         for (const NearPair& near : contacts.near(chunk))
             if (near.has_account) pool_ += std::exchange(pairs.make_memory(near.pair).account, 0.0);
-    contacts.for_each_apart([&](Contact& c) {
-        c.impulse = span * c.force;
-        c.rate_kicked = motion.rate(c);
+    unsettled_.resize(std::max(unsettled_.size(), contacts.chunks()));
+    const auto work = [](const Contact& c) {
+        return c.impulse * (c.rest_rate - 0.5 * (c.rate_before + c.rate_kicked));
+    };
+    contacts.for_each_chunk([&](std::size_t chunk) {
+        unsettled_[chunk].clear();
+        for (Contact& c : contacts.chunk(chunk)) {
+            c.impulse = span * c.force;
+            c.rate_kicked = motion.rate(c);
+            if (c.force <= 0.0) continue;
+            if (c.memory < 0 || (pairs.memory_at(c.memory).account += work(c)) < 0.0)
+                unsettled_[chunk].push_back(&c);
+        }
     });
+    for (std::size_t chunk = 0; chunk < contacts.chunks(); ++chunk)
+        for (Contact* const c : unsettled_[chunk]) {
+            if (c->memory < 0) {
+                pairs.make_memory(c->pair).account = work(*c);
+                c->memory = pairs.memory_row(c->pair);
+            }
+            draw(pairs.memory_at(c->memory).account);
+        }
+}
+
+/// What parted pairs took beyond what they gave pays the debts of others.
+void Impulses::draw(double& account) {
+    if (account >= 0.0 || pool_ <= 0.0) return;
+    const double drawn = std::min(pool_, -account);
+    account += drawn;
+    pool_ -= drawn;
+}
+
+/// The debt of parted pairs is for those to repay that part now: each column's share is by how many
+/// it has.
+void Impulses::share_debt(ContactList& contacts, const Columns& columns) {
+    if (pool_ >= 0.0) return;
+    const auto is_parting = [](const Contact& c) { return c.force > 0.0 && c.rate_kicked > 0.0; };
+    columns.for_each(contacts, [&](const Contact& c) {
+        if (is_parting(c)) columns_[c.column].debt -= 1.0;
+    });
+    double all = 0.0;
+    for (const Column& column : columns_) all -= column.debt;
+    if (all == 0.0) return;
+    for (Column& column : columns_) column.debt *= -pool_ / all;
+    pool_ = 0.0;
+}
+
+/// Adds up what the columns hold, in their order.
+void Impulses::close_columns() {
+    for (Column& column : columns_) {
+        pool_ += std::exchange(column.debt, 0.0);
+        for (std::size_t c = 0; c < books_.size(); ++c) {
+            books_[c] += column.books[c];
+            column.books[c] = {};
+        }
+    }
 }
 
 /// Repayment, damping and friction of a contact that pushes.
@@ -64,19 +143,15 @@ void Impulses::settle(double span, Contact& c, double& account, Movement& motion
     c.impulse += impulse;
     const double taken = push(impulse, c.normal, c.mass, c, motion);
     account += taken - repaid;
-    books_[c.card].normal += taken;
+    book(c).normal += taken;
     rub(c, motion);
 }
 
 /// Impulse, <= 0, that takes back from a parting pair what repulsion has given beyond what it took,
-/// here or where pairs have parted; none while pairs that have parted took more than they gave.
+/// here or where pairs have parted.
 double Impulses::repay_debt(double rate, const Contact& c, double& account) {
-    if (account < 0.0 && pool_ > 0.0) {
-        const double drawn = std::min(pool_, -account);
-        account += drawn;
-        pool_ -= drawn;
-    }
-    const double owed = -std::min(account, 0.0) - std::min(pool_, 0.0);
+    double& debt = columns_[c.column].debt;
+    const double owed = -std::min(account, 0.0) - std::min(debt, 0.0);
     if (owed == 0.0 || rate <= 0.0) return 0.0;
     const double left = rate * rate - 2.0 * owed / c.mass;
     const double impulse =
@@ -87,7 +162,7 @@ double Impulses::repay_debt(double rate, const Contact& c, double& account) {
         account += here;
         taken -= here;
     }
-    pool_ += taken;
+    debt += taken;
     return impulse;
 }
 
@@ -96,59 +171,40 @@ double Impulses::approach_limit(double dt, double gap, double rest) {
     return spare > 0.0 ? -HALF * spare / dt : 0.0;
 }
 
-/// In sweeps: what is too fast is found first, then slowed down, one after the other. From the
-/// second sweep on only what has to do with nodes that the last one has changed is looked at.
-void Impulses::limit_approach(double dt, ContactList& contacts, const Candidates& pairs,
+/// In sweeps: what is too fast is found first, then slowed down. From the second sweep on only what
+/// has to do with nodes that the last one has changed is looked at.
+void Impulses::limit_approach(double dt, ContactList& contacts, const Columns& columns,
                               Movement& motion) {
     too_fast_.resize(std::max(too_fast_.size(), contacts.chunks()));
-    bool is_any = true;
-    for (int sweep = 0; sweep < SWEEPS && is_any; ++sweep) {
-        is_first_ = sweep == 0;
+    for (int sweep = 0; sweep < SWEEPS; ++sweep) {
         contacts.for_each_chunk([&](std::size_t chunk) {
             too_fast_[chunk].clear();
-            find_too_fast(dt, chunk, contacts, pairs, motion);
+            std::vector<Contact>& all = contacts.chunk(chunk);
+            for (std::size_t row = 0; row < all.size(); ++row) {
+                const auto& [node, column] = contacts.briefs(chunk)[row];
+                if (sweep > 0 && column != Contact::ALONE && !has_changed(node)) continue;
+                Contact& c = all[row];
+                if (c.mass < INF && motion.rate(c) < approach_limit(dt, c.gap, c.rest))
+                    too_fast_[chunk].push_back(&c);
+            }
         });
-        is_any = false;
-        ++sweep_;
+        bool is_any = false;
+        for (Column& column : columns_) column.too_fast.clear();
         for (std::size_t chunk = 0; chunk < contacts.chunks(); ++chunk)
-            for (const Index row : too_fast_[chunk]) {
-                Contact& c = contacts.chunk(chunk)[row];
-                const double limit = approach_limit(dt, c.gap, c.rest);
-                if (motion.rate(c) >= limit) continue;  // by now
-                raise_rate(limit, c, motion);
-                for (const Index n : c.node) changed_[n] = sweep_;
+            for (Contact* const c : too_fast_[chunk]) {
+                columns_[c->column].too_fast.push_back(c);
                 is_any = true;
             }
-    }
-}
-
-void Impulses::find_too_fast(double dt, std::size_t chunk, ContactList& contacts,
-                             const Candidates& pairs, const Movement& motion) {
-    if (is_first_) take_up(dt, chunk, contacts, pairs, motion);
-    const std::vector<Contact>& all = contacts.chunk(chunk);
-    for (std::size_t row = 0; row < all.size(); ++row) {
-        const Contact& c = all[row];
-        if (c.mass == INF || !(is_first_ || c.on_body || has_changed(c.node))) continue;
-        if (motion.rate(c) < approach_limit(dt, c.gap, c.rest))
-            too_fast_[chunk].push_back(static_cast<Index>(row));
-    }
-}
-
-/// Makes contacts of pairs whose nodes are so fast that they may come too near. Of those that
-/// impulses make so only later, the guard knows.
-void Impulses::take_up(double dt, std::size_t chunk, ContactList& contacts, const Candidates& pairs,
-                       const Movement& motion) {
-    for (const NearPair& near : contacts.near(chunk)) {
-        const Pair& pair = near.nodes;
-        Corners v;
-        for (int k = 0; k < 4; ++k) v[k] = motion.velocity(pair.node[k]);
-        if (greatest_approach(pair, v) <= -approach_limit(dt, near.gap, near.rest)) continue;
-        Contact& c = contacts.chunk(chunk).emplace_back(contact_at(
-            cloth_, motion.bodies(), motion.x(), pair, nearest(pair, motion.x()), near.gap));
-        c.pair = near.pair;
-        c.card = pairs.card(near.pair);
-        c.side = pairs.side(near.pair);
-        c.rest = near.rest;
+        if (!is_any) break;
+        ++sweep_;
+        columns.for_each([&](std::size_t column) {
+            for (Contact* const c : columns_[column].too_fast) {
+                const double limit = approach_limit(dt, c->gap, c->rest);
+                if (motion.rate(*c) >= limit) continue;  // by now
+                raise_rate(limit, *c, motion);
+                for (const Index n : c->node) changed_[n] = sweep_;
+            }
+        });
     }
 }
 
@@ -159,7 +215,7 @@ bool Impulses::has_changed(const std::array<Index, 4>& nodes) const {
 void Impulses::raise_rate(double rate, Contact& c, Movement& motion) {
     const double impulse = c.mass * (rate - motion.rate(c));
     c.impulse += impulse;
-    books_[c.card].normal += push(impulse, c.normal, c.mass, c, motion);
+    book(c).normal += push(impulse, c.normal, c.mass, c, motion);
     rub(c, motion);
 }
 
@@ -221,7 +277,7 @@ void Impulses::rub(Contact& c, Movement& motion) {
     const double size = change.norm();
     if (size == 0.0) return;
     const Vec3 along = change / size;
-    books_[c.card].friction += push(size, along, motion.mass(c, along), c, motion);
+    book(c).friction += push(size, along, motion.mass(c, along), c, motion);
     c.rubbed = wanted;
 }
 
@@ -233,19 +289,18 @@ double Impulses::push(double impulse, const Vec3& direction, double mass, const 
     const double rate = direction.dot(motion.relative(c));
     const Vec3 whole = impulse * direction;
     for (int i = 0; i < 4; ++i)
-        if (c.weight[i] != 0.0)
-            books_[c.card].held_work += motion.push(c.node[i], c.weight[i] * whole);
+        if (c.weight[i] != 0.0) book(c).held_work += motion.push(c.node[i], c.weight[i] * whole);
     note_given(c, whole);
     return -impulse * (rate + 0.5 * impulse / mass);
 }
 
 void Impulses::note_given(const Contact& c, const Vec3& impulse) {
     if (c.side != 0) {
-        books_[c.card].given += c.side * impulse;
+        book(c).given += c.side * impulse;
         return;
     }
     for (int i = 0; i < 4; ++i)
-        if (cloth_.inverse_mass[c.node[i]] > 0.0) books_[c.card].given += c.weight[i] * impulse;
+        if (cloth_.inverse_mass[c.node[i]] > 0.0) book(c).given += c.weight[i] * impulse;
 }
 
 }  // namespace corpuscle::contact

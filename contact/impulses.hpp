@@ -5,7 +5,7 @@
 #include <span>
 
 #include "contact/candidates.hpp"
-#include "contact/contact_list.hpp"
+#include "contact/columns.hpp"
 #include "contact/movers.hpp"
 
 namespace corpuscle::contact {
@@ -17,12 +17,21 @@ struct ImpulseBooks {
     double held_work = 0.0;  ///< given by what is held, which impulses do not move            [J]
     Vec3 given = Vec3::Zero();  ///< in the last step, repulsion too: to SURFA, or of a single
                                 ///< surface to the free nodes [N s]
+
+    ImpulseBooks& operator+=(const ImpulseBooks& other) {
+        friction += other.friction;
+        normal += other.normal;
+        held_work += other.held_work;
+        given += other.given;
+        return *this;
+    }
 };
 
 /// All of contact that loses energy: impulses on the velocities between the kick and the drift.
 ///
 /// Each goes to the two places of one contact in opposite directions (momentum is kept) and can
-/// only take energy; one contact after the other [Gauss-Seidel], so any number may share a node.
+/// only take energy; one contact after the other [Gauss-Seidel], so any number may share a node;
+/// those that share none are worked on at once (contact/columns.hpp).
 /// Being implicit, they ask nothing of the time step.
 ///
 /// 1. Damping with the fraction VDC of critical, and repayment: each pair has an account of what
@@ -40,7 +49,9 @@ public:
 
     /// @param span  time for which the last kick's forces acted                               [s]
     /// @param dt    the step ahead                                                            [s]
-    void apply(double span, double dt, ContactList& contacts, Candidates& pairs, Movement& motion);
+    /// @param columns  in which the contacts are sorted, then those too that this takes up
+    void apply(double span, double dt, ContactList& contacts, Columns& columns, Candidates& pairs,
+               Movement& motion);
 
     /// Changes a contact's rate, and rubs.
     /// @param rate  wanted, not below the present one                                         [m/s]
@@ -63,12 +74,12 @@ private:
     void settle(double span, Contact& contact, double& account, Movement& motion);
     double repay_debt(double rate, const Contact& contact, double& account);
     void book_kick(double span, ContactList& contacts, Candidates& pairs, const Movement& motion);
-    void limit_approach(double dt, ContactList& contacts, const Candidates& pairs,
-                        Movement& motion);
-    void find_too_fast(double dt, std::size_t chunk, ContactList& contacts, const Candidates& pairs,
-                       const Movement& motion);
-    void take_up(double dt, std::size_t chunk, ContactList& contacts, const Candidates& pairs,
+    void draw(double& account);
+    void share_debt(ContactList& contacts, const Columns& columns);
+    void limit_approach(double dt, ContactList& contacts, const Columns& columns, Movement& motion);
+    void take_up(double dt, ContactList& contacts, const Columns& columns, const Candidates& pairs,
                  const Movement& motion);
+    void close_columns();
     [[nodiscard]] bool has_changed(const std::array<Index, 4>& nodes) const;
     [[nodiscard]] static double approach_limit(double dt, double gap, double rest);
     void rub(Contact& contact, Movement& motion);
@@ -80,13 +91,25 @@ private:
         return cloth_.rules.card(c.card);
     }
 
+    /// What the contacts of a column change beside their nodes; the last is of those that stand
+    /// alone, which write into the books themselves.
+    struct alignas(64) Column {
+        std::vector<ImpulseBooks> books;  ///< of this step, by card; no two in one cache line
+        double debt = 0.0;                ///< of the pool, its part, <= 0                 [J]
+        std::vector<Contact*> too_fast;   ///< in this sweep
+    };
+    [[nodiscard]] ImpulseBooks& book(const Contact& c) {
+        return c.column == Contact::ALONE ? books_[c.card] : columns_[c.column].books[c.card];
+    }
+
     const Cloth& cloth_;
     std::vector<ImpulseBooks> books_;
-    std::vector<Contact*> on_body_;             ///< that push, in this step
-    std::vector<std::vector<Index>> too_fast_;  ///< by chunk: rows of its contacts
-    std::vector<unsigned> changed_;             ///< by node: sweep of its last change
-    unsigned sweep_ = 0;                        ///< counted over all steps
-    bool is_first_ = true;                      ///< sweep of a step
+    std::array<Column, Columns::COUNT + 1> columns_;
+    std::vector<Contact*> on_body_;  ///< that push, in this step
+    /// By chunk: without an account, or in debt; and what is too fast in this sweep.
+    std::vector<std::vector<Contact*>> unsettled_, too_fast_;
+    std::vector<unsigned> changed_;  ///< by node: sweep of its last change
+    unsigned sweep_ = 0;             ///< counted over all steps
     double pool_ = 0.0;  ///< what pairs that have parted took, less what they gave back         [J]
 };
 

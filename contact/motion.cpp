@@ -28,7 +28,7 @@ Motion::Motion(const Cloth& cloth)
       velocity_(cloth.inverse_mass.size(), Vec3::Zero()),
       relative_(velocity_),
       way_(cloth.triangles.size(), 0.0),
-      ahead_(way_.size()),
+      way_ahead_(way_.size()),
       node_stepped_(velocity_.size(), 0.0),
       node_ahead_(velocity_.size(), 0.0),
       slack_(velocity_.size(), 1.0),
@@ -75,9 +75,10 @@ void Motion::foresee(const Points& x, const Points& v, double dt) {
             }
         });
     stray_ = *std::max_element(strays.begin(), strays.end());
-    parallel::for_each(ahead_.size(), [&](std::size_t triangle) {
+    parallel::for_each(way_ahead_.size(), [&](std::size_t triangle) {
         const auto& [a, b, c] = cloth_.triangles[triangle];
-        ahead_[triangle] = std::max({node_ahead_[a], node_ahead_[b], node_ahead_[c]});
+        way_ahead_[triangle] =
+            way_[triangle] + std::max({node_ahead_[a], node_ahead_[b], node_ahead_[c]});
     });
 }
 

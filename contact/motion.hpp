@@ -43,8 +43,12 @@ public:
     /// way(a) + way(b) has grown. [m]
     [[nodiscard]] double way(Index triangle) const { return way_[triangle]; }
 
-    /// Greatest displacement of a triangle's nodes in the step ahead, less that of all.       [m]
-    [[nodiscard]] double ahead(Index triangle) const { return ahead_[triangle]; }
+    /// That of all triangles.                                                                 [m]
+    [[nodiscard]] const std::vector<double>& ways() const { return way_; }
+
+    /// Likewise, and the greatest displacement of its nodes in the step that was foreseen last,
+    /// less that of all. [m]
+    [[nodiscard]] const std::vector<double>& ways_ahead() const { return way_ahead_; }
 
     /// How far at most a node will be from its prediction after the step ahead, over its slack. [m]
     [[nodiscard]] double stray() const { return stray_; }
@@ -59,7 +63,7 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(base_, last_, velocity_, relative_, common_, t_, age_, stray_, way_, ahead_,
+        archive(base_, last_, velocity_, relative_, common_, t_, age_, stray_, way_, way_ahead_,
                 node_ahead_, slack_, strays_);
     }
 
@@ -70,7 +74,7 @@ private:
     Vec3 common_ = Vec3::Zero();  ///< mean displacement of all since the restart             [m]
     double t_ = 0.0, age_ = 0.0;  ///< [s]
     double stray_ = 0.0;          ///< [m]
-    std::vector<double> way_, ahead_;   ///< by triangle                                   [m]
+    std::vector<double> way_, way_ahead_;  ///< by triangle                                [m]
     std::vector<double> node_stepped_;  ///< by node: way from its prediction in the last step [m]
     std::vector<double> node_ahead_, chunk_stray_;
     std::vector<double> slack_, strays_;  ///< by node: share of the budget, and what it uses   [m]

@@ -126,9 +126,11 @@ private:
                        bool is_same, Meet&& meet) const {
         for (Index i = mine.start()[p]; i < mine.start()[p + 1]; ++i) {
             const typename Blocks<A>::Block& block = mine[i];
-            others.for_each_near(block.all(), q, [&](Index j) {
+            others.for_each_near(block.whole, q, [&](Index j) {
                 if (is_same && j < i) return;
-                for (int lane = 0; lane < EIGHT && block.triangle[lane] >= 0; ++lane) {
+                for (unsigned bits = block.overlapping(others[j].whole); bits != 0;
+                     bits &= bits - 1) {
+                    const int lane = std::countr_zero(bits);
                     unsigned allowed = others[j].overlapping(block[lane]);
                     if (is_same && j == i) allowed &= ~0U << (lane + 1);
                     if (allowed != 0) meet_block<A, B>(block, lane, others[j], allowed, meet);

@@ -27,10 +27,10 @@ Repulsion::Repulsion(const Cloth& cloth)
       share_(cloth.inverse_mass.size()),
       body_shared_by_(cloth.body_start.size() - 1) {}
 
-void Repulsion::count_sharers(const ContactList& contacts) {
+void Repulsion::count_sharers(const Columns& columns, const ContactList& contacts) {
     std::fill(shared_by_.begin(), shared_by_.end(), 0.0);
     std::fill(body_shared_by_.begin(), body_shared_by_.end(), 0.0);
-    contacts.for_each([&](const Contact& c) {
+    columns.for_each(contacts, [&](const Contact& c) {
         if (c.gap >= c.rest) return;
         for (int i = 0; i < 4; ++i)
             shared_by_[c.node[i]] += 2.0 * weight(c) * std::abs(c.weight[i]);
@@ -74,8 +74,8 @@ void Repulsion::set_stiffness(const Points& x, std::span<const RigidMover> bodie
 }
 
 void Repulsion::find(double dt, const Points& x, std::span<const RigidMover> bodies,
-                     const OwnRates& own, ContactList& contacts) {
-    count_sharers(contacts);
+                     const OwnRates& own, const Columns& columns, ContactList& contacts) {
+    count_sharers(columns, contacts);
     share_limits(dt, own);
     contacts.for_each_apart([&](Contact& c) {
         c.stiffness = c.force = 0.0;
@@ -85,8 +85,8 @@ void Repulsion::find(double dt, const Points& x, std::span<const RigidMover> bod
     });
 }
 
-void Repulsion::add(const ContactList& contacts, Points& f) const {
-    contacts.for_each([&](const Contact& c) {
+void Repulsion::add(const Columns& columns, const ContactList& contacts, Points& f) const {
+    columns.for_each(contacts, [&](const Contact& c) {
         if (c.force == 0.0) return;
         const Vec3 force = c.force * c.normal;
         for (int i = 0; i < 4; ++i) f[c.node[i]] += c.weight[i] * force;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "contact/cloth.hpp"
-#include "contact/contact_list.hpp"
+#include "contact/columns.hpp"
 #include "contact/movers.hpp"
 
 namespace corpuscle::contact {
@@ -34,13 +33,13 @@ public:
 
     /// Sets stiffness and force of all contacts.
     void find(double dt, const Points& x, std::span<const RigidMover> bodies, const OwnRates& own,
-              ContactList& contacts);
+              const Columns& columns, ContactList& contacts);
 
     /// Adds the forces to f; their sum is zero.
-    void add(const ContactList& contacts, Points& f) const;
+    void add(const Columns& columns, const ContactList& contacts, Points& f) const;
 
 private:
-    void count_sharers(const ContactList& contacts);
+    void count_sharers(const Columns& columns, const ContactList& contacts);
     void share_limits(double dt, const OwnRates& own);
     void set_stiffness(const Points& x, std::span<const RigidMover> bodies, Contact& c) const;
 

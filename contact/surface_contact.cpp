@@ -8,6 +8,7 @@
 #include "contact/crossing_guard.hpp"
 #include "contact/facet_load.hpp"
 #include "contact/impulses.hpp"
+#include "contact/pair_look.hpp"
 
 namespace corpuscle::contact {
 namespace {
@@ -34,12 +35,13 @@ struct SurfaceContact::State {
     CrossingGuard guard;
     FacetLoad load;
     ContactList contacts;
+    Columns columns;
+    PairLook look;
     ContactCounts counts;
     std::vector<double> most;         ///< contact thickness now, by card                  [m]
     std::vector<double> least_gap;    ///< over its rest value, by chunk                   [-]
     std::vector<std::uint8_t> is_on;  ///< by card
     double t = 0.0, dt_last = 0.0, span = 0.0;  ///< [s]
-    double growth_time = NaN;  ///< of gaps that start below the contact thickness  [s]
     bool is_started = false;
 
     explicit State(const ContactSetup& setup)
@@ -49,21 +51,17 @@ struct SurfaceContact::State {
           impulses(cloth),
           guard(cloth),
           load(cloth),
+          columns(cloth),
+          look(cloth, REACH),
           most(setup.cards.size()),
           is_on(setup.cards.size(), 0) {}
 
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(pairs, impulses, guard, load, contacts, counts, most, is_on, t, dt_last, span,
-                growth_time, is_started);
+        archive(pairs, impulses, guard, load, contacts, look, counts, most, is_on, t, dt_last, span,
+                is_started);
     }
     bool look_at_cards(double now);
-    void look_at_pairs(const Points& x, const Points& v, std::span<const RigidMover> bodies);
-    struct RestGap {
-        double now;   ///< [m]
-        double rate;  ///< at which it grows                                               [m/s]
-    };
-    RestGap rest_gap(std::size_t pair, double thickness);
     struct Shortest {
         double step = INF;  ///< [s]
         int card = -1;
@@ -100,10 +98,11 @@ void SurfaceContact::find(const Points& x, const Points& v, double t, double dt,
                           std::span<const RigidMover> bodies) {
     State& s = *state_;
     s.contacts.clear(0);
+    s.columns.sort(s.contacts);
     const bool is_born = s.look_at_cards(t);
     if (!s.any_on()) return;
     if (!s.is_started) {
-        s.growth_time = GROWTH_STEPS * dt;
+        s.look.set_growth(GROWTH_STEPS * dt);
         s.is_started = true;
         s.pairs.start(x, v, t, dt, s.is_on);
     } else {
@@ -111,55 +110,10 @@ void SurfaceContact::find(const Points& x, const Points& v, double t, double dt,
         if (is_born) s.pairs.admit(x, v, t, dt, s.is_on);
     }
     s.counts.close_starts = s.pairs.close_starts().size();
-    s.look_at_pairs(x, v, bodies);
+    s.columns.lay(x);
+    s.look.find({x, v, t, bodies, s.is_on, s.most}, s.columns, s.pairs, s.contacts);
+    s.columns.sort(s.contacts);
     s.count();
-}
-
-void SurfaceContact::State::look_at_pairs(const Points& x, const Points& v,
-                                          std::span<const RigidMover> bodies) {
-    contacts.clear(pairs.size());
-    const auto look = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        for (std::size_t i = begin; i < end; ++i) {
-            if (!pairs.is_due(i)) continue;
-            const int card = pairs.card(i);
-            if (!is_on[card]) continue;
-            const Nearest places = nearest(pairs[i], x);
-            const double gap = places.apart.norm();
-            pairs.tell_distance(i, places.apart, gap, x);
-            const double thickness = std::min(pairs.thickness(i), most[card]);
-            if (!places.is_inside || gap >= REACH * thickness || gap == 0.0) continue;
-            const RestGap rest = rest_gap(i, thickness);
-            if (gap >= rest.now) {
-                const PairMemory* const memory = pairs.memory(i);
-                const bool has_account = memory != nullptr && memory->account != 0.0;
-                contacts.near(chunk).push_back({pairs[i], i, gap, rest.now, has_account});
-                continue;
-            }
-            Contact& contact = contacts.chunk(chunk).emplace_back(
-                contact_at(cloth, bodies, x, pairs[i], places, gap));
-            contact.pair = i;
-            contact.memory = pairs.memory_row(i);
-            contact.card = card;
-            contact.side = pairs.side(i);
-            contact.rest = rest.now;
-            contact.rest_rate = rest.rate;
-            contact.rate_before = contact.rate(v);
-        }
-    };
-    parallel::for_chunks(pairs.size(), look, ContactList::CHUNK);
-}
-
-/// A pair that began nearer than its thickness starts with the gap that it had.
-SurfaceContact::State::RestGap SurfaceContact::State::rest_gap(std::size_t pair, double thickness) {
-    PairMemory* const memory = pairs.memory(pair);
-    if (memory == nullptr || memory->short_by == 0.0) return {thickness, 0.0};
-    const double missing = memory->short_by * std::exp(-(t - memory->born) / growth_time);
-    if (missing < 1e-6 * thickness) {
-        memory->short_by = 0.0;
-        return {thickness, 0.0};
-    }
-    if (missing < thickness) return {thickness - missing, missing / growth_time};
-    return {0.0, 0.0};
 }
 
 void SurfaceContact::State::count() {
@@ -189,9 +143,9 @@ void SurfaceContact::State::count() {
 void SurfaceContact::add_force(const Points& x, const Points& /*v*/, double dt, Points& f,
                                std::span<const RigidMover> bodies, const OwnRates& own) {
     State& s = *state_;
-    s.repulsion.find(std::max(dt, s.dt_last), x, bodies, own, s.contacts);
+    s.repulsion.find(std::max(dt, s.dt_last), x, bodies, own, s.columns, s.contacts);
     s.let_debtors_part();
-    s.repulsion.add(s.contacts, f);
+    s.repulsion.add(s.columns, s.contacts, f);
     s.span = 0.5 * (s.dt_last + dt);
     s.dt_last = dt;
 }
@@ -201,8 +155,8 @@ void SurfaceContact::filter(const Points& x, double dt, Points& v, std::span<Rig
     s.load.pass(s.span);
     if (!s.any_on()) return;
     Movement motion(s.cloth, x, v, bodies);
-    s.impulses.apply(s.span, dt, s.contacts, s.pairs, motion);
-    s.contacts.for_each([&](const Contact& c) { s.load.add(c); });
+    s.impulses.apply(s.span, dt, s.contacts, s.columns, s.pairs, motion);
+    s.columns.for_each(s.contacts, [&](const Contact& c) { s.load.add(c); });
     s.guard.stop(s.t, dt, s.pairs, s.impulses, s.load, motion);
     motion.settle();
 }

@@ -21,7 +21,7 @@ inline constexpr std::size_t CHUNK =
 
 /// Loops that are not told their chunk are light, some nanoseconds an item: with fewer items than
 /// this one thread is done before it could have called the others.
-inline constexpr std::size_t WORTH_THREADS = 16 * CHUNK;
+inline constexpr std::size_t WORTH_THREADS = 4 * CHUNK;
 
 /// How a loop is cut, and whether threads are worth calling. Chunks do not depend on the latter.
 struct Cut {

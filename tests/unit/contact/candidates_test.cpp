@@ -35,6 +35,10 @@ void tell_distance(Candidates& pairs, std::size_t i, const Points& x) {
     pairs.tell_distance(i, apart, apart.norm(), x);
 }
 
+auto insert_into(std::set<Named>& names, const Candidates& pairs) {
+    return [&](std::size_t i) { names.insert(name(pairs[i])); };
+}
+
 /// Every node against every triangle and every edge against every edge that has no node in common.
 std::vector<Pair> all_pairs(const std::vector<Triangle>& triangles, std::size_t nodes) {
     std::vector<Pair> pairs;
@@ -134,12 +138,9 @@ TEST_CASE("of 200 random crumpled states, moving, nothing near or about to meet 
             }
             pairs.foresee(x, v, n * DT, DT);
             std::set<Named> due, may_meet;
-            for (std::size_t i = 0; i < pairs.size(); ++i) {
-                if (pairs.may_meet(i)) may_meet.insert(name(pairs[i]));
-                if (!pairs.is_due(i)) continue;
-                due.insert(name(pairs[i]));
-                tell_distance(pairs, i, x);
-            }
+            pairs.for_each_meeting(0, pairs.size(), insert_into(may_meet, pairs));
+            pairs.for_each_due(0, pairs.size(), insert_into(due, pairs));
+            pairs.for_each_due(0, pairs.size(), [&](std::size_t i) { tell_distance(pairs, i, x); });
             if (n % 11 != 0) continue;  // fresh lists, and lists that have lived
             listed += pairs.size();
             for (const Pair& pair : everything) {
@@ -193,11 +194,9 @@ TEST_CASE("whatever is near is due, and whatever may meet is known, as in a list
             pairs.follow(x, t);
         pairs.foresee(x, v, t, dt);
         std::set<Named> due, may_meet;
-        for (std::size_t i = 0; i < pairs.size(); ++i) {
-            if (pairs.is_due(i)) due.insert(name(pairs[i]));
-            if (pairs.may_meet(i)) may_meet.insert(name(pairs[i]));
-            if (pairs.is_due(i)) tell_distance(pairs, i, x);
-        }
+        pairs.for_each_meeting(0, pairs.size(), insert_into(may_meet, pairs));
+        pairs.for_each_due(0, pairs.size(), insert_into(due, pairs));
+        pairs.for_each_due(0, pairs.size(), [&](std::size_t i) { tell_distance(pairs, i, x); });
         if (n % 10 != 0) continue;
         for (const Pair& pair : everything) {
             const double now = nearest(pair, corners(pair, x)).apart.norm();
@@ -252,8 +251,7 @@ TEST_CASE("nodes that dash off are predicted anew and nothing that they come nea
             pairs.follow(x, n * DT);
         pairs.foresee(x, v, n * DT, DT);
         std::map<Named, int> due;
-        for (std::size_t i = 0; i < pairs.size(); ++i)
-            if (pairs.is_due(i)) ++due[name(pairs[i])];
+        pairs.for_each_due(0, pairs.size(), [&](std::size_t i) { ++due[name(pairs[i])]; });
         for (const Pair& pair : everything) {
             if (nearest(pair, corners(pair, x)).apart.norm() >= REACH * card.thickness) continue;
             ++near;
@@ -281,6 +279,6 @@ TEST_CASE("cloth that flies without changing builds its lists once", "[contact]"
     CHECK(pairs.builds() <=
           13);  // only the predictions' age, which doubles as none is disappointed
     std::size_t due = 0;
-    for (std::size_t i = 0; i < pairs.size(); ++i) due += pairs.is_due(i);
+    pairs.for_each_due(0, pairs.size(), [&](std::size_t) { ++due; });
     CHECK(due == 0);
 }
