@@ -18,6 +18,8 @@ namespace {
 constexpr double SWEEP_OPEN = 0.25, SWEEP_FOLDED = 0.5;
 constexpr std::size_t OPEN = 8;
 constexpr std::size_t CHUNK = 8;  ///< patch pairs; some thousand triangle pairs
+/// Chunks whose findings wait at once to be put together: memory that the list has no more use for.
+constexpr std::size_t ROUND = 64;
 
 }  // namespace
 
@@ -111,31 +113,40 @@ void Candidates::find_late(const Points& x, double time) {
 
 void Candidates::list_pairs(const Points& x) {
     const auto pairs = search_.patch_pairs();
-    const std::size_t count = parallel::chunk_count(pairs.size(), CHUNK);
-    chunks_.resize(std::max(chunks_.size(), count));
+    chunks_.resize(std::max(chunks_.size(), ROUND));
     const Outlook ahead{x, life_, true};
+    std::size_t first = 0;
     const auto search = [&](std::size_t begin, std::size_t end, std::size_t c) {
         Chunk& out = chunks_[c];
         out.list.clear();
         out.watch.clear();
         for (std::size_t i = begin; i < end; ++i)
             search_.for_each_in(
-                pairs[i],
+                pairs[first + i],
                 [&](Piece a, Piece b, Distances apart) { meet_edges(a, b, apart, ahead, out); },
                 [&](Piece n, Index t, Distances apart) { meet_node(n, t, apart, ahead, out); });
     };
-    parallel::for_chunks(pairs.size(), search, CHUNK);
-
+    std::size_t rows = 0;
+    for (; first < pairs.size(); first += ROUND * CHUNK) {
+        const std::size_t count = std::min(pairs.size() - first, ROUND * CHUNK);
+        parallel::for_chunks(count, search, CHUNK);
+        rows = add_chunks(rows, parallel::chunk_count(count, CHUNK));
+    }
+    list_.resize(rows);
+    watch_.resize(rows);
     dead_ = 0;
-    add_chunks(0, count);
 }
 
-/// Puts what the first chunks have found behind so many rows, in their order.
-void Candidates::add_chunks(std::size_t rows, std::size_t count) {
+/// Puts what the first chunks have found behind so many rows, in their order, in place of what is
+/// there.
+/// @returns rows up to the last of it
+std::size_t Candidates::add_chunks(std::size_t rows, std::size_t count) {
     std::vector<std::size_t> start(count + 1, rows);
     for (std::size_t c = 0; c < count; ++c) start[c + 1] = start[c] + chunks_[c].list.size();
-    list_.resize(start[count]);
-    watch_.resize(start[count]);
+    if (start[count] > list_.size()) {
+        list_.resize(start[count]);
+        watch_.resize(start[count]);
+    }
     const auto copy = [&](std::size_t c) {
         const auto to = static_cast<std::ptrdiff_t>(start[c]);
         std::copy(chunks_[c].list.begin(), chunks_[c].list.end(), list_.begin() + to);
@@ -143,6 +154,7 @@ void Candidates::add_chunks(std::size_t rows, std::size_t count) {
             watch_.put(start[c] + k, chunks_[c].watch[k]);
     };
     parallel::for_each(count, copy, CHUNK);
+    return start[count];
 }
 
 /// Bars the pairs of all triangles that crossed at the start and still do.

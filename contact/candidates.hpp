@@ -152,7 +152,7 @@ private:
     void drop_renewed_pairs();
     void list_renewed_pairs(const Points& x);
     void hand_on_memories(std::size_t first);
-    void add_chunks(std::size_t rows, std::size_t count);
+    std::size_t add_chunks(std::size_t rows, std::size_t count);
     struct Outlook {        ///< how far it is looked ahead
         const Points& now;  ///< where the nodes are                                        [m]
         double life;        ///< [s]

@@ -6,8 +6,11 @@
 // 2 bad input, 3 the physics broke, 1 anything else.
 
 #include <fmt/core.h>
+#include <unistd.h>
 #include <CLI/CLI.hpp>
 
+#include <cstdlib>
+#include <filesystem>
 #include <new>
 
 #include "solver/base/error.hpp"
@@ -16,6 +19,19 @@
 namespace {
 
 using namespace corpuscle;
+
+/// Threads that wait for each other spin for a tenth of a millisecond, then sleep. GNU's OpenMP has
+/// them spin a hundred times as long, in which another program that wants a core makes every step
+/// wait for it. It reads this before main, so the program starts once more with it; whoever has set
+/// either variable is left alone, and so is a program that cannot tell where it lies.
+void spin_briefly(char** argv) {
+    if (std::getenv("GOMP_SPINCOUNT") != nullptr || std::getenv("OMP_WAIT_POLICY") != nullptr)
+        return;
+    std::error_code error;
+    const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
+    if (error || setenv("GOMP_SPINCOUNT", "3000", 1) != 0) return;
+    execv(self.c_str(), argv);  // does not return, unless it fails: then all goes on as it was
+}
 
 /// Common to all commands that read a deck.
 void add_deck_options(CLI::App& command, tools::DeckArguments& deck) {
@@ -160,6 +176,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    spin_briefly(argv);
     try {
         return run(argc, argv);
     } catch (const InputError& error) {
