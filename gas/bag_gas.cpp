@@ -26,14 +26,13 @@ constexpr double FLIGHT_SHARE = 0.5;
 
 /// Cells of the flight's facet lists, in facet edges. Smaller: fewer candidates a particle, more
 /// cells.
-constexpr double FLIGHT_CELL = 1.5;
+constexpr double FLIGHT_CELL = 2.25;
 
 /// Reach of the table of free ways, in ways of thermal speed in a step: one component in two
 /// thousand is longer. Farther: fewer look-ups, planes less tight.
 constexpr double REACH = 3.5;
 
-/// Cells, in facet edges, where layers lie closer than that reach: there no way is free. Smaller:
-/// fewer facets to look at, more cells on the way.
+/// The same where layers lie closer than that reach: there no way is free.
 constexpr double THIN_CELL = 1.5;
 
 constexpr std::size_t MOST_CELLS = 2'000'000;
@@ -104,8 +103,8 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
       chambers_(card.chambers, walls_, enclosure_, node_id, x, name_of(card)),
       inflators_(card, curves, seed, enclosure_.volume(x)),
       mass_(particle_masses(inflators_)),
-      lists_(turned(enclosure_, walls_), x),
-      side_lists_(lists_.triangles(), x),
+      lists_(turned(enclosure_, walls_), x, FacetLists::Of::EIGHTS),
+      side_lists_(lists_.triangles(), x, FacetLists::Of::FACETS),
       orifices_(card.orifices, lists_.triangles(), walls_.triangles, walls_.shell, card.frame, x),
       store_(x.size(), loaded_nodes(lists_, orifices_), enclosure_, held,
              RELEASE_TIME * card.second * card.smoothing),

@@ -226,9 +226,9 @@ void FacetBounds::for_some_near(const FacetLists& lists, const Slab& cell, const
     std::array<Index, NearFacets::EIGHTS_AT_ONCE + EIGHT> eights;
     const contact::EightPoints from = contact::all_eight(path.from),
                                to = contact::all_eight(path.to);
-    for (Index first = cell.first_eights; first < cell.last_eights; first += AT_ONCE) {
+    for (Index first = cell.begin; first < cell.end; first += AT_ONCE) {
         int count = 0;
-        const Index last = std::min(first + AT_ONCE, cell.last_eights);
+        const Index last = std::min(first + AT_ONCE, cell.end);
         for (Index k = first; k < last; ++k) {
             const unsigned close =
                 path.is_far ? those(lists.eights_in()[k]) : in_[k].near(path.box, from, to);

@@ -12,7 +12,7 @@ namespace corpuscle::gas {
 namespace {
 
 /// Cells of the table of free ways, in cells of the lists. Smaller: tighter planes, more cells.
-constexpr double CLEARANCE_CELL = 1.0;
+constexpr double CLEARANCE_CELL = 2.0 / 3.0;
 
 /// Of a cell's edge: nearer than this to its faces, single precision may be wrong about the cell.
 constexpr double ON_THE_FACE = 1e-4;
@@ -40,11 +40,12 @@ std::vector<Index> nodes_of(const std::vector<Triangle>& triangles) {
 
 }  // namespace
 
-FacetLists::FacetLists(std::vector<Triangle> triangles, std::span<const Vec3> x)
+FacetLists::FacetLists(std::vector<Triangle> triangles, std::span<const Vec3> x, Of of)
     : triangles_(std::move(triangles)),
       nodes_(nodes_of(triangles_)),
       patches_(contact::make_patches(x, triangles_)),
       eights_(make_eights(x, triangles_, patches_)),
+      of_(of),
       range_(triangles_.size()) {}
 
 bool FacetLists::hold_for(std::span<const Vec3> x_1) const {
@@ -69,18 +70,16 @@ void FacetLists::build(const Grid& grid, std::span<const Vec3> x_0, std::span<co
     // Room first: entries and slabs of each block, then where each block's begin.
     for_each_block(block_.size() - 1, [&](std::size_t b, BlockOfCells& block) {
         enter(b, block);
-        block_[b].facet = block.entries();
+        block_[b].entry = of_ == Of::FACETS ? block.entries() : block.eights_by_eight();
         block_[b].slab = block.cells().size();
-        block_[b].eights = block.eights_by_eight();
     });
-    std::size_t facets = 0, slabs = 1, eights = 0;
+    std::size_t entries = 0, slabs = 1;
     for (Block& b : block_) {
-        facets += std::exchange(b.facet, facets);
+        entries += std::exchange(b.entry, entries);
         slabs += std::exchange(b.slab, slabs);
-        eights += std::exchange(b.eights, eights);
     }
-    facet_.resize(facets);
-    eights_in_.resize(eights);
+    facet_.resize(of_ == Of::FACETS ? entries : 0);
+    eights_in_.resize(of_ == Of::EIGHTS ? entries : 0);
     slab_.resize(slabs);
     slab_[0] = {};
     slab_row_.assign(grid_.size(), 0);
@@ -104,27 +103,16 @@ void FacetLists::fill(std::size_t number, std::span<const Vec3> x_0, std::span<c
     enter(number, block);
     block.sort();
     block.take_corners(triangles_, x_0, x_1);
-    std::size_t to = block_[number].facet, row = block_[number].slab;
-    std::size_t eights = block_[number].eights;
+    std::size_t to = block_[number].entry, row = block_[number].slab;
     for (const int cell : block.cells()) {
         Slab& slab = slab_[row];
         slab_row_[block.row(cell)] = static_cast<Index>(row++);
         slab.begin = static_cast<Index>(to);
-        for (const std::int32_t place : block.in(cell)) facet_[to++] = block.facet(place);
+        if (of_ == Of::FACETS)
+            for (const std::int32_t place : block.in(cell)) facet_[to++] = block.facet(place);
+        else
+            to = list_eights(cell, block, to);
         slab.end = static_cast<Index>(to);
-        slab.first_eights = static_cast<Index>(eights);
-        int lane = contact::EIGHT;
-        Index last = -1;
-        for (const Index facet : in(slab)) {
-            const Index eight = eights_.of[facet];
-            if (std::exchange(last, eight) == eight) continue;
-            if (lane == contact::EIGHT) {
-                eights_in_[eights++].fill(-1);
-                lane = 0;
-            }
-            eights_in_[eights - 1][lane++] = last;
-        }
-        slab.last_eights = static_cast<Index>(eights);
         const Planes planes = block.planes(cell, length);
         const auto& n = planes.normal;
         const double all = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);
@@ -133,6 +121,23 @@ void FacetLists::fill(std::size_t number, std::span<const Vec3> x_0, std::span<c
         slab.low = static_cast<float>(planes.low - more);
         slab.high = static_cast<float>(planes.high + more);
     }
+}
+
+/// Writes a cell's eights from entry `to` on; those of an eight have been entered together.
+/// @returns the next entry
+std::size_t FacetLists::list_eights(int cell, const BlockOfCells& block, std::size_t to) {
+    int lane = contact::EIGHT;
+    Index last = -1;
+    for (const std::int32_t place : block.in(cell)) {
+        const Index eight = eights_.of[block.facet(place)];
+        if (std::exchange(last, eight) == eight) continue;
+        if (lane == contact::EIGHT) {
+            eights_in_[to++].fill(-1);
+            lane = 0;
+        }
+        eights_in_[to - 1][lane++] = eight;
+    }
+    return to;
 }
 
 /// By FCL. Ranges of facets on the way.
@@ -163,8 +168,8 @@ void FacetLists::pair_blocks_with_patches(std::span<const Vec3> x_0, std::span<c
     block_tree_.pairs(patch_tree_, pairs_);
     block_.clear();
     for (std::size_t p = 0; p < pairs_.size(); ++p)
-        if (p == 0 || pairs_[p].first != pairs_[p - 1].first) block_.push_back({p, 0, 0, 0});
-    block_.push_back({pairs_.size(), 0, 0, 0});
+        if (p == 0 || pairs_[p].first != pairs_[p - 1].first) block_.push_back({p, 0, 0});
+    block_.push_back({pairs_.size(), 0, 0});
 }
 
 }  // namespace corpuscle::gas

@@ -25,7 +25,6 @@ struct Slab {
     std::array<float, 3> normal{0.0F, 0.0F, 0.0F};  ///< of unit length
     float low = 1.0F, high = -1.0F;                 ///< [m]
     Index begin = 0, end = 0;                       ///< of the cell's list
-    Index first_eights = 0, last_eights = 0;        ///< of its eights, by eight: begin and end
 
     [[nodiscard]] bool is_missed_by(const std::array<float, 3>& from,
                                     const std::array<float, 3>& to) const {
@@ -45,7 +44,10 @@ struct Slab {
 /// a `reach` there is a table of free ways, too, up to some cells and that (clearance.hpp).
 class FacetLists {
 public:
-    FacetLists(std::vector<Triangle> triangles, std::span<const Vec3> x);
+    /// A cell's list is one of its facets, or of the eights that have facets in it.
+    enum class Of : std::uint8_t { FACETS, EIGHTS };
+
+    FacetLists(std::vector<Triangle> triangles, std::span<const Vec3> x, Of of);
 
     /// Enters every facet, as it moves from x_0 to x_1 and up to `margin` farther.
     void build(const Grid& grid, std::span<const Vec3> x_0, std::span<const Vec3> x_1,
@@ -58,15 +60,27 @@ public:
     [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
     [[nodiscard]] std::span<const Index> nodes() const { return nodes_; }
 
-    /// Facets entered in a cell.
+    /// Facets entered in a cell (of FACETS).
     [[nodiscard]] std::span<const Index> in(std::size_t cell) const { return in(slab(cell)); }
     [[nodiscard]] std::span<const Index> in(const Slab& slab) const {
         return {facet_.data() + slab.begin, static_cast<std::size_t>(slab.end - slab.begin)};
     }
-    /// Eights with facets in a cell, by eight; -1 where there are no more.
+    /// Eights with facets in cells, by eight, slab after slab (of EIGHTS); -1: no more in a cell.
     using EightEights = std::array<Index, contact::EIGHT>;
     [[nodiscard]] std::span<const EightEights> eights_in() const { return eights_in_; }
     [[nodiscard]] const FacetEights& eights() const { return eights_; }
+    /// visit(facet) for those of a cell; of EIGHTS: for some beyond, too.
+    template <class Visit>
+    void for_each_in(const Slab& slab, Visit&& visit) const {
+        if (of_ == Of::FACETS)
+            for (const Index facet : in(slab)) visit(facet);
+        else
+            for (Index k = slab.begin; k < slab.end; ++k)
+                for (const Index eight : eights_in_[k])
+                    if (eight >= 0)
+                        for (const Index facet : eights_.facet[eight])
+                            if (facet >= 0) visit(facet);
+    }
     [[nodiscard]] bool is_empty(std::size_t cell) const { return slab_row_[cell] == 0; }
     [[nodiscard]] const Slab& slab(std::size_t cell) const { return slab_[slab_row_[cell]]; }
 
@@ -178,11 +192,13 @@ private:
     void fill(std::size_t number, std::span<const Vec3> x_0, std::span<const Vec3> x_1,
               BlockOfCells& block);
     void enter(std::size_t number, BlockOfCells& block) const;
+    std::size_t list_eights(int cell, const BlockOfCells& block, std::size_t to);
 
     std::vector<Triangle> triangles_;
     std::vector<Index> nodes_;  ///< rows of the facets' nodes, ascending
     contact::Patches patches_;
     FacetEights eights_;
+    Of of_;
     contact::BroadPhase patch_tree_, block_tree_;
 
     Grid grid_;
@@ -195,9 +211,9 @@ private:
     std::vector<CellRange> range_;       ///< of the facets
     std::vector<contact::Box> box_;
     std::vector<std::pair<Index, Index>> pairs_;  ///< block, patch
-    /// A block's first pair; its first entry of facet_, of slab_ and of eights_in_.
+    /// A block's first pair; its first entry of its lists and of slab_.
     struct Block {
-        std::size_t pair, facet, slab, eights;
+        std::size_t pair, entry, slab;
     };
     std::vector<Block> block_;            ///< those with patches, and one more for where they end
     std::vector<Index> facet_;            ///< cell after cell, block after block

@@ -59,23 +59,28 @@ void meet(const Scene& scene, const Path& path, Index facet, double after, const
     if (hit && (first.facet < 0 || hit->tau < first.where.tau)) first = {facet, *hit};
 }
 
+/// As first_meeting(), of all facets in the cells on the way.
+[[gnu::noinline]] Meeting first_of_all(const Scene& scene, const Path& path, const Vec3& from,
+                                       double now, double after, const Meeting& last) {
+    Meeting first;
+    scene.lists.any_slab(from, path.at_1, [&](const Slab& slab, double, double leaves) {
+        scene.lists.for_each_in(slab,
+                                [&](Index facet) { meet(scene, path, facet, after, last, first); });
+        return first.facet >= 0 && first.where.tau <= now + leaves * (1.0 - now);
+    });
+    return first;
+}
+
 /// First facet that the path crosses after `after`; `last` is the meeting it has just left. The
 /// path is at `from` at the share `now` of the step.
 Meeting first_meeting(const Scene& scene, const Path& path, const Vec3& from, double now,
                       double after, const Meeting& last) {
+    if (!scene.bounds) return first_of_all(scene, path, from, now, after, last);
     Meeting first;
     // A meeting later than where the way leaves the cell may yet be preceded by another.
     const auto is_settled = [&](double leaves) {
         return first.facet >= 0 && first.where.tau <= now + leaves * (1.0 - now);
     };
-    if (!scene.bounds) {
-        scene.lists.any_slab(from, path.at_1, [&](const Slab& slab, double, double leaves) {
-            for (const Index facet : scene.lists.in(slab))
-                meet(scene, path, facet, after, last, first);
-            return is_settled(leaves);
-        });
-        return first;
-    }
     const FacetBounds& bounds = *scene.bounds;
     NearFacets near;
     scene.lists.any_slab(from, path.at_1, [&](const Slab& slab, double enters, double leaves) {
@@ -249,14 +254,14 @@ void stream(double dt, std::size_t begin, std::size_t count, Particles& gas) {
 /// flight has hardly used is given back: a burst's would stay with every chunk it passes.
 template <class T>
 void clear(std::vector<std::vector<T>>& lists, std::size_t count) {
-    constexpr std::size_t ALWAYS_KEPT = 32, KEPT = 3;
+    constexpr std::size_t ALWAYS_KEPT = 32, KEPT = 2;
     if (lists.size() < count) lists.resize(count);
     for (auto& list : lists) {
         const std::size_t used = list.size();
         list.clear();
         if (list.capacity() <= ALWAYS_KEPT + KEPT * used) continue;
         list.shrink_to_fit();
-        list.reserve(used);
+        list.reserve(used + used / 4);
     }
 }
 

@@ -85,15 +85,42 @@ void Orifices::axes(std::span<const Vec3> x, std::vector<Vec3>& out) const {
                                       : Vec3(turn * cards_[o].direction.value_or(Vec3::Zero()));
 }
 
+namespace {
+
+/// Does the box of what the facet sweeps overlap with the path's?
+bool is_near(const Path& path, const Triangle& facet, std::span<const Vec3> x_0,
+             std::span<const Vec3> x_1) {
+    for (int a = 0; a < 3; ++a) {
+        const auto [i, j, k] = facet;
+        const double low = std::min(
+                         {x_0[i][a], x_0[j][a], x_0[k][a], x_1[i][a], x_1[j][a], x_1[k][a]}),
+                     high = std::max(
+                         {x_0[i][a], x_0[j][a], x_0[k][a], x_1[i][a], x_1[j][a], x_1[k][a]});
+        if (low > std::max(path.at_0[a], path.at_1[a]) ||
+            high < std::min(path.at_0[a], path.at_1[a]))
+            return false;
+    }
+    return true;
+}
+
+}  // namespace
+
 int Orifices::passed_by_fabric(const FacetLists& lists, std::span<const Vec3> x_0,
                                std::span<const Vec3> x_1) const {
     for (std::size_t o = 0; o < size(); ++o) {
         if (!on_[o].empty() && cards_[o].offset == 0.0) continue;
         const Path path{place(o, x_0), place(o, x_1)};
-        for (const Vec3& end : {path.at_0, path.at_1})
-            for (const Index facet : lists.in(lists.grid().cell_of(end)))
-                if (cross(path, lists.triangles()[facet], x_0.data(), x_1.data()))
-                    return static_cast<int>(o);
+        const auto is_crossed_by = [&](const Triangle& facet) {
+            return is_near(path, facet, x_0, x_1) && cross(path, facet, x_0.data(), x_1.data());
+        };
+        if (lists.any_slab(path.at_0, path.at_1, [&](const Slab& slab, double, double) {
+                bool is_passed = false;
+                lists.for_each_in(slab, [&](Index facet) {
+                    is_passed = is_passed || is_crossed_by(lists.triangles()[facet]);
+                });
+                return is_passed;
+            }))
+            return static_cast<int>(o);
     }
     return -1;
 }

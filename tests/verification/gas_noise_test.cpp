@@ -108,7 +108,7 @@ private:
     Collider collider_{mixture_.species(), mixture_.moles_each(), 3};
     Grid grid_ = Grid::over(Vec3::Zero(), Vec3::Constant(SIDE - 1e-12),
                             cell_edge(std::pow(SIDE, 3), PARTICLES, 20.0), 1000);
-    FacetLists lists_{bag_.triangles(), shape_.x};
+    FacetLists lists_{bag_.triangles(), shape_.x, FacetLists::Of::EIGHTS};
     std::vector<std::uint8_t> held_ = std::vector<std::uint8_t>(shape_.x.size(), 0);
     ImpulseStore plain_{shape_.x.size(), bag_.nodes(), bag_, held_, SMOOTHING, false};
     ImpulseStore quiet_{shape_.x.size(), bag_.nodes(), bag_, held_, SMOOTHING, true};

@@ -66,7 +66,7 @@ Flown fly_in_pleats(int particles, std::size_t hits_wanted, std::uint64_t seed =
         gas.add(0.2 * RADIUS * draw.uniform() * draw.direction(), SPEED * draw.direction(), 0.0, 0,
                 i);
     }
-    FacetLists lists(ball.triangles(), x_0);
+    FacetLists lists(ball.triangles(), x_0, FacetLists::Of::EIGHTS);
     const Grid grid = Grid::over(Vec3::Constant(-RADIUS), Vec3::Constant(RADIUS), 0.01, 1000000);
     const std::vector<double> mass{1.0};
     FlightResult flight;

@@ -28,7 +28,7 @@ shapes::Shape crumpled() {
 }
 
 FacetLists lists_of(const shapes::Shape& shape) {
-    FacetLists lists(shape.triangles, shape.x);
+    FacetLists lists(shape.triangles, shape.x, FacetLists::Of::EIGHTS);
     lists.build(Grid::over(Vec3::Constant(-0.4), Vec3::Constant(0.4), 0.04, 100000), shape.x,
                 shape.x, 0.005, REACH);
     return lists;

@@ -40,7 +40,7 @@ Particles fill(const Enclosure& enclosure, const Points& x, double reach, std::s
 
 FacetLists lists_for(const shapes::Shape& shape, const Points& x_0, const Points& x_1, double edge,
                      double reach = 0.0) {
-    FacetLists lists(shape.triangles, shape.x);
+    FacetLists lists(shape.triangles, shape.x, FacetLists::Of::EIGHTS);
     lists.build(Grid::over(Vec3::Constant(-0.3), Vec3::Constant(0.3), edge, 1000000), x_0, x_1, 0.0,
                 reach);
     return lists;

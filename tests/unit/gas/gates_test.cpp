@@ -38,7 +38,7 @@ struct Sheet {
         gates.open = {1.0, 1.0};
     }
     void fly_through() {
-        FacetLists lists(shape.triangles, shape.x);
+        FacetLists lists(shape.triangles, shape.x, FacetLists::Of::EIGHTS);
         lists.build(Grid::over(Vec3(-1.1, -1.1, 0.0), Vec3(1.1, 1.1, 0.3), 0.1, 1000000), shape.x,
                     x_1, 0.0);
         const std::vector<double> mass{2.0};

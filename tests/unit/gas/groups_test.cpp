@@ -50,7 +50,7 @@ struct Scene {
         Grid grid;
         grid.low = Vec3(-1, -1, -1);
         grid.set_edge(2.0);
-        FacetLists lists(triangles, x);
+        FacetLists lists(triangles, x, FacetLists::Of::FACETS);
         lists.build(grid, x, x, 0.0);
         CellSort cells;
         cells.sort(grid, gas);
