@@ -41,7 +41,8 @@ bool is_too_slow(const Setting& setting, std::size_t n) {
 /// Runs in the ensemble: as many as keep the whole below four minutes; fewer of the slow models.
 int runs_of(CollisionModel model, std::size_t n) {
     if (n > 100000) return model == CollisionModel::LIN ? 8 : 2;
-    if (n == 100000 && model == CollisionModel::LIN) return 64;  // chance below a fifth of the error
+    if (n == 100000 && model == CollisionModel::LIN)
+        return 64;  // chance below a fifth of the error
     const int most = n < 100000 ? 40 : 16;
     return model == CollisionModel::NTC       ? most / 2
            : model == CollisionModel::SPHERES ? most / 4
