@@ -91,6 +91,7 @@ std::string page(const std::vector<fs::path>& folders) {
     if (!faults.empty()) throw InputError(faults);
     return filled(PAGE_HTML, {{"@TITLE@", escaped(title)},
                               {"@STYLE@", std::string(PAGE_STYLE)},
+                              {"@LIBRARIES@", std::string(PAGE_LIBRARIES)},
                               {"@SCRIPT@", std::string(PAGE_SCRIPT)},
                               {"@DATA@", data},
                               {"@FRAMES@", frames}});

@@ -9,8 +9,9 @@
 
 namespace corpuscle::report {
 
-/// The page's own parts, from tools/report/page.
-extern const std::string_view PAGE_HTML, PAGE_STYLE, PAGE_SCRIPT, PAGE_PICTURES_SCRIPT;
+/// The page's own parts, from tools/report/page, and its libraries, from tools/report/bundle.
+extern const std::string_view PAGE_HTML, PAGE_STYLE, PAGE_SCRIPT, PAGE_LIBRARIES,
+    PAGE_PICTURES_SCRIPT;
 
 /// One HTML file that asks nothing of the net: runs side by side, or a study's table.
 ///

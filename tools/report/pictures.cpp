@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <string_view>
 
@@ -43,15 +44,8 @@ std::string printed_by(const std::string& command) {
     return text;
 }
 
-}  // namespace
-
-std::string browser() {
-    for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
-        if (std::system(fmt::format("command -v {} > /dev/null 2>&1", name).c_str()) == 0)
-            return name;
-    return "";
-}
-
+/// Words of a command that opens `page` without a window and prints what has become of its text;
+/// the browser's own files go to `profile`.
 std::string dump_command(const std::string& browser, const fs::path& page,
                          const fs::path& profile) {
     // the software renderer of WebGL draws the same everywhere; time jumps ahead when nothing waits
@@ -61,6 +55,15 @@ std::string dump_command(const std::string& browser, const fs::path& page,
         "--user-data-dir='{}' --window-size=1280,960 --virtual-time-budget=600000 --dump-dom "
         "'file://{}' 2>/dev/null",
         browser, profile.string(), fs::absolute(page).string());
+}
+
+}  // namespace
+
+std::string browser() {
+    for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
+        if (std::system(fmt::format("command -v {} > /dev/null 2>&1", name).c_str()) == 0)
+            return name;
+    return "";
 }
 
 std::vector<Picture> pictures(std::string page) {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -20,11 +19,5 @@ struct Picture {
 
 /// Name of the Chromium on the PATH; empty: there is none.
 [[nodiscard]] std::string browser();
-
-/// Words of a command that opens `page` in that browser, without a window, and prints what has
-/// become of its text; the browser's own files go to `profile`.
-[[nodiscard]] std::string dump_command(const std::string& browser,
-                                       const std::filesystem::path& page,
-                                       const std::filesystem::path& profile);
 
 }  // namespace corpuscle::report

@@ -142,7 +142,7 @@ TEST_CASE("curves that cannot be, or that would give energy, are named", "[fabri
         InputError);
 }
 
-TEST_CASE("a card with curves picks its law; one without pays nothing", "[fabric][curves]") {
+TEST_CASE("a card with curves picks its law, and one without pays nothing", "[fabric][curves]") {
     const auto law = [](int form, bool unloads) {
         return make_law({1, "", curved_card(form, unloads)}, CURVES).law;
     };

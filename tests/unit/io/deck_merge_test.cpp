@@ -49,7 +49,7 @@ const std::string MERGED = TWO + "*CONSTRAINED_RIGID_BODIES\n50,51\n";
 
 }  // namespace
 
-TEST_CASE("CMO = -1: axes by places, vectors and nodes; a digit for each that is held", "[io]") {
+TEST_CASE("CMO = -1: axes by places, vectors and nodes, a digit for each that is held", "[io]") {
     const std::string code = "-1,9,101001";
     // the deck's order does not matter
     const Model by_places = read(held(code, "*DEFINE_COORDINATE_SYSTEM\n9,1,1,0,1,4,0\n0,2,0\n"));

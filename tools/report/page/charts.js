@@ -1,77 +1,29 @@
-// Curves with a time cursor. One chart shows one history, of every run that has it.
+// Curves with the page's time. One chart shows one history, of every run that has it.
 
 const FIRST_CHARTS = [/^airbag\/\d+\/pressure$/, /^airbag\/\d+\/volume$/, /^airbag\/\d+\/temperature$/, /^energy\/gas$/, /^energy\/residual$/, /^rigid_body\/\d+\/force\.z$/];
+const CHART_HEIGHT = 230;  // without the legend [pixel]
+const FONT = "13px system-ui, sans-serif";
+const ALONG = {size: 26, gap: 4, labelGap: 0}, UP = {size: 72};  // room for the numbers of an axis [pixel]
 
-/** Round numbers between low and high, about `count` of them. */
-function ticks(low, high, count) {
-    const rough = (high - low) / count || 1, unit = 10 ** Math.floor(Math.log10(rough));
-    const step = [1, 2, 5, 10].map((k) => k * unit).find((s) => s >= rough);
-    const all = [];
-    for (let k = Math.ceil(low / step); k * step <= high + 1e-9 * step; ++k) all.push(k * step);
-    return all;
+/** An axis of uPlot. */
+function axis(label, room) {
+    return {label, labelFont: FONT, labelSize: label ? 20 : 0, font: FONT, stroke: "#5c6675", grid: {stroke: "#d5dae1", width: 1}, ticks: {show: false}, values: (plot, all) => all.map(show), ...room};
 }
 
-/** Axes of a canvas; returns how numbers map to it. */
-function axes(canvas, xRange, yRange, xLabel, yLabel) {
-    const scale = window.devicePixelRatio || 1;
-    canvas.width = canvas.clientWidth * scale;
-    canvas.height = canvas.clientHeight * scale;
-    const pen = canvas.getContext("2d");
-    pen.scale(scale, scale);
-    const box = {left: 64, top: 20, right: canvas.clientWidth - 10, bottom: canvas.clientHeight - 34};
-    const [x0, x1] = xRange, [y0, y1] = yRange[0] < yRange[1] ? yRange : [yRange[0] - 1, yRange[1] + 1];
-    const x = (v) => box.left + (v - x0) / ((x1 - x0) || 1) * (box.right - box.left);
-    const y = (v) => box.bottom - (v - y0) / (y1 - y0) * (box.bottom - box.top);
-    pen.font = "12px system-ui, sans-serif";
-    pen.strokeStyle = "#d5dae1";
-    pen.fillStyle = "#5c6675";
-    pen.textAlign = "center";
-    for (const v of ticks(x0, x1, 6)) {
-        pen.strokeRect(x(v), box.top, 0, box.bottom - box.top);
-        pen.fillText(show(v), x(v), box.bottom + 15);
-    }
-    pen.fillText(xLabel, 0.5 * (box.left + box.right), box.bottom + 30);
-    pen.textAlign = "right";
-    for (const v of ticks(y0, y1, 5)) {
-        pen.strokeRect(box.left, y(v), box.right - box.left, 0);
-        pen.fillText(show(v), box.left - 5, y(v) + 4);
-    }
-    pen.textAlign = "left";
-    pen.fillText(yLabel, 4, 12);
-    return {pen, x, y, box};
-}
-
-function bounds(lists) {
-    let low = Infinity, high = -Infinity;
-    for (const list of lists)
-        for (const v of list) {
-            if (v < low) low = v;
-            if (v > high) high = v;
-        }
-    return low <= high ? [low, high] : [0, 1];
-}
-
-/** Room around points. */
-function widened(list) {
-    const [low, high] = bounds([list]), room = 0.06 * (high - low) || 0.5;
-    return [low - room, high + room];
-}
+/** Numbers for uPlot; what is none is a gap. */
+const numbers = (values) => Array.from(values, (v) => Number.isFinite(v) ? v : null);
 
 class Chart {
     constructor(runs, first, pick) {
         this.runs = runs;
+        this.pick = pick;
+        this.t = 0;
         const names = [...new Set(runs.flatMap((run) => run.histories.slice(1).map((history) => history.name)))];
         this.select = make("select", {"aria-label": "history"}, ...names.map((name) => make("option", {}, name)));
         this.select.value = names.find((name) => first.test(name)) || names[0];
-        this.canvas = make("canvas", {tabindex: 0, role: "img"});
-        this.figure = make("figure", {}, this.select, this.canvas);
-        this.select.addEventListener("change", () => this.draw(this.t));
-        this.canvas.addEventListener("click", (event) => pick(this.timeAt(event.offsetX)));
-    }
-
-    timeAt(pixel) {
-        const {left, right} = this.frame.box, [a, b] = this.range;
-        return Math.min(Math.max(a + (pixel - left) / (right - left) * (b - a), a), b);
+        this.place = make("div", {class: "plot", role: "img"});
+        this.figure = make("figure", {}, this.select, this.place);
+        this.select.addEventListener("change", () => this.renew());
     }
 
     /** The chart's numbers: [{run, history}] of those that have it. */
@@ -79,30 +31,55 @@ class Chart {
         return this.runs.map((run) => ({run, history: run.histories.find((h) => h.name === this.select.value)})).filter((c) => c.history);
     }
 
-    draw(t) {
+    /** Takes the chosen history. A drag zooms, in all charts; two clicks show all again; one click picks a time. */
+    renew() {
+        if (this.plot) this.plot.destroy();
+        const curves = this.shown = this.curves(), unit = curves[0].history.unit, time = curves[0].run.units.time;
+        const tables = curves.map(({run, history}) => [run.time, numbers(history.values)]);
+        const value = (row) => row === null ? "-" : show(row);
+        const options = {
+            width: this.place.clientWidth,
+            height: CHART_HEIGHT,
+            scales: {x: {time: false}},
+            axes: [axis(time, ALONG), axis(unit, UP)],
+            series: [{label: `t [${time}]`, value: (plot, t) => value(t)}, ...curves.map((curve) => ({
+                label: curve.run.name,
+                stroke: LINE_COLOURS[this.runs.indexOf(curve.run) % LINE_COLOURS.length],
+                width: 1.8,
+                spanGaps: true,  // a row of the other run is none of this one
+                points: {show: false},
+                value: (plot, v, s, row) => value(row === null ? null : this.reading(curve, plot.data[0][row])),
+            }))],
+            cursor: {y: false, sync: {key: "time"}, drag: {dist: 5}},
+            hooks: {draw: [() => this.mark()], setCursor: [(plot) => { if (plot.cursor.left < 0) this.mark(); }]},
+        };
+        this.plot = new lib.uPlot(options, tables.length > 1 ? lib.uPlot.join(tables) : tables[0], this.place);
+        this.now = make("div", {class: "now"});
+        this.plot.over.append(this.now);
+        this.plot.over.addEventListener("click", (event) => this.pick(this.plot.posToVal(event.offsetX, "x")));
+    }
+
+    reading({run, history}, t) {
+        return history.values[rowAt(run.time, t)];
+    }
+
+    fit() {
+        this.plot.setSize({width: this.place.clientWidth, height: CHART_HEIGHT});
+    }
+
+    go(t) {
         this.t = t;
-        const curves = this.curves();
-        this.range = bounds(curves.map((c) => c.run.time));
-        const unit = curves[0].history.unit;
-        const {pen, x, y, box} = this.frame = axes(this.canvas, this.range, bounds(curves.map((c) => c.history.values)), curves[0].run.units.time, unit);
-        const readings = [];
-        curves.forEach(({run, history}) => {
-            const colour = LINE_COLOURS[this.runs.indexOf(run) % LINE_COLOURS.length];
-            pen.strokeStyle = colour;
-            pen.lineWidth = 1.8;
-            pen.beginPath();
-            for (let row = 0; row < run.rows; ++row) pen.lineTo(x(run.time[row]), y(history.values[row]));
-            pen.stroke();
-            readings.push([colour, history.values[rowAt(run, t)]]);
-        });
-        pen.strokeStyle = "#1c2430";
-        pen.lineWidth = 1;
-        pen.strokeRect(x(t), box.top, 0, box.bottom - box.top);
-        pen.textAlign = "right";
-        readings.reverse().forEach(([colour, value], k) => {
-            pen.fillStyle = colour;
-            pen.fillText(show(value), box.right - 80 * k, 12);
-        });
-        this.canvas.setAttribute("aria-label", `${this.select.value}: ${readings.map((r) => show(r[1])).join(", ")} ${unit}`);
+        this.mark();
+    }
+
+    /** The line at the page's time, and what the curves read there unless the mouse reads elsewhere. */
+    mark() {
+        if (!this.now) return;
+        const {plot, now, t} = this, x = plot.valToPos(t, "x");
+        now.hidden = x < 0 || x > plot.over.clientWidth;
+        now.style.transform = `translateX(${x}px)`;
+        if (plot.cursor.left < 0) plot.setLegend({idx: rowAt(plot.data[0], t)}, false);
+        const readings = this.shown.map((curve) => show(this.reading(curve, t)));
+        this.place.setAttribute("aria-label", `${this.select.value}: ${readings.join(", ")} ${this.shown[0].history.unit}`);
     }
 }

@@ -56,14 +56,14 @@ function frameAt(run, t) {
     return best;
 }
 
-/** The row of the histories that is nearest to t. */
-function rowAt(run, t) {
-    let low = 0, high = run.rows - 1;
+/** The row of `times`, which go up, that is nearest to t. */
+function rowAt(times, t) {
+    let low = 0, high = times.length - 1;
     while (high - low > 1) {
         const middle = (low + high) >> 1;
-        if (run.time[middle] <= t) low = middle; else high = middle;
+        if (times[middle] <= t) low = middle; else high = middle;
     }
-    return t - run.time[low] < run.time[high] - t ? low : high;
+    return t - times[low] < times[high] - t ? low : high;
 }
 
 function show(number) {

@@ -1,7 +1,6 @@
 // Puts the page together: one time for all pictures and curves.
 
 const element = (id) => document.getElementById(id);
-const VIEWS = [[-0.9, 1.15], [0, Math.PI / 2], [-Math.PI / 2, Math.PI / 2], [-Math.PI / 2, 0.01]];
 
 class Page {
     constructor(runs) {
@@ -9,29 +8,28 @@ class Page {
         this.end = Math.max(...runs.map((run) => run.time[run.rows - 1]));
         this.t = 0;
         this.is_due = false;
+        this.is_new = true;
+        const is_comparable = runs.every((run) => run.units.length === runs[0].units.length), box = commonBox(runs);
         this.viewers = runs.map((run) => {
             const canvas = make("canvas", {class: "picture", tabindex: 0, "aria-label": `${run.name} in 3-D`});
             run.legend = make("canvas", {width: 260, height: 34});
             element("scene").append(make("figure", {}, canvas, make("figcaption", {}, `${run.name} (${run.termination})`, run.legend)));
-            return new Viewer(canvas, run, (camera) => this.look(camera));
+            return new Viewer(canvas, run, is_comparable ? box : run.box);
         });
+        this.camera = new Camera(element("scene"), () => this.ask());
         this.charts = FIRST_CHARTS.filter((first) => runs.some((run) => run.histories.some((h) => first.test(h.name)))).map((first) => new Chart(runs, first, (t) => this.go(t)));
         element("charts").append(...this.charts.map((chart) => chart.figure));
+        for (const chart of this.charts) chart.renew();
         this.listen();
         this.go(0);
-    }
-
-    look(camera) {
-        for (const viewer of this.viewers) Object.assign(viewer.camera, camera);
-        this.ask();
     }
 
     go(t) {
         this.t = Math.min(Math.max(t, 0), this.end);
         element("slider").value = 1000 * this.t / this.end;
         element("clock").textContent = `t = ${show(this.t)} ${this.runs[0].units.time}`;
-        this.is_new = true;
-        this.ask();
+        for (const chart of this.charts) chart.go(this.t);
+        this.renew();
     }
 
     /** To the next or last frame of the first run. */
@@ -46,14 +44,19 @@ class Page {
         requestAnimationFrame(() => this.draw());
     }
 
+    renew() {
+        this.is_new = true;
+        this.ask();
+    }
+
     draw() {
         this.is_due = false;
         const field = element("colour").value;
         for (const viewer of this.viewers) {
             if (this.is_new) this.take(viewer, frameAt(viewer.run, this.t), field);
-            viewer.draw(element("cut").value / 1000);
+            viewer.cut(element("toward").value, element("cut").value / 1000);
+            viewer.draw(this.camera);
         }
-        if (this.is_new) for (const chart of this.charts) chart.draw(this.t);
         this.is_new = false;
         for (const run of this.runs) drawLegend(run.legend, run.ranges[field], run.units.pressure);
     }
@@ -62,11 +65,6 @@ class Page {
     take(viewer, k, field) {
         if (viewer.run.frames[k].isRead) return viewer.take(k, viewer.run.ranges[field] ? field : "part", element("dots").value);
         readFrame(viewer.run, k).then(() => this.renew(), failed);
-    }
-
-    renew() {
-        this.is_new = true;
-        this.ask();
     }
 
     /** Goes to t, and is there when the picture is. */
@@ -101,26 +99,27 @@ class Page {
         element("play").textContent = this.timer ? "pause" : "play";
     }
 
-    turn() {
-        const [turn, tilt] = VIEWS[element("view").value];
-        this.look({turn, tilt, x: 0, y: 0, far: 1.6});
-    }
-
     listen() {
-        const renew = () => this.renew();
         element("slider").addEventListener("input", (event) => this.go(event.target.value / 1000 * this.end));
         element("play").addEventListener("click", () => this.play());
-        for (const id of ["colour", "dots"]) element(id).addEventListener("change", renew);
+        for (const id of ["colour", "dots"]) element(id).addEventListener("change", () => this.renew());
+        element("view").addEventListener("change", (event) => this.camera.turn(event.target.value));
         element("cut").addEventListener("input", () => this.ask());
-        element("view").addEventListener("change", () => this.turn());
-        window.addEventListener("resize", renew);
-        const next = (id) => { element(id).selectedIndex = (element(id).selectedIndex + 1) % element(id).length; };
-        document.addEventListener("keydown", (event) => {
-            if (["INPUT", "SELECT", "BUTTON"].includes(event.target.tagName)) return;
-            const act = {" ": () => this.play(), ArrowRight: () => this.step(1), ArrowLeft: () => this.step(-1), Home: () => this.go(0), End: () => this.go(this.end), c: () => { next("colour"); renew(); }, v: () => { next("view"); this.turn(); }}[event.key];
-            if (!act) return;
-            event.preventDefault();
-            act();
+        element("toward").addEventListener("change", () => this.ask());
+        window.addEventListener("resize", () => {
+            for (const chart of this.charts) chart.fit();
+            this.ask();
+        });
+        listenToKeys({
+            " ": () => this.play(),
+            ArrowRight: () => this.step(1),
+            ArrowLeft: () => this.step(-1),
+            Home: () => this.go(0),
+            End: () => this.go(this.end),
+            c: () => next(element("colour")),
+            p: () => next(element("dots")),
+            v: () => next(element("view")),
+            x: () => next(element("toward")),
         });
     }
 }
