@@ -71,8 +71,8 @@ TEST_CASE("a page of one run, and of two side by side, works in a browser", "[re
     CHECK(seen["plays"] == "pause");
     CHECK(seen["played"] == "play");
 
-    CHECK(seen["cuts"] == "[true,true,true,true,true,true]");
-    CHECK(seen["uncut"] == "true");
+    CHECK(seen["cuts"] ==
+          R"({"x":true,"-x":true,"y":true,"-y":true,"z":true,"-z":true})");  // and back
     CHECK(seen["turned"] == "true");
     CHECK(seen["smaller"] == "true");
     CHECK(seen["picked"] == "true");

@@ -1,22 +1,23 @@
 // What is on a page's canvases, by their pixels.
 
-/** Of each 3-D picture: share that is not paper, colours, how far the ink reaches, and a sum that tells pictures apart. */
+/** Of each 3-D picture: share that is not paper, colours, how far the ink reaches, its centre, and a sum that tells pictures apart. */
 export function pictures(page) {
     return page.evaluate(() => [...document.querySelectorAll("#scene canvas.picture")].map((canvas) => {
         const {width, height} = canvas, copy = new OffscreenCanvas(width, height).getContext("2d", {willReadFrequently: true});
         copy.drawImage(canvas, 0, 0);
         const pixels = copy.getImageData(0, 0, width, height).data, colours = new Set();
-        let inked = 0, sum = 0, left = width, right = 0, top = height, bottom = 0;
+        let inked = 0, sum = 0, x = 0, y = 0, left = width, right = 0, top = height, bottom = 0;
         for (let k = 0; k < width * height; ++k) {
             const [r, g, b] = [pixels[4 * k], pixels[4 * k + 1], pixels[4 * k + 2]];
             if (r >= 235 && g >= 235 && b >= 235) continue;
             ++inked;
+            [x, y] = [x + k % width, y + Math.floor(k / width)];
             sum = (31 * sum + k + r + 256 * g + 65536 * b) % 1000000007;
             colours.add(r + 256 * g + 65536 * b);
             [left, right] = [Math.min(left, k % width), Math.max(right, k % width)];
             [top, bottom] = [Math.min(top, Math.floor(k / width)), Math.max(bottom, Math.floor(k / width))];
         }
-        return {ink: inked / (width * height), colours: colours.size, reach: Math.hypot(right - left, bottom - top), sum};
+        return {ink: inked / (width * height), colours: colours.size, reach: Math.hypot(right - left, bottom - top), centre: [x / inked, y / inked], sum};
     }));
 }
 
