@@ -54,6 +54,8 @@ TEST_CASE("a page of one run, and of two side by side, works in a browser", "[re
     CHECK(seen["curve"] == "[" + points + "]");
 
     CHECK(seen["bag grows"] == "true");
+    // in one scale: the second run's bag ends 1.9 / 1.6 times as large
+    CHECK(std::stod(seen["last over first bag"]) == Approx(runs == 1 ? 1.0 : 1.19).epsilon(0.1));
     CHECK(std::stod(seen["cursor off"]) < 0.01);
     CHECK(seen["end"] == "airbag/7/pressure: " + at_end + " GPa");
     CHECK(seen["legend"] == "4.5, " + at_end);
@@ -78,6 +80,7 @@ TEST_CASE("a page of one run, and of two side by side, works in a browser", "[re
     CHECK(seen["picked"] == "true");
     CHECK(seen["zoomed"] == "true");
     CHECK(seen["time kept"] == "true");
+    CHECK(seen["fits"] == "true");
     CHECK(seen["idle"] == "true");
     CHECK(seen["requests"] == "[]");
     CHECK(seen["faults"] == "[]");

@@ -17,6 +17,9 @@ await page.goto(pathToFileURL(file).href);
 await page.waitForSelector("body[data-ready]", {state: "attached"});
 await page.selectOption("#toward", "-y");
 await page.fill("#cut", "500");
-await page.evaluate((t) => window.page.visit(t), Number(time));
+await page.evaluate((t) => {
+    window.page.camera.position.multiplyScalar(0.7);
+    return window.page.visit(t);
+}, Number(time));
 await page.screenshot({path: picture});
 await browser.close();

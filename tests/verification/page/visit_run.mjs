@@ -33,12 +33,14 @@ async function slide(page, name, value) {
 /** The slider moves the bag, which grows, the cursor and the clock. */
 async function slider(page) {
     const reach = [], off = [];
+    let all;
     for (const t of times) {
-        const all = await slide(page, "#slider", Math.round(1000 * t / end));
+        all = await slide(page, "#slider", Math.round(1000 * t / end));
         reach.push(Math.min(...all.map((one) => one.reach)));
         off.push(Math.abs(await cursor(page) - t / end));
     }
     say("bag grows", reach.every((one, k) => k === 0 || one > 1.02 * reach[k - 1]));
+    say("last over first bag", all.at(-1).reach / all[0].reach);
     say("cursor off", Math.max(...off));
     say("end", await reading(page));
     say("legend", await legend(page));
@@ -116,6 +118,16 @@ async function mouse(page) {
     say("time kept", Math.abs(await now(page) - 0.25 * end) < 0.01 * end);
 }
 
+/** Pictures and charts fill a window that is narrower. */
+async function resize(page) {
+    await page.setViewportSize({width: 900, height: 700});
+    await page.waitForTimeout(100);
+    await settle(page);
+    say("fits", await page.evaluate(() => window.page.charts.every(({plot, place}) => plot.width === place.clientWidth && plot.root.clientWidth === place.clientWidth)
+        && window.page.viewers.every(({canvas}) => canvas.width === canvas.clientWidth && canvas.height === canvas.clientHeight)
+        && document.documentElement.scrollWidth <= innerWidth));
+}
+
 /** Nothing is drawn while nothing changes. */
 async function idle(page) {
     const drawn = () => page.evaluate(() => window.page.viewers.map((viewer) => viewer.renderer.info.render.frame));
@@ -140,5 +152,6 @@ await visit(async (page) => {
     await keyboard(page, start);
     await cut(page);
     await mouse(page);
+    await resize(page);
     await idle(page);
 });

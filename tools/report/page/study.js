@@ -18,6 +18,7 @@ class StudyTable {
         this.plots = make("div", {id: "effects"});
         place.append(make("h2", {}, `Study: ${this.rows.length} runs`), this.body, make("h2", {}, "Runs over each factor, and the mean at each of its values"), this.plots);
         this.sort(0);
+        window.addEventListener("resize", () => this.fit());
     }
 
     sort(column) {
@@ -48,5 +49,9 @@ class StudyTable {
                 const points = this.rows.filter((row) => row[r] !== null).map((row) => [row[f], row[r], row[0]]);
                 if (points.length > 0) this.scatters.push(scatter(place, points, factor, response));
             }
+    }
+
+    fit() {
+        for (const plot of this.scatters) plot.setSize({width: plot.root.parentElement.clientWidth, height: CHART_HEIGHT});
     }
 }
