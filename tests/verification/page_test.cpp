@@ -61,6 +61,11 @@ TEST_CASE("a page of one run, and of two side by side, works in a browser", "[re
     CHECK(seen["legend"] == "4.5, " + at_end);
     CHECK(seen["clock"] == "t = 4.5 ms");
 
+    const std::string volume = "3014.1";  // the scene's at the last time
+    CHECK(seen["chosen"] ==
+          "airbag/7/volume: " + (runs == 1 ? volume : volume + ", " + volume) + " mm^3");
+    CHECK(std::stod(seen["cursor of chosen off"]) < 0.01);
+
     CHECK(seen["home"] == seen["start"]);
     CHECK(seen["back"] == "true");
     CHECK(seen["right"] == "1.5");

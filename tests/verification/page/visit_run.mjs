@@ -47,6 +47,16 @@ async function slider(page) {
     say("clock", await page.locator("#clock").textContent());
 }
 
+/** Another history in the first chart, at the same time. */
+async function choose(page, name) {
+    const select = page.locator("#charts select").first(), first = await select.inputValue();
+    await select.selectOption(name);
+    await settle(page);
+    say("chosen", await reading(page));
+    say("cursor of chosen off", Math.abs(await cursor(page) - 1));
+    await select.selectOption(first);
+}
+
 async function keyboard(page, start) {
     await page.locator("h1").click();  // out of the slider
     await press(page, "Home");
@@ -149,6 +159,7 @@ await visit(async (page) => {
     for (const [k, values] of curves.entries()) inked.push(await pointsInked(page, plot, times.map((t, row) => [t, values[row]]), LINES[k]));
     say("curve", inked);
     await slider(page);
+    await choose(page, "airbag/7/volume");
     await keyboard(page, start);
     await cut(page);
     await mouse(page);
