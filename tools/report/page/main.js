@@ -58,7 +58,8 @@ class Page {
             viewer.draw(this.camera);
         }
         this.is_new = false;
-        for (const run of this.runs) drawLegend(run.legend, run.ranges[field], run.units.pressure);
+        const isSpeed = !this.runs.some((run) => run.ranges[field]) && element("dots").value === "speed";
+        for (const run of this.runs) drawLegend(run.legend, run.ranges[isSpeed ? "speed" : field], isSpeed ? run.units.speed : run.units.pressure);
     }
 
     /** A frame that is not read yet is drawn when it is. */
