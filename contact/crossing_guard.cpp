@@ -122,7 +122,7 @@ void CrossingGuard::stop_impacts(double dt, const Candidates& pairs, Impulses& i
             const double gap = places.apart.norm();
             if (gap == 0.0) continue;  // an earlier impulse has changed its course: next round
             Contact contact = contact_at(cloth_, motion.bodies(), motion.x(), pair, places, gap);
-            contact.card = pairs.card(i);
+            contact.card = card_ = pairs.card(i);
             contact.side = pairs.side(i);
             const double rate = motion.rate(contact);
             if (rate >= 0.0 || contact.mass == INF) continue;
@@ -139,12 +139,14 @@ void CrossingGuard::stop_impacts(double dt, const Candidates& pairs, Impulses& i
 bool CrossingGuard::make_clumps(const Candidates& pairs, Impulses& impulses, Movement& motion) {
     bool is_new = false;
     for (const auto& some : found_)
-        for (const auto& impact : some)
+        for (const auto& impact : some) {
+            card_ = pairs.card(impact.pair);
             for (const Index node : pairs[impact.pair].node) {
                 joined_.push_back(node);
                 is_new |= unite(node, pairs[impact.pair].node[0]);
                 if (is_hub_) is_new |= unite(node, speaker(node));
             }
+        }
     std::sort(joined_.begin(), joined_.end());
     joined_.erase(std::unique(joined_.begin(), joined_.end()), joined_.end());
     std::stable_sort(joined_.begin(), joined_.end(),

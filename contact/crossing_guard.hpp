@@ -33,10 +33,13 @@ public:
     /// other.
     [[nodiscard]] std::size_t unstopped() const { return unstopped_; }
 
+    /// Row of the card by which the pair touches that was stopped last; -1: none was.
+    [[nodiscard]] int card() const { return card_; }
+
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(impacts_, clumps_, unstopped_);
+        archive(impacts_, clumps_, unstopped_, card_);
     }
 
 private:
@@ -76,6 +79,7 @@ private:
     std::vector<Index> joined_;  ///< nodes in clumps
     bool is_hub_ = false;        ///< all that hits a body, wherever, is one clump with it
     std::size_t impacts_ = 0, clumps_ = 0, unstopped_ = 0;
+    int card_ = -1;
 };
 
 }  // namespace corpuscle::contact

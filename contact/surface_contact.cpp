@@ -9,6 +9,7 @@
 #include "contact/facet_load.hpp"
 #include "contact/impulses.hpp"
 #include "contact/pair_look.hpp"
+#include "contact/step_control.hpp"
 
 namespace corpuscle::contact {
 namespace {
@@ -37,6 +38,7 @@ struct SurfaceContact::State {
     ContactList contacts;
     Columns columns;
     PairLook look;
+    StepControl step;
     ContactCounts counts;
     std::vector<double> most;         ///< contact thickness now, by card                  [m]
     std::vector<double> least_gap;    ///< over its rest value, by chunk                   [-]
@@ -58,8 +60,8 @@ struct SurfaceContact::State {
 
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(pairs, impulses, guard, load, contacts, look, counts, most, is_on, t, dt_last, span,
-                is_started);
+        archive(pairs, impulses, guard, load, contacts, look, step, counts, most, is_on, t, dt_last,
+                span, is_started);
     }
     bool look_at_cards(double now);
     struct Shortest {
@@ -157,7 +159,10 @@ void SurfaceContact::filter(const Points& x, double dt, Points& v, std::span<Rig
     Movement motion(s.cloth, x, v, bodies);
     s.impulses.apply(s.span, dt, s.contacts, s.columns, s.pairs, motion);
     s.columns.for_each(s.contacts, [&](const Contact& c) { s.load.add(c); });
+    const std::size_t before = s.guard.impacts() + s.guard.clumps();
     s.guard.stop(s.t, dt, s.pairs, s.impulses, s.load, motion);
+    s.step.follow(dt, s.guard.impacts() + s.guard.clumps() - before, s.counts.touching,
+                  s.guard.card());
     motion.settle();
 }
 
@@ -191,6 +196,12 @@ double SurfaceContact::stable_step(const Points& v) const {
 }
 int SurfaceContact::limiting_card(const Points& v) const {
     return state_->shortest_step(v).card;
+}
+double SurfaceContact::holding_step() const {
+    return state_->step.longest();
+}
+int SurfaceContact::pressed_card() const {
+    return state_->step.card();
 }
 
 const std::vector<std::pair<Index, Index>>& SurfaceContact::crossing() const {

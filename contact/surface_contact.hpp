@@ -67,6 +67,12 @@ public:
     /// Row of the card by which those places touch; -1: none do.
     [[nodiscard]] int limiting_card(const Points& v) const;
 
+    /// Longest step with which repulsion holds what presses on it, as the guard has lately been told
+    /// (step_control.hpp); INF: any.                                                          [s]
+    [[nodiscard]] double holding_step() const;
+    /// Row of the card by which the pair touches that the guard stopped last; -1: none.
+    [[nodiscard]] int pressed_card() const;
+
     /// Triangles that crossed at the start and still do, rows i < j; their pairs do not push.
     [[nodiscard]] const std::vector<std::pair<Index, Index>>& crossing() const;
     /// Pairs of triangles that are nearer at the start than their contact thickness, rows.

@@ -17,6 +17,9 @@
 namespace corpuscle {
 namespace {
 
+/// Part of the step that all others allow to which contact may shorten it where it is pressed hard.
+constexpr double LEAST_HELD = 0.25;
+
 std::vector<bool> marked(const std::vector<Index>& parts, std::size_t count) {
     std::vector<bool> mark(count, false);
     for (const Index part : parts) mark[part] = true;
@@ -335,6 +338,10 @@ StepLimit Simulation::stable_step() const {
         limit.tighten(bag.stable_step(), StepLimit::Who::GAS, bag.card().id);
     // Rigid bodies alone set no limit: a thousand steps are what a path wants to be seen.
     if (limit.who == StepLimit::Who::NOTHING) limit.dt = model_.end_time / 1000.0;
+    const double least = LEAST_HELD * limit.dt;
+    for (const contact::SurfaceContact& contact : contacts_)
+        if (const double dt = std::max(contact.holding_step(), least); dt < limit.dt)
+            limit.tighten(dt, StepLimit::Who::CONTACT, model_.contacts[contact.pressed_card()].id);
     for (const contact::SurfaceContact& contact : contacts_)
         if (const double dt = contact.stable_step(nodes_.v); dt < limit.dt)
             limit.tighten(dt, StepLimit::Who::CONTACT,
