@@ -4,7 +4,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "solver/simulation.hpp"
+
 namespace corpuscle {
+namespace {
+
+/// Part of the step that all others allow to which contact may shorten it where it is pressed hard.
+constexpr double LEAST_HELD = 0.25;
+
+}  // namespace
 
 std::string StepLimit::text() const {
     switch (who) {
@@ -22,6 +32,36 @@ std::string StepLimit::text() const {
             break;
     }
     return "nothing";
+}
+
+StepLimit Simulation::stable_step() const {
+    StepLimit limit;
+    for (const fabric::Membranes& fabric : fabric_) {
+        const auto [dt, shell] = fabric.stable_step();
+        if (shell >= 0)
+            limit.tighten(model_.step_factor * dt, StepLimit::Who::SHELL, model_.shells[shell].id);
+    }
+    for (const gas::BagGas& bag : bags_)
+        limit.tighten(bag.stable_step(), StepLimit::Who::GAS, bag.card().id);
+    for (const gas::UniformBag& bag : uniform_bags_)
+        limit.tighten(bag.stable_step(), StepLimit::Who::GAS, bag.card().id);
+    // Rigid bodies alone set no limit: a thousand steps are what a path wants to be seen.
+    if (limit.who == StepLimit::Who::NOTHING) limit.dt = model_.end_time / 1000.0;
+    const double least = LEAST_HELD * limit.dt;
+    for (const contact::SurfaceContact& contact : contacts_)
+        if (const double dt = std::max(contact.holding_step(), least); dt < limit.dt)
+            limit.tighten(dt, StepLimit::Who::CONTACT, model_.contacts[contact.pressed_card()].id);
+    for (const contact::SurfaceContact& contact : contacts_)
+        if (const double dt = contact.stable_step(nodes_.v); dt < limit.dt)
+            limit.tighten(dt, StepLimit::Who::CONTACT,
+                          model_.contacts[contact.limiting_card(nodes_.v)].id);
+    if (clock_.step == 0 && model_.step_start > 0.0)
+        limit.tighten(model_.step_start, StepLimit::Who::START, 0);
+    const double rest = model_.end_time - clock_.t;
+    if (limit.dt >= rest * (1.0 - 1e-9)) return {rest, StepLimit::Who::END, 0};
+    if (2.0 * limit.dt > rest)
+        limit.dt = 0.5 * rest;  // two like steps, not a last one that is tiny
+    return limit;
 }
 
 }  // namespace corpuscle

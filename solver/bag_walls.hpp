@@ -1,0 +1,21 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "gas/openings.hpp"
+#include "solver/model.hpp"
+
+namespace corpuscle {
+
+/// The facets that enclose a bag's gas, and those inside it, in triangles, with their parts.
+/// @param reference  corners of each shell in its reference shape                           [m]
+[[nodiscard]] gas::BagWalls bag_walls(const Model& model, const gas::BagCard& card,
+                                      const std::vector<std::array<Vec3, 4>>& reference);
+
+/// Likewise of a bag of uniform pressure.
+[[nodiscard]] gas::BagWalls bag_walls(const Model& model, const gas::UniformBagCard& card);
+
+}  // namespace corpuscle

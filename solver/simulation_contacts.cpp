@@ -1,0 +1,104 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// What a scene's contacts and rigid walls need, worked out once; and how its contacts begin.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/scene_surface.hpp"
+#include "solver/simulation.hpp"
+
+namespace corpuscle {
+namespace {
+
+double contact_thickness(const Part& part) {
+    return std::isnan(part.contact_thickness) ? part.thickness : part.contact_thickness;
+}
+
+}  // namespace
+
+/// One contact for all cards: what may touch by any of them.
+void Simulation::build_contacts() {
+    if (model_.contacts.empty()) return;
+    std::vector<std::uint8_t> held = held_nodes();
+    std::vector<Index> body(model_.x.size(), -1);
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        for (const Index n : bodies_[b].nodes()) {
+            body[n] = static_cast<Index>(b);
+            held[n] = 0;
+        }
+    std::vector<bool> wanted(model_.parts.size(), false);
+    for (const contact::ContactCard& card : model_.contacts)
+        for (const auto* parts : {&card.parts, &card.other_parts})
+            for (const Index part : *parts) wanted[part] = true;
+    SceneTriangles facets = triangles_of(model_, wanted);
+    Points reference = model_.x;
+    for (std::size_t s = 0; s < reference_.size(); ++s)
+        for (int c = 0; c < 4; ++c) reference[model_.shells[s].nodes[c]] = reference_[s][c];
+
+    contact::ContactSetup setup;
+    setup.cards = model_.contacts;
+    setup.triangles = std::move(facets.triangles);
+    for (const Index shell : facets.shell) {
+        const Index part = model_.shells[shell].part;
+        setup.part.push_back(part);
+        setup.thickness.push_back(contact_thickness(model_.parts[part]));
+    }
+    setup.parts = model_.parts.size();
+    setup.node_mass = nodes_.mass;
+    setup.reference_x = reference;
+    setup.x0 = model_.x;
+    setup.curves = model_.curves;
+    setup.held = held;
+    setup.body = body;
+    contact_shell_ = std::move(facets.shell);
+    contacts_.emplace_back(setup);
+    contact_force_.f.assign(model_.x.size(), Vec3::Zero());
+}
+
+void Simulation::build_walls() {
+    const std::vector<std::uint8_t> held = held_nodes();
+    for (contact::WallCard card : model_.walls) {
+        const std::size_t listed = card.nodes.size();
+        const auto has_body = [&](Index n) {
+            return !body_of_node_.empty() && body_of_node_[n] >= 0;
+        };
+        std::erase_if(card.nodes, [&](Index n) { return held[n] && !has_body(n); });
+        if (card.nodes.size() < listed)
+            model_.warnings.push_back(
+                fmt::format("*RIGIDWALL {}: {} of its nodes are held and pass it freely", card.id,
+                            listed - card.nodes.size()));
+        std::erase_if(card.nodes, [&](Index n) { return !(nodes_.mass[n] > 0.0) && !has_body(n); });
+        const Index curve = card.motion.curve;
+        walls_.emplace_back(card, curve >= 0 ? &model_.curves[curve] : nullptr);
+    }
+}
+
+void Simulation::look_at_contacts() {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) movers_[b] = bodies_[b].mover();
+    for (contact::SurfaceContact& contact : contacts_)
+        contact.find(nodes_.x, nodes_.v, clock_.t, stable_step().dt, movers_);
+}
+
+Simulation::BadStarts Simulation::bad_starts() const {
+    BadStarts out;
+    const auto ids = [&](const auto& pairs, auto& to) {
+        for (const auto& [a, b] : pairs) {
+            const int first = model_.shells[contact_shell_[a]].id,
+                      second = model_.shells[contact_shell_[b]].id;
+            if (first != second) to.emplace_back(std::minmax(first, second));
+        }
+        std::sort(to.begin(), to.end());
+        to.erase(std::unique(to.begin(), to.end()), to.end());
+    };
+    for (const contact::SurfaceContact& contact : contacts_) {
+        ids(contact.crossing(), out.crossing);
+        ids(contact.close_starts(), out.close);
+    }
+    return out;
+}
+
+}  // namespace corpuscle
