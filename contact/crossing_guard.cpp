@@ -33,6 +33,7 @@ CrossingGuard::CrossingGuard(const Cloth& cloth)
 
 void CrossingGuard::stop(double t, double dt, Candidates& pairs, Impulses& impulses,
                          FacetLoad& load, Movement& motion) {
+    stopped_.clear();
     // Impulses change velocities, and so what may meet: look again until nothing new has to be
     // stopped.
     for (int look = 0;; ++look) {
@@ -123,6 +124,7 @@ void CrossingGuard::stop_impacts(double dt, const Candidates& pairs, Impulses& i
             if (gap == 0.0) continue;  // an earlier impulse has changed its course: next round
             Contact contact = contact_at(cloth_, motion.bodies(), motion.x(), pair, places, gap);
             contact.card = card_ = pairs.card(i);
+            stopped_.push_back(pair.node);
             contact.side = pairs.side(i);
             const double rate = motion.rate(contact);
             if (rate >= 0.0 || contact.mass == INF) continue;
@@ -141,6 +143,7 @@ bool CrossingGuard::make_clumps(const Candidates& pairs, Impulses& impulses, Mov
     for (const auto& some : found_)
         for (const auto& impact : some) {
             card_ = pairs.card(impact.pair);
+            stopped_.push_back(pairs[impact.pair].node);
             for (const Index node : pairs[impact.pair].node) {
                 joined_.push_back(node);
                 is_new |= unite(node, pairs[impact.pair].node[0]);

@@ -33,13 +33,15 @@ public:
     /// other.
     [[nodiscard]] std::size_t unstopped() const { return unstopped_; }
 
-    /// Row of the card by which the pair touches that was stopped last; -1: none was.
+    /// Pairs stopped or joined in the last step, some more than once, and the row of a card by
+    /// which one of them touches.
+    [[nodiscard]] std::vector<std::array<Index, 4>>& stopped() { return stopped_; }
     [[nodiscard]] int card() const { return card_; }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(impacts_, clumps_, unstopped_, card_);
+        archive(impacts_, clumps_, unstopped_);
     }
 
 private:
@@ -79,6 +81,7 @@ private:
     std::vector<Index> joined_;  ///< nodes in clumps
     bool is_hub_ = false;        ///< all that hits a body, wherever, is one clump with it
     std::size_t impacts_ = 0, clumps_ = 0, unstopped_ = 0;
+    std::vector<std::array<Index, 4>> stopped_;
     int card_ = -1;
 };
 

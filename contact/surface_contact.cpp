@@ -159,10 +159,8 @@ void SurfaceContact::filter(const Points& x, double dt, Points& v, std::span<Rig
     Movement motion(s.cloth, x, v, bodies);
     s.impulses.apply(s.span, dt, s.contacts, s.columns, s.pairs, motion);
     s.columns.for_each(s.contacts, [&](const Contact& c) { s.load.add(c); });
-    const std::size_t before = s.guard.impacts() + s.guard.clumps();
     s.guard.stop(s.t, dt, s.pairs, s.impulses, s.load, motion);
-    s.step.follow(dt, s.guard.impacts() + s.guard.clumps() - before, s.counts.touching,
-                  s.guard.card());
+    s.step.follow(dt, s.guard.stopped(), s.counts.touching, s.guard.card());
     motion.settle();
 }
 
@@ -201,7 +199,7 @@ double SurfaceContact::holding_step() const {
     return state_->step.longest();
 }
 int SurfaceContact::pressed_card() const {
-    return state_->step.card();
+    return static_cast<int>(state_->step.card());
 }
 
 const std::vector<std::pair<Index, Index>>& SurfaceContact::crossing() const {

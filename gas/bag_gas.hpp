@@ -125,6 +125,11 @@ public:
     [[nodiscard]] const Openings& openings() const { return openings_; }
     [[nodiscard]] const Particles& particles() const { return particles_; }
     [[nodiscard]] std::span<const double> particle_mass() const { return mass_; }
+    /// Of particle i alone (Mixture::particle_temperature).                                [K]
+    [[nodiscard]] double particle_temperature(std::size_t i) const {
+        return collider_.mixture().particle_temperature(particles_.species[i], particles_.e[i],
+                                                        particles_.v[i].squaredNorm());
+    }
     [[nodiscard]] double moles_each() const { return inflators_.moles_each(); }  ///< [mol]
     /// Of air that is no particles (IAIR 1, -1).                                           [Pa]
     [[nodiscard]] double initial_air_pressure() const {

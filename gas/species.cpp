@@ -108,6 +108,12 @@ Mixture::Mixture(std::vector<Species> species, double moles_each)
     }
 }
 
+double Mixture::particle_temperature(std::int32_t s, double internal, double speed_squared) const {
+    const double T = internal > 0.0 ? internal_[s].temperature(internal) : NaN;
+    if (std::isfinite(T) && internal > 0.05 * half_heat_ * T) return T;
+    return mass_[s] * speed_squared / (6.0 * half_heat_);
+}
+
 double mixture_temperature(std::span<const Species> species, std::span<const double> moles,
                            double energy) {
     assert(species.size() == moles.size());

@@ -102,6 +102,11 @@ public:
     }
     /// Translational energy of a particle at equilibrium, per degree of freedom: R moles / 2. [J/K]
     [[nodiscard]] double half_heat() const { return half_heat_; }
+    /// Temperature of one particle: at which it would hold `internal` in spin and vibration; of a
+    /// gas that has less than a twentieth of a degree of freedom in them at `internal`, or holds no
+    /// such energy, that of its own speed, m v² / (6 half_heat).                            [K]
+    [[nodiscard]] double particle_temperature(std::int32_t s, double internal,
+                                              double speed_squared) const;
 
 private:
     std::vector<Species> species_;

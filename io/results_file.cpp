@@ -87,6 +87,10 @@ void fill_particles(Hdf5Writer& file, const Frame::Particles& p, const std::stri
                          {energy, "spin and vibration energy of the particle"});
     file.dataset<double>("/particles/mass", p.mass, {n},
                          {unit_of(Quantity::MASS, units), "mass of the particle"});
+    file.dataset<float>("/particles/temperature", p.temperature, {n},
+                        {unit_of(Quantity::TEMPERATURE, units),
+                         "at which the particle would hold its spin and vibration energy; of a gas "
+                         "without any: its speed's"});
     file.dataset<std::int32_t>("/particles/xdmf_index", index, {n}, {"-", "for XDMF: 0, 1, 2 ..."});
 }
 

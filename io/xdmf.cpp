@@ -81,6 +81,7 @@ std::string gas(std::uint64_t p, const std::string& frame) {
     text += attribute("internal_energy", "Scalar", "Node",
                       {at + "internal_energy", rows(p), "Float", 8});
     text += attribute("mass", "Scalar", "Node", {at + "mass", rows(p), "Float", 8});
+    text += attribute("temperature", "Scalar", "Node", {at + "temperature", rows(p), "Float", 4});
     return text + "        </Grid>\n";
 }
 

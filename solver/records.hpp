@@ -136,6 +136,7 @@ struct Frame {
         std::vector<std::int32_t> species;
         Points position, velocity;
         std::vector<double> internal_energy, mass;
+        std::vector<float> temperature;  ///< at which it would hold its internal energy [K]
     };
     std::optional<Particles> particles;  ///< absent when no bag shows particles
 };

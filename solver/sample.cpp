@@ -215,6 +215,7 @@ Frame Simulation::frame() {
             const bool is_air = kind == bag.card().inflow.size();
             state.particles->species.push_back(is_air ? 0 : from.species[i] + 1);
             state.particles->mass.push_back(bag.particle_mass()[from.species[i]]);
+            state.particles->temperature.push_back(static_cast<float>(bag.particle_temperature(i)));
         }
         const auto append = [](auto& to, const auto& more) {
             to.insert(to.end(), more.begin(), more.end());

@@ -12,7 +12,7 @@ namespace corpuscle {
 namespace {
 
 /// Part of the step that all others allow to which contact may shorten it where it is pressed hard.
-constexpr double LEAST_HELD = 0.25;
+constexpr double LEAST_HELD = 0.3;
 
 }  // namespace
 

@@ -57,6 +57,7 @@ TEST_CASE("10 000 nodes, 20 000 particles and 40 frames make a page of 12 MB or 
             gas.velocity.emplace_back(in(random), in(random), in(random));
             gas.internal_energy.push_back(1.0);
             gas.mass.push_back(1.0);
+            gas.temperature.push_back(static_cast<float>(in(random)));
         }
         results.write(frame);
     }

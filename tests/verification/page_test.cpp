@@ -75,6 +75,7 @@ TEST_CASE("a page of one run, and of two side by side, works in a browser", "[re
         INFO(key);
         CHECK(seen[key] == "true");
     }
+    CHECK(seen["gas"] == "true");
     CHECK(seen["plays"] == "pause");
     CHECK(seen["played"] == "play");
 

@@ -27,7 +27,7 @@ struct Picture {
     Lines pressure, stress, contact;  ///< contact pressure; empty: the run has no contact
     Lines particles;                  ///< P × 3
     std::vector<std::int32_t> species;
-    Lines speed;
+    Lines speed, temperature;  // the latter empty: results of before 0.2
 };
 
 /// Every n-th, so that no more than `most` are left.
@@ -55,11 +55,15 @@ Picture read_picture(const io::Hdf5Reader& file, const std::string& at) {
     const auto species = file.read<std::int32_t>(at + "particles/species");
     const Lines x = file.read<double>(at + "particles/position");
     const Lines v = file.read<double>(at + "particles/velocity");
+    const Lines T = file.has(at + "particles/temperature")
+                        ? file.read<double>(at + "particles/temperature")
+                        : Lines();
     const auto every = static_cast<std::int64_t>(stride(id.size(), MOST_PARTICLES));
     for (std::size_t p = 0; p < id.size(); ++p) {
         if (id[p] % every != 0) continue;
         picture.species.push_back(species[p]);
         picture.speed.push_back(std::hypot(v[3 * p], v[3 * p + 1], v[3 * p + 2]));
+        if (!T.empty()) picture.temperature.push_back(T[p]);
         picture.particles.insert(picture.particles.end(), &x[3 * p], &x[3 * p] + 3);
     }
     return picture;
@@ -122,7 +126,7 @@ private:
             if (f % every == 0 || f + 1 == all.size()) shown.push_back(f);
         const std::vector<std::string> names = frame_names();
         std::array<Range, 3> box;
-        Range pressure, stress, contact, speed;
+        Range pressure, stress, contact, speed, temperature;
         const auto measure = [&](const Lines& x) {
             for (std::size_t k = 0; k < x.size(); ++k) box[k % 3].take(x[k]);
         };
@@ -134,6 +138,7 @@ private:
             for (const double value : picture.stress) stress.take(value);
             for (const double value : picture.contact) contact.take(value);
             for (const double value : picture.speed) speed.take(value);
+            for (const double value : picture.temperature) temperature.take(value);
         }
         const auto quantised = [&](const Lines& x) {
             std::vector<std::uint16_t> out(x.size());
@@ -162,6 +167,9 @@ private:
             entry += fmt::format(",\"count\":{},\"particles\":{},\"species\":{},\"speed\":{}",
                                  species.size(), blob.add(quantised(picture.particles)),
                                  blob.add(species), blob.add(in_bytes(picture.speed, speed)));
+            if (!temperature.is_empty)
+                entry += fmt::format(",\"temperature\":{}",
+                                     blob.add(in_bytes(picture.temperature, temperature)));
             entries.push_back("{" + entry + "}");
             frames_.push_back(blob.bytes());
             before = x;
@@ -174,8 +182,10 @@ private:
         member("box", fmt::format("[{},{},{}]", range(box[0]), range(box[1]), range(box[2])));
         const std::string touching =
             contact.is_empty ? "" : fmt::format("\"contact\":{},", range(contact));
-        member("ranges", fmt::format("{{\"pressure\":{},\"stress\":{},{}\"speed\":{}}}",
-                                     range(pressure), range(stress), touching, range(speed)));
+        const std::string heat =
+            temperature.is_empty ? "" : fmt::format(",\"temperature\":{}", range(temperature));
+        member("ranges", fmt::format("{{\"pressure\":{},\"stress\":{},{}\"speed\":{}{}}}",
+                                     range(pressure), range(stress), touching, range(speed), heat));
         units();
     }
 
@@ -189,11 +199,12 @@ private:
     void units() {
         const std::string system = file_.text("/", "unit_system");
         using enum io::Quantity;
-        member(
-            "units",
-            fmt::format("{{\"time\":{},\"length\":{},\"pressure\":{},\"speed\":{}}}",
-                        json(io::unit_of(TIME, system)), json(io::unit_of(LENGTH, system)),
-                        json(io::unit_of(PRESSURE, system)), json(io::unit_of(VELOCITY, system))));
+        member("units",
+               fmt::format(
+                   "{{\"time\":{},\"length\":{},\"pressure\":{},\"speed\":{},\"temperature\":{}}}",
+                   json(io::unit_of(TIME, system)), json(io::unit_of(LENGTH, system)),
+                   json(io::unit_of(PRESSURE, system)), json(io::unit_of(VELOCITY, system)),
+                   json(io::unit_of(TEMPERATURE, system))));
     }
 
     void histories() {

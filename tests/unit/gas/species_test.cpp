@@ -96,3 +96,15 @@ TEST_CASE("a mixture at one temperature holds the sum of its parts", "[gas]") {
         energy += moles[s] * species[s].molar_mass() * species[s].u(T);
     CHECK(mixture_temperature(species, moles, energy) == Approx(T).epsilon(1e-13));
 }
+
+TEST_CASE("a particle has the temperature of what it holds, or of its speed if it holds nothing",
+          "[gas]") {
+    const Mixture gas({make(NITROGEN), make(HELIUM)}, 1e-6);
+    const double T = GENERATE(60.0, 300.0, 700.0);
+    CHECK(gas.particle_temperature(0, gas.particle_internal(0)(T), 1e9) ==
+          Approx(T).epsilon(1e-13));
+    const double speed_squared = 3.0 * GAS_CONSTANT * T / HELIUM.molar_mass;
+    CHECK(gas.particle_temperature(1, 0.0, speed_squared) == Approx(T).epsilon(1e-13));
+    CHECK(gas.particle_temperature(1, gas.particle_internal(1)(T), speed_squared) ==
+          Approx(T).epsilon(1e-13));  // 20.79 is a trifle more than 5/2 R
+}

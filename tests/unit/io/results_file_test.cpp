@@ -191,6 +191,7 @@ void expect_frame(const Hdf5Reader& file, const std::string& at, const Frame& f)
     CHECK(file.shape(at + "/particles/velocity") == Shape{n, 3});
     CHECK(file.read<double>(at + "/particles/internal_energy") == p.internal_energy);
     CHECK(file.read<double>(at + "/particles/mass") == p.mass);
+    CHECK(file.read<float>(at + "/particles/temperature") == p.temperature);
 }
 
 }  // namespace

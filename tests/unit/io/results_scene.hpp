@@ -119,6 +119,7 @@ inline Frame::Particles particles(std::size_t count, Counter& c) {
         p.velocity.push_back(c.next3());
         p.internal_energy.push_back(c.next());
         p.mass.push_back(c.next());
+        p.temperature.push_back(static_cast<float>(1e5 + c.next() - 1e4 * static_cast<double>(i)));
     }
     return p;
 }

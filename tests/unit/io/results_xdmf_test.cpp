@@ -97,7 +97,7 @@ TEST_CASE("after each frame the XDMF file is well-formed and fits results.h5", "
         const io::Hdf5Reader file(folder.path / "results.h5");
         const std::vector<Item> items = items_of(xml);
         CHECK(items.size() == count(xml, "<DataItem"));
-        CHECK(items.size() == 9 * (i + 1) + 7 * gas);
+        CHECK(items.size() == 9 * (i + 1) + 8 * gas);
         for (const Item& item : items) {
             INFO(item.path);
             REQUIRE(file.has(item.path));

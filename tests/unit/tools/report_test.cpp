@@ -130,6 +130,20 @@ TEST_CASE("a run's data hold its mesh, places and histories", "[report]") {
         CHECK(least + (most - least) * static_cast<float>(contact[s]) / 255.0F ==
               Approx(run.frames[1].shell_contact_pressure[s]).margin((most - least) / 510.0));
 
+    // temperature of the particles, likewise
+    least = INFINITY, most = -INFINITY;
+    for (const Frame& frame : run.frames)
+        for (const float value : frame.particles->temperature) {
+            least = std::min(least, value);
+            most = std::max(most, value);
+        }
+    const std::vector<float>& hot = run.frames[1].particles->temperature;
+    const auto heat =
+        section<std::uint8_t>(data.frames[1], number(data.json, "temperature", second), hot.size());
+    for (std::size_t k = 0; k < hot.size(); ++k)
+        CHECK(least + (most - least) * static_cast<float>(heat[k]) / 255.0F ==
+              Approx(hot[k]).margin((most - least) / 510.0));
+
     const std::size_t pressure = data.json.find("\"name\":\"airbag/7/pressure\"");
     REQUIRE(pressure != std::string::npos);
     const auto values =

@@ -79,6 +79,19 @@ async function keyboard(page, start) {
     say("played", await page.locator("#play").textContent());
 }
 
+/** Particles by species, speed and temperature are three pictures. */
+async function gas(page) {
+    const select = page.locator("#dots"), first = await select.inputValue(), seen = [];
+    for (const name of ["species", "speed", "temperature"]) {
+        await select.selectOption(name);
+        await settle(page);
+        seen.push(await pictures(page));
+    }
+    say("gas", allDiffer(seen[0], seen[1]) && allDiffer(seen[1], seen[2]) && allDiffer(seen[0], seen[2]));
+    await select.selectOption(first);
+    await settle(page);
+}
+
 /** Every direction hides the half of every picture that it points to, and back at the end all is there. */
 async function cut(page) {
     const hides = {};
@@ -161,6 +174,7 @@ await visit(async (page) => {
     await slider(page);
     await choose(page, "airbag/7/volume");
     await keyboard(page, start);
+    await gas(page);
     await cut(page);
     await mouse(page);
     await resize(page);

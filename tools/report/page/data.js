@@ -1,5 +1,8 @@
 // What the page was given: runs as JSON and bytes, or a study's table.
 
+/** Fields that particles have; all others are the shells'. */
+const OF_PARTICLES = ["speed", "temperature"];
+
 /** Frames but the first stand behind the scripts, so that those need not wait for them. */
 const wholePage = new Promise((go) => document.addEventListener("DOMContentLoaded", go));
 
@@ -36,11 +39,9 @@ function readFrame(run, k) {
         const bytes = await bytesOf(`frame${run.index}_${k}`), before = await last;
         frame.x = new Uint16Array(bytes, frame.x, 3 * run.nodes);
         if (before) for (let i = 0; i < frame.x.length; ++i) frame.x[i] += before.x[i];
-        for (const name of Object.keys(run.ranges))
-            if (name !== "speed") frame[name] = new Uint8Array(bytes, frame[name], run.shells);
+        for (const name of Object.keys(run.ranges)) frame[name] = new Uint8Array(bytes, frame[name], OF_PARTICLES.includes(name) ? frame.count : run.shells);
         frame.particles = new Uint16Array(bytes, frame.particles, 3 * frame.count);
         frame.species = new Uint8Array(bytes, frame.species, frame.count);
-        frame.speed = new Uint8Array(bytes, frame.speed, frame.count);
         frame.isRead = true;
         return frame;
     };

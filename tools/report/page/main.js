@@ -58,8 +58,8 @@ class Page {
             viewer.draw(this.camera);
         }
         this.is_new = false;
-        const isSpeed = !this.runs.some((run) => run.ranges[field]) && element("dots").value === "speed";
-        for (const run of this.runs) drawLegend(run.legend, run.ranges[isSpeed ? "speed" : field], isSpeed ? run.units.speed : run.units.pressure);
+        const shown = this.runs.some((run) => run.ranges[field]) ? field : element("dots").value;
+        for (const run of this.runs) drawLegend(run.legend, run.ranges[shown], run.units[shown] ?? run.units.pressure);
     }
 
     /** A frame that is not read yet is drawn when it is. */
@@ -141,6 +141,7 @@ async function begin() {
     element("state").textContent = runs.map((run) => `${run.name}: ${run.termination}`).join("; ");
     if (runs.length && !runs.some((run) => run.ranges.contact)) element("colour").querySelector("[value=contact]").remove();
     document.body.dataset.ready = "yes";
+    if (runs.length && !runs.some((run) => run.ranges.temperature)) element("dots").querySelector("[value=temperature]").remove();
     if (window.page) setTimeout(() => window.page.readAhead().catch(failed), 100);
 }
 

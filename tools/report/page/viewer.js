@@ -52,7 +52,7 @@ class Viewer {
         return object;
     }
 
-    /** Takes what a frame shows: field is part, pressure, stress or contact; dots species, speed or off. */
+    /** Takes what a frame shows: field is part, pressure, stress or contact; dots species, speed, temperature or off. */
     take(index, field, dots) {
         const frame = this.run.frames[index];
         this.takeShells(frame, field);
@@ -78,7 +78,7 @@ class Viewer {
     takeDots(frame, dots) {
         const {position, color} = this.dots.geometry.attributes;
         position.array.set(frame.particles);
-        for (let p = 0; p < frame.count; ++p) color.array.set(dots === "speed" ? RAMP[frame.speed[p]] : SPECIES_COLOURS[frame.species[p] % SPECIES_COLOURS.length], 3 * p);
+        for (let p = 0; p < frame.count; ++p) color.array.set(frame[dots] && dots !== "species" ? RAMP[frame[dots][p]] : SPECIES_COLOURS[frame.species[p] % SPECIES_COLOURS.length], 3 * p);
         this.dots.geometry.setDrawRange(0, frame.count);
         position.needsUpdate = color.needsUpdate = true;
     }
