@@ -27,6 +27,7 @@ constexpr std::uint64_t PATIENCE = 300, PAUSE = 2000;
 
 /// Pairs of `stopped` that have not been stopped for long.
 std::size_t StepControl::count_new(std::vector<Nodes>& stopped) {
+    if (stopped.empty()) return 0;
     std::sort(stopped.begin(), stopped.end());
     stopped.erase(std::unique(stopped.begin(), stopped.end()), stopped.end());
     std::erase_if(held_, [&](const Held& pair) { return pair.last + PAUSE < step_; });
