@@ -67,8 +67,8 @@ public:
     /// Row of the card by which those places touch; -1: none do.
     [[nodiscard]] int limiting_card(const Points& v) const;
 
-    /// Longest step with which repulsion holds what presses on it, as the guard has lately been told
-    /// (step_control.hpp); INF: any.                                                          [s]
+    /// Longest step with which repulsion holds what presses on it, as the guard has lately been
+    /// told (step_control.hpp); INF: any. [s]
     [[nodiscard]] double holding_step() const;
     /// Row of the card by which the pair touches that the guard stopped last; -1: none.
     [[nodiscard]] int pressed_card() const;
