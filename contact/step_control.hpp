@@ -21,8 +21,8 @@ namespace corpuscle::contact {
 ///
 /// and after HOLD steps without such pairs they grow again, by GAIN a step. Not sooner: a pack
 /// whose contacts become softer and stiffer again breathes, and hits what it lies against. A pair
-/// that shorter steps have not freed after PATIENCE of them counts no longer: there cloth is
-/// pulled, not pressed, and lies at no distance. Without stopped pairs there is no limit; the
+/// that shorter steps have not freed after PATIENCE of them counts no longer: it lies at no
+/// distance whatever the step, and the guard holds it. Without stopped pairs there is no limit; the
 /// caller sets a floor.
 class StepControl {
 public:
