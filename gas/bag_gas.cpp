@@ -50,6 +50,18 @@ void begin_anew(std::vector<T>& list) {
     if (list.capacity() > MOST_KEPT) list.shrink_to_fit();
 }
 
+/// Widths of the bag that its fabric may go in one step: beyond, particles meet it without end.
+constexpr double FARTHEST = 1000.0;
+
+/// The way from x_0 to x_1 as a multiple of the bag's size.
+double ways_of_size(const FacetLists& lists, const Points& x_0, const Points& x_1) {
+    contact::Box box;
+    for (const Index n : lists.nodes()) box.include(x_0[n]);
+    const double size = (box.high - box.low).maxCoeff();
+    for (const Index n : lists.nodes()) box.include(x_1[n]);
+    return (box.high - box.low).maxCoeff() / size;
+}
+
 constexpr std::size_t MOST_LOSSES = 20;  ///< that are told one by one
 
 std::string name_of(const BagCard& card) {
@@ -204,6 +216,10 @@ void BagGas::prepare(double dt, const Points& x_0, const Points& x_1) {
     if (card_.normal_damping > 0.0)
         store_.feel_motion(x_0, x_1, dt, area_, card_.normal_damping / speed_);
     if (lists_.hold_for(x_1)) return;
+    if (const double far = ways_of_size(lists_, x_0, x_1); !(far < FARTHEST))
+        throw PhysicsError(time_, fmt::format("{}: its fabric goes {:.3g} times the bag's size in "
+                                              "one step: it is too light for its load",
+                                              name_of(card_), far));
     const double reach = REACH * speed_ * dt;
     const bool is_thin = 2.0 * volume_ < reach * enclosure_.area(x_0);
     const double cell = (is_thin ? THIN_CELL : FLIGHT_CELL) * facet_size_;

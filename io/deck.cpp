@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "gas/collision_name.hpp"
+#include "io/deck_places.hpp"
 #include "io/draft.hpp"
 #include "io/faults.hpp"
 #include "io/keyword_reader.hpp"
@@ -76,6 +77,7 @@ struct Task {
 std::vector<Task> sort_out(const DeckText& text, Faults& faults) {
     std::vector<Task> tasks;
     for (const Block& block : text.blocks) {
+        faults.begin_block();
         keywords::Match match = keywords::find(block.keyword);
         if (match.keyword != nullptr)
             tasks.push_back({&block, std::move(match)});
@@ -92,12 +94,27 @@ std::vector<Task> sort_out(const DeckText& text, Faults& faults) {
     return tasks;
 }
 
-void read_block(Task& task, const Parameters& parameters, Faults& faults, Draft& draft) {
+/// What the block has made, if it is of a kind that faults name by their ids.
+template <class Things>
+void remember(const char* kind, const Things& things, std::size_t before, const Block& block,
+              DeckPlaces& places) {
+    for (std::size_t i = before; i < things.size(); ++i)
+        places.add(kind, things[i].id, block.place, block.keyword);
+}
+
+void read_block(Task& task, const Parameters& parameters, Faults& faults, Draft& draft,
+                DeckPlaces& places) {
+    const Model& model = draft.model;
+    const std::size_t bags = model.bags.size(), uniform_bags = model.uniform_bags.size(),
+                      contacts = model.contacts.size();
     faults.begin_block();
     Cards cards(*task.block, faults, parameters, std::move(task.match.suffixes));
     task.match.keyword->read(cards, draft);
     cards.finish();
     faults.end_block(task.block->place, task.block->keyword);
+    remember("bag", model.bags, bags, *task.block, places);
+    remember("bag", model.uniform_bags, uniform_bags, *task.block, places);
+    remember("contact", model.contacts, contacts, *task.block, places);
 }
 
 /// What no single keyword can see.
@@ -119,7 +136,9 @@ void check_whole(Draft& draft, const DeckText& text, Faults& faults) {
 
 }  // namespace
 
-Model read_deck(const std::filesystem::path& file, const DeckOptions& options) {
+Model read_deck(const std::filesystem::path& file, const DeckOptions& options, DeckPlaces* places) {
+    DeckPlaces unused;
+    DeckPlaces& learnt = places != nullptr ? *places : unused;
     Faults faults;
     Parameters parameters(options.overrides);
     const DeckText text = read_keywords(file, parameters, faults);
@@ -135,10 +154,10 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options) {
         return task.match.keyword->phase > keywords::Phase::SHELL;
     });
     for (auto task = tasks.begin(); task != scene; ++task)
-        read_block(*task, parameters, faults, draft);
+        read_block(*task, parameters, faults, draft, learnt);
     if (!faults.any()) make_skins(draft);  // sets and all that follows know them as shells
     for (auto task = scene; task != tasks.end(); ++task)
-        read_block(*task, parameters, faults, draft);
+        read_block(*task, parameters, faults, draft, learnt);
     if (!text.files.empty()) check_whole(draft, text, faults);
 
     std::vector<std::string> all = parameters.unused_overrides();
@@ -151,6 +170,11 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options) {
     keywords::place_local_axes(draft);
     start_rigid_parts(model);
     model.warnings = faults.warnings();
+    learnt.add("shell", std::move(draft.shells));
+    learnt.add("part", std::move(draft.parts));
+    learnt.add("material", std::move(draft.materials));
+    learnt.add("node", std::move(draft.nodes));
+    learnt.take(std::move(faults));
     return model;
 }
 

@@ -11,6 +11,8 @@
 
 namespace corpuscle::io {
 
+class DeckPlaces;
+
 /// What the command line adds to a deck.
 struct DeckOptions {
     std::vector<std::pair<std::string, std::string>> overrides;  ///< -D NAME=VALUE, one for each
@@ -19,7 +21,9 @@ struct DeckOptions {
 /// The scene that an LS-DYNA keyword deck describes, with its includes.
 ///
 /// Warnings (what is skipped, assumed, or does not act here) are in Model::warnings.
+/// `places`, if given, learns where the deck has what later faults of the scene name.
 /// @throws InputError with every fault of the deck, each with file, line, keyword, card and field.
-Model read_deck(const std::filesystem::path& file, const DeckOptions& options = {});
+Model read_deck(const std::filesystem::path& file, const DeckOptions& options = {},
+                DeckPlaces* places = nullptr);
 
 }  // namespace corpuscle::io

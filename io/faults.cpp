@@ -21,9 +21,15 @@ std::string Faults::where(Place at) const {
     return fmt::format("{}:{}", files_[at.file], at.line);
 }
 
+/// A field that is read twice is at fault once.
 void Faults::fault(Place at, const std::string& text) {
+    Message message{at, fmt::format("{}: {}", where(at), text)};
+    const std::size_t shown = std::min(in_block_, SHOWN_FAULTS);
+    if (std::find(faults_.end() - static_cast<std::ptrdiff_t>(shown), faults_.end(), message) !=
+        faults_.end())
+        return;
     if (++in_block_ > SHOWN_FAULTS) return;
-    faults_.emplace_back(at, fmt::format("{}: {}", where(at), text));
+    faults_.push_back(std::move(message));
 }
 
 void Faults::warn(Place at, const std::string& text) {

@@ -119,7 +119,7 @@ void print_contacts_at_start(Simulation& simulation) {
 }  // namespace
 
 int check(const DeckArguments& arguments) {
-    Simulation simulation(load(arguments), arguments.seed);
+    Simulation simulation = load(arguments);
     print_scene(simulation);
     print_needs(simulation);
     if (simulation.added_mass() > 0.0)

@@ -8,7 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "solver/model.hpp"
+namespace corpuscle {
+class Simulation;
+}
 
 /// The commands behind `corpuscle COMMAND`; each returns the program's exit status or throws.
 namespace corpuscle::tools {
@@ -76,7 +78,8 @@ int study(const StudyArguments& arguments);
 int export_results(const ExportArguments& arguments);
 int report(const ReportArguments& arguments);
 
-/// Reads the deck with its -D values and --until, and sets the number of threads.
-Model load(const DeckArguments& arguments);
+/// The deck's scene with its -D values and --until, on the threads that are asked for.
+/// @throws InputError with file and line of each fault, also of those that only the scene shows.
+Simulation load(const DeckArguments& arguments);
 
 }  // namespace corpuscle::tools

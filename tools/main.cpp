@@ -33,16 +33,25 @@ void spin_briefly(char** argv) {
     execv(self.c_str(), argv);  // does not return, unless it fails: then all goes on as it was
 }
 
+constexpr int MOST_THREADS = 1024;  ///< a team of very many overflows the stack of GNU's OpenMP
+
+/// CLI11 reads -3 as an unsigned number close to 2^64.
+std::string no_sign(const std::string& text) {
+    return text.starts_with('-') ? "expected a whole number >= 0, not " + text : std::string();
+}
+
 /// Common to all commands that read a deck.
 void add_deck_options(CLI::App& command, tools::DeckArguments& deck) {
     command.add_option("DECK", deck.file, "LS-DYNA keyword deck")->required();
     command.add_option("-D", deck.definitions, "NAME=VALUE, overrides a *PARAMETER of the deck")
         ->allow_extra_args(false)
         ->take_all();
-    command.add_option("--seed", deck.seed, "seed of the random numbers")->capture_default_str();
+    command.add_option("--seed", deck.seed, "seed of the random numbers")
+        ->capture_default_str()
+        ->check(no_sign);
     command.add_option("--until", deck.until, "end time instead of ENDTIM, in the deck's unit");
     command.add_option("-j,--threads", deck.threads, "threads; default: one a core")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, MOST_THREADS));
 }
 
 int run(int argc, char** argv) {

@@ -12,6 +12,7 @@
 #include "io/ascii_files.hpp"
 #include "io/checkpoint.hpp"
 #include "io/deck.hpp"
+#include "io/deck_places.hpp"
 #include "io/hdf5.hpp"
 #include "io/progress.hpp"
 #include "io/results_file.hpp"
@@ -39,12 +40,20 @@ public:
     }
     /// Is one due at t? Marks it as met.
     bool meets(double t) {
-        if (std::isnan(interval_) || t < next_ * (1.0 - 1e-12)) return false;
-        while (next_ * (1.0 - 1e-12) <= t) next_ = ++count_ * interval_;
+        if (std::isnan(interval_) || t < next_ * (1.0 - ROUNDING)) return false;
+        const double gone = t / interval_;
+        if (gone * ROUNDING > 1.0) {  // an interval that t does not resolve: every step
+            next_ = t;
+            return true;
+        }
+        count_ = std::max(count_, std::floor(gone) - 1.0);
+        while (next_ * (1.0 - ROUNDING) <= t) next_ = ++count_ * interval_;
         return true;
     }
 
 private:
+    static constexpr double ROUNDING = 1e-12;  ///< of times, which are sums of many steps
+
     double interval_;
     double next_ = 0.0;
     double count_ = 0.0;
@@ -145,11 +154,37 @@ private:
     Clock::duration cost_{};
 };
 
+/// Stops a run that would never reach its end, for its steps have become next to nothing.
+class StepWatch {
+public:
+    explicit StepWatch(double end_time) : least_(LEAST_STEP * end_time) {}
+
+    void see(const StepReport& step) {
+        const bool is_asked =
+            step.limit.who == StepLimit::Who::END || step.limit.who == StepLimit::Who::START;
+        tiny_ = step.dt < least_ && !is_asked ? tiny_ + 1 : 0;
+        if (tiny_ < PATIENCE) return;
+        throw PhysicsError(
+            step.t, fmt::format("the step is down to {:.4g}, set by {}: the end time is more than "
+                                "{:g} such steps away",
+                                step.dt, step.limit.text(), 1.0 / LEAST_STEP));
+    }
+
+private:
+    static constexpr double LEAST_STEP = 1e-12;  ///< of the end time
+    static constexpr int PATIENCE = 100;         ///< steps on end: a single one may be that short
+
+    double least_;  ///< [s]
+    int tiny_ = 0;  ///< steps on end that were shorter
+};
+
 void advance_to_end(Simulation& simulation, Recorder& recorder, Keeper& keeper,
                     io::Progress& progress) {
     const auto observe = [&](Simulation& at_t) { recorder.observe(at_t, false); };
+    StepWatch watch(simulation.model().end_time);
     while (!simulation.is_over()) {
         const StepReport step = simulation.step(observe);
+        watch.see(step);
         const double share =
             recorder.brought > 0.0 ? std::abs(recorder.residual) / recorder.brought : 0.0;
         progress.step(simulation.time(), step.dt, step.limit.text(), simulation.particles(), share,
@@ -185,7 +220,7 @@ bool is_finished(const std::string& folder) {
 
 }  // namespace
 
-Model load(const DeckArguments& arguments) {
+Simulation load(const DeckArguments& arguments) {
     if (arguments.threads > 0) parallel::set_threads(arguments.threads);
     io::DeckOptions options;
     for (const std::string& definition : arguments.definitions) {
@@ -194,17 +229,24 @@ Model load(const DeckArguments& arguments) {
             throw InputError(fmt::format("-D {}: expected NAME=VALUE", definition));
         options.overrides.emplace_back(definition.substr(0, equals), definition.substr(equals + 1));
     }
-    Model model = io::read_deck(arguments.file, options);
+    io::DeckPlaces places;
+    Model model = io::read_deck(arguments.file, options, &places);
     if (arguments.until) {
         if (!(*arguments.until > 0.0) || !std::isfinite(*arguments.until))
             throw InputError(fmt::format("--until {}: expected a time above 0", *arguments.until));
         model.end_time = *arguments.until;
     }
-    return model;
+    try {
+        return Simulation(std::move(model), arguments.seed);
+    } catch (const InputError& error) {
+        std::vector<std::string> faults;
+        for (const std::string& fault : error.faults) faults.push_back(places.told(fault));
+        throw InputError(std::move(faults));
+    }
 }
 
 int run(const RunArguments& arguments) {
-    Simulation simulation(load(arguments.deck), arguments.deck.seed);
+    Simulation simulation = load(arguments.deck);
     const Model& model = simulation.model();
     if (!arguments.quiet)
         for (const std::string& note : model.notes) fmt::print("{}\n", note);

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "deck_scene.hpp"
+#include "io/deck_places.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::test;
@@ -119,4 +120,30 @@ TEST_CASE("a deck without a mesh, and text before the first keyword, are faults"
     CHECK(any_contains(folder.faults("*CONTROL_TERMINATION\n1.0\n"), "*ELEMENT_SHELL is missing"));
     CHECK(any_contains(folder.faults("hello\n" + small_deck()), "deck.k:1: expected a *KEYWORD"));
     CHECK_FALSE(folder.faults("").empty());
+}
+
+TEST_CASE("a field that is read twice is at fault once, and every unknown keyword is named",
+          "[io]") {
+    const DeckFolder folder;
+    const auto once = folder.faults(small_deck("*BOUNDARY_SPC_NODE\n1,0,x\n"));
+    REQUIRE(once.size() == 1);
+    CHECK(contains(once[0], "field 3 (DOFX) = x, expected a whole number"));
+    std::string unknown;
+    for (char c = 'A'; c <= 'Y'; ++c) unknown += std::string("*QQQQQQ_") + c + "\n1\n";
+    CHECK(folder.faults(small_deck(unknown)).size() == 25);
+}
+
+TEST_CASE("faults that only the whole scene shows get file, line and keyword", "[io]") {
+    const DeckFolder folder;
+    io::DeckPlaces places;
+    const auto deck = folder.write("deck.k", small_deck("*CONTACT_AIRBAG_SINGLE_SURFACE_ID\n"
+                                                        "7,all\n0,0,5\n\n\n"));
+    const Model model = io::read_deck(deck, {}, &places);
+    const std::string shell = "shell " + std::to_string(model.shells[0].id) + " has no area";
+    const std::string told = folder.bare(places.told(shell));
+    CHECK(contains(told, "deck.k:"));
+    CHECK(contains(told, ": *ELEMENT_SHELL: " + shell));
+    CHECK(contains(folder.bare(places.told("contact 7: too thick")),
+                   "*CONTACT_AIRBAG_SINGLE_SURFACE_ID: contact 7: too thick"));
+    CHECK(places.told("contact 8: is none") == "contact 8: is none");
 }

@@ -1,0 +1,90 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// Claim: nothing that the command line or the deck says crashes the program or makes it hang: bad
+// input ends with status 2 and its place, broken physics with 3.
+
+#include <catch2/catch.hpp>
+
+#include <sys/wait.h>
+#include <array>
+#include <cstdio>
+#include <utility>
+
+#include "tests/unit/io/deck_scene.hpp"
+
+using namespace corpuscle;
+using Catch::Contains;
+
+namespace {
+
+/// Exit status and all that was printed; 137 where it took more than a minute.
+std::pair<int, std::string> run(const std::filesystem::path& deck, const std::string& options) {
+    const std::string command = "timeout -s KILL 60 " CORPUSCLE_PROGRAM " run '" + deck.string() +
+                                "' -q -o '" + deck.string() + ".out' " + options + " 2>&1";
+    FILE* const pipe = popen(command.c_str(), "r");
+    REQUIRE(pipe != nullptr);
+    std::string text;
+    std::array<char, 4096> part;
+    while (std::fgets(part.data(), part.size(), pipe) != nullptr) text += part.data();
+    const int status = pclose(pipe);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text};
+}
+
+/// A tetrahedron of edge 0.1 full of air particles, free to fly; of 3 shells it is open.
+std::string balloon(const std::string& material, const std::string& end_time,
+                    const std::string& more = "", int shells = 4) {
+    std::string deck =
+        "*KEYWORD\n*NODE\n1,0,0,0\n2,0.1,0,0\n3,0,0.1,0\n4,0,0,0.1\n*ELEMENT_SHELL\n";
+    const char* const FACETS[] = {"1,1,1,2,3\n", "2,1,1,4,2\n", "3,1,1,3,4\n", "4,1,2,4,3\n"};
+    for (int s = 0; s < shells; ++s) deck += FACETS[s];
+    return deck + "*PART\nballoon\n1,1,1\n*SECTION_SHELL\n1,5\n1e-3,1e-3,1e-3,1e-3\n" + material +
+           "*AIRBAG_PARTICLE\n1,0\n200,1,1\n2,0,0\n1e5,300.,0.029,29.1\n"
+           "*CONTROL_TERMINATION\n" +
+           end_time + "\n" + more + "*END\n";
+}
+
+const std::string CLOTH = "*MAT_ELASTIC\n1,800.,3e8,0.3\n";
+
+}  // namespace
+
+TEST_CASE("an interval of output far below the step is met in every step", "[io]") {
+    const test::DeckFolder folder;
+    const auto [status, text] =
+        run(folder.write("deck.k", balloon(CLOTH, "1e-4", "*DATABASE_ABSTAT\n1e-30\n")), "");
+    CAPTURE(text);
+    CHECK(status == 0);
+}
+
+TEST_CASE("a scene whose steps never reach the end time stops, and says who sets them", "[io]") {
+    const test::DeckFolder folder;
+    const auto [status, text] = run(folder.write("deck.k", balloon(CLOTH, "1e30")), "");
+    CHECK(status == 3);
+    CHECK_THAT(text, Contains("the physics broke at time") && Contains("set by"));
+}
+
+TEST_CASE("a bag that next to nothing holds back stops before its gas is lost", "[io]") {
+    const test::DeckFolder folder;
+    const auto [status, text] =
+        run(folder.write("deck.k", balloon("*MAT_RIGID\n1,1e-30,1e9,.3\n\n\n", "1e-4")), "");
+    CHECK(status == 3);
+    CHECK_THAT(text, Contains("times the bag's size in one step"));
+}
+
+TEST_CASE("a bag that is not closed gets the line of its card", "[io]") {
+    const test::DeckFolder folder;
+    const auto deck = folder.write("deck.k", balloon(CLOTH, "1e-4", "", 3));
+    const auto [status, text] = run(deck, "");
+    CHECK(status == 2);
+    CHECK_THAT(text, Contains("deck.k:19: *AIRBAG_PARTICLE 1: edge"));
+}
+
+TEST_CASE("seeds below 0 and threads beyond counting are refused", "[io]") {
+    const test::DeckFolder folder;
+    const auto deck = folder.write("deck.k", balloon(CLOTH, "1e-4"));
+    for (const char* options : {"--seed -3", "--seed 1.5", "-j 0", "-j 100000", "--until -1"}) {
+        CAPTURE(options);
+        CHECK(run(deck, options).first == 2);
+    }
+    CHECK(run(deck, "--seed 3 -j 2").first == 0);
+}
