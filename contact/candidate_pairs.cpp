@@ -11,10 +11,6 @@
 namespace corpuscle::contact {
 namespace {
 
-bool has_node(const Triangle& t, Index node) {
-    return t[0] == node || t[1] == node || t[2] == node;
-}
-
 /// A float that is not below x >= 0.
 float above(double x) {
     return static_cast<float>(x) * (1.0F + std::numeric_limits<float>::epsilon());
@@ -22,7 +18,7 @@ float above(double x) {
 
 }  // namespace
 
-/// Lists two edges, if they have no node in common and a card has them touch.
+/// Lists two edges without a common node, if a card has them touch.
 void Candidates::meet_edges(Piece a, Piece b, Distances apart, const Outlook& ahead,
                             Chunk& out) const {
     // its name does not depend on who found whom
@@ -30,19 +26,17 @@ void Candidates::meet_edges(Piece a, Piece b, Distances apart, const Outlook& ah
     const Triangle &ta = cloth_.triangles[a.triangle], &tb = cloth_.triangles[b.triangle];
     const Index i = ta[a.side], j = ta[(a.side + 1) % 3];
     const Index r = tb[b.side], s = tb[(b.side + 1) % 3];
-    if (i == r || i == s || j == r || j == s) return;
     const int card = cloth_.rules.edges_against(cloth_.part[a.triangle], cloth_.part[b.triangle]);
     const std::uint64_t key =
         key_of(true, cloth_.edge[a.triangle][a.side], cloth_.edge[b.triangle][b.side]);
     list({{i, j, r, s}, true}, card, key, {a.triangle, b.triangle, apart, ahead, out});
 }
 
-/// Lists a node and a triangle, if it is not its own and a card has them touch.
+/// Lists a node and a triangle that is not its own, if a card has them touch.
 void Candidates::meet_node(Piece n, Index triangle, Distances apart, const Outlook& ahead,
                            Chunk& out) const {
     const Index node = cloth_.triangles[n.triangle][n.side];
     const Triangle& t = cloth_.triangles[triangle];
-    if (has_node(t, node)) return;
     const int card = cloth_.rules.nodes_against(cloth_.part[n.triangle], cloth_.part[triangle]);
     list({{node, t[0], t[1], t[2]}, false}, card, key_of(false, node, triangle),
          {n.triangle, triangle, apart, ahead, out});

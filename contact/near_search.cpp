@@ -29,6 +29,9 @@ NearSearch::NearSearch(const Cloth& cloth, double reach)
       nodes_(cloth),
       edges_(cloth),
       triangles_(cloth),
+      edges_by_edges_(edges_, edges_),
+      nodes_by_triangles_(nodes_, triangles_),
+      triangles_by_nodes_(triangles_, nodes_),
       tree_(patches_),
       patch_box_(patches_) {
     find_half_reach(reach);

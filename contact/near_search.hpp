@@ -8,6 +8,7 @@
 
 #include "contact/blocks.hpp"
 #include "contact/broad_phase.hpp"
+#include "contact/shared_nodes.hpp"
 
 namespace corpuscle::contact {
 
@@ -46,14 +47,14 @@ public:
     [[nodiscard]] std::span<const std::pair<Index, Index>> patch_pairs() const { return pairs_; }
 
     /// Each pair between a pair of patches once: edges(Piece, Piece, Distances) and node(Piece,
-    /// triangle, Distances). Some have nodes in common.
+    /// triangle, Distances). None has a node in common.
     template <class Edges, class Node>
     void for_each_in(const std::pair<Index, Index>& patches, Edges&& edges, Node&& node) const {
         const auto [p, q] = patches;
-        for_each_pair(edges_, p, edges_, q, p == q, edges);
+        for_each_pair(edges_, p, edges_, q, edges_by_edges_, p == q, edges);
         const auto turned = [&](Piece t, Piece n, Distances apart) { node(n, t.triangle, apart); };
-        for_each_pair(triangles_, p, nodes_, q, false, turned);
-        if (p != q) for_each_pair(triangles_, q, nodes_, p, false, turned);
+        for_each_pair(triangles_, p, nodes_, q, triangles_by_nodes_, false, turned);
+        if (p != q) for_each_pair(triangles_, q, nodes_, p, triangles_by_nodes_, false, turned);
     }
 
     /// Likewise each pair of a triangle, with what it owns, and all others.
@@ -62,16 +63,16 @@ public:
         for (Index side = 0; side < 3; ++side) {
             if (const auto [block, lane] = edges_.place(triangle, side); block >= 0)
                 for (std::size_t p = 0; p < patches_; ++p)
-                    meet_patch(edges_, block, lane, edges_, p, edges);
+                    meet_patch(edges_, block, lane, edges_, p, edges_by_edges_, edges);
             if (const auto [block, lane] = nodes_.place(triangle, side); block >= 0)
                 for (std::size_t p = 0; p < patches_; ++p)
                     meet_patch(
-                        nodes_, block, lane, triangles_, p,
+                        nodes_, block, lane, triangles_, p, nodes_by_triangles_,
                         [&](Piece n, Piece t, Distances apart) { node(n, t.triangle, apart); });
         }
         const auto [block, lane] = triangles_.place(triangle);
         for (std::size_t p = 0; p < patches_; ++p)
-            meet_patch(triangles_, block, lane, nodes_, p,
+            meet_patch(triangles_, block, lane, nodes_, p, triangles_by_nodes_,
                        [&](Piece t, Piece n, Distances apart) { node(n, t.triangle, apart); });
     }
 
@@ -111,11 +112,12 @@ private:
 
     template <int A, int B, class Meet>
     void meet_patch(const Blocks<A>& mine, Index block, int lane, const Blocks<B>& others,
-                    std::size_t patch, Meet&& meet) const {
+                    std::size_t patch, const SharedNodes& shared, Meet&& meet) const {
         const Bounds box = mine[block][lane];
         if (!box.overlaps(others.of_patch(patch))) return;
         others.for_each_near(box, patch, [&](Index b) {
-            const unsigned allowed = others[b].overlapping(box);
+            const unsigned allowed =
+                others[b].overlapping(box) & ~of_lane(shared.lanes(block, b), lane);
             if (allowed != 0) meet_block<A, B>(mine[block], lane, others[b], allowed, meet);
         });
     }
@@ -123,15 +125,17 @@ private:
     /// @param is_same  both are the same: each pair is met once, none with itself
     template <int A, int B, class Meet>
     void for_each_pair(const Blocks<A>& mine, Index p, const Blocks<B>& others, Index q,
-                       bool is_same, Meet&& meet) const {
+                       const SharedNodes& shared, bool is_same, Meet&& meet) const {
         for (Index i = mine.start()[p]; i < mine.start()[p + 1]; ++i) {
             const typename Blocks<A>::Block& block = mine[i];
             others.for_each_near(block.whole, q, [&](Index j) {
                 if (is_same && j < i) return;
+                const std::uint64_t neighbours = shared.lanes(i, j);
                 for (unsigned bits = block.overlapping(others[j].whole); bits != 0;
                      bits &= bits - 1) {
                     const int lane = std::countr_zero(bits);
-                    unsigned allowed = others[j].overlapping(block[lane]);
+                    unsigned allowed =
+                        others[j].overlapping(block[lane]) & ~of_lane(neighbours, lane);
                     if (is_same && j == i) allowed &= ~0U << (lane + 1);
                     if (allowed != 0) meet_block<A, B>(block, lane, others[j], allowed, meet);
                 }
@@ -150,6 +154,7 @@ private:
     Blocks<1> nodes_;
     Blocks<2> edges_;
     Blocks<3> triangles_;
+    SharedNodes edges_by_edges_, nodes_by_triangles_, triangles_by_nodes_;
     std::vector<Index> patch_part_, patch_body_;  ///< that a whole patch is of, or -1
     BroadPhase tree_;
     std::vector<Box> patch_box_;
