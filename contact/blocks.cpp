@@ -109,7 +109,7 @@ Blocks<CORNERS>::Blocks(const Cloth& cloth)
         group_start_.push_back(group_start_[p] + (blocks + EIGHT - 1) / EIGHT);
     }
     group_.resize(static_cast<std::size_t>(group_start_.back()));
-    of_patch_.resize(cloth.patches.size());
+    patches_.resize((cloth.patches.size() + EIGHT - 1) / EIGHT);
 }
 
 template <int CORNERS>
@@ -153,15 +153,15 @@ template <int CORNERS>
 void Blocks<CORNERS>::set_bounds(const Outline& outline) {
     parallel::for_each(
         block_.size(), [&](std::size_t b) { bound(static_cast<Index>(b), outline); }, CHUNK);
-    for (std::size_t p = 0; p < of_patch_.size(); ++p) {
-        Bounds& of_patch = of_patch_[p];
-        of_patch = EightBounds()[0];
+    for (std::size_t p = 0; p + 1 < start_.size(); ++p) {
+        Bounds of_patch = EightBounds()[0];
         for (Index b = start_[p]; b < start_[p + 1]; ++b) {
             const Index at = b - start_[p];
             const Bounds& all = block_[b].whole;
             group_[group_start_[p] + at / EIGHT].set(at % EIGHT, all);
             of_patch.include(all);
         }
+        set_patch(p, of_patch);
     }
 }
 
@@ -171,7 +171,9 @@ void Blocks<CORNERS>::renew_bounds(Index b, const Outline& outline) {
     const std::size_t p = patch_[b];
     const Index at = b - start_[p];
     group_[group_start_[p] + at / EIGHT].set(at % EIGHT, block_[b].whole);
-    of_patch_[p].include(block_[b].whole);
+    Bounds box = of_patch(p);
+    box.include(block_[b].whole);
+    set_patch(p, box);
 }
 
 template class Blocks<1>;

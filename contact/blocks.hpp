@@ -97,20 +97,32 @@ public:
             for (unsigned bits = group_[g].overlapping(box); bits != 0; bits &= bits - 1)
                 meet(start_[patch] + EIGHT * (g - group_start_[patch]) + std::countr_zero(bits));
     }
+    /// visit(patch) for all patches whose box overlaps with this one, ascending.
+    template <class Visit>
+    void for_each_patch_near(const Bounds& box, Visit&& visit) const {
+        for (std::size_t g = 0; g < patches_.size(); ++g)
+            for (unsigned bits = patches_[g].overlapping(box); bits != 0; bits &= bits - 1)
+                visit(EIGHT * g + static_cast<std::size_t>(std::countr_zero(bits)));
+    }
     /// The box of a patch of them.
-    [[nodiscard]] const Bounds& of_patch(std::size_t patch) const { return of_patch_[patch]; }
+    [[nodiscard]] Bounds of_patch(std::size_t patch) const {
+        return patches_[patch / EIGHT][static_cast<int>(patch % EIGHT)];
+    }
 
 private:
     struct Item;
     void bound(Index block, const Outline& outline);
+    void set_patch(std::size_t patch, const Bounds& box) {
+        patches_[patch / EIGHT].set(static_cast<int>(patch % EIGHT), box);
+    }
 
     std::vector<Block> block_;
-    std::vector<Index> start_;        ///< of each patch's blocks
-    std::vector<EightBounds> group_;  ///< boxes of eight blocks of a patch
-    std::vector<Index> group_start_;  ///< of each patch's groups
-    std::vector<Bounds> of_patch_;
-    std::vector<Index> patch_;  ///< by block
-    std::vector<Place> place_;  ///< by triangle and its three sides
+    std::vector<Index> start_;          ///< of each patch's blocks
+    std::vector<EightBounds> group_;    ///< boxes of eight blocks of a patch
+    std::vector<Index> group_start_;    ///< of each patch's groups
+    std::vector<EightBounds> patches_;  ///< boxes of the patches, eight by eight
+    std::vector<Index> patch_;          ///< by block
+    std::vector<Place> place_;          ///< by triangle and its three sides
 };
 
 /// A lane of a block eight times over.

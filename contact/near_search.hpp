@@ -62,18 +62,14 @@ public:
     void for_each_near(Index triangle, Edges&& edges, Node&& node) const {
         for (Index side = 0; side < 3; ++side) {
             if (const auto [block, lane] = edges_.place(triangle, side); block >= 0)
-                for (std::size_t p = 0; p < patches_; ++p)
-                    meet_patch(edges_, block, lane, edges_, p, edges_by_edges_, edges);
+                meet_all(edges_, block, lane, edges_, edges_by_edges_, edges);
             if (const auto [block, lane] = nodes_.place(triangle, side); block >= 0)
-                for (std::size_t p = 0; p < patches_; ++p)
-                    meet_patch(
-                        nodes_, block, lane, triangles_, p, nodes_by_triangles_,
-                        [&](Piece n, Piece t, Distances apart) { node(n, t.triangle, apart); });
+                meet_all(nodes_, block, lane, triangles_, nodes_by_triangles_,
+                         [&](Piece n, Piece t, Distances apart) { node(n, t.triangle, apart); });
         }
         const auto [block, lane] = triangles_.place(triangle);
-        for (std::size_t p = 0; p < patches_; ++p)
-            meet_patch(triangles_, block, lane, nodes_, p, triangles_by_nodes_,
-                       [&](Piece t, Piece n, Distances apart) { node(n, t.triangle, apart); });
+        meet_all(triangles_, block, lane, nodes_, triangles_by_nodes_,
+                 [&](Piece t, Piece n, Distances apart) { node(n, t.triangle, apart); });
     }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
@@ -110,15 +106,17 @@ private:
         }
     }
 
+    /// One lane of a block against all others, patch by patch.
     template <int A, int B, class Meet>
-    void meet_patch(const Blocks<A>& mine, Index block, int lane, const Blocks<B>& others,
-                    std::size_t patch, const SharedNodes& shared, Meet&& meet) const {
+    void meet_all(const Blocks<A>& mine, Index block, int lane, const Blocks<B>& others,
+                  const SharedNodes& shared, Meet&& meet) const {
         const Bounds box = mine[block][lane];
-        if (!box.overlaps(others.of_patch(patch))) return;
-        others.for_each_near(box, patch, [&](Index b) {
-            const unsigned allowed =
-                others[b].overlapping(box) & ~of_lane(shared.lanes(block, b), lane);
-            if (allowed != 0) meet_block<A, B>(mine[block], lane, others[b], allowed, meet);
+        others.for_each_patch_near(box, [&](std::size_t patch) {
+            others.for_each_near(box, patch, [&](Index b) {
+                const unsigned allowed =
+                    others[b].overlapping(box) & ~of_lane(shared.lanes(block, b), lane);
+                if (allowed != 0) meet_block<A, B>(mine[block], lane, others[b], allowed, meet);
+            });
         });
     }
 
