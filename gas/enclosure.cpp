@@ -144,15 +144,17 @@ double Enclosure::area(std::span<const Vec3> x) const {
     });
 }
 
-void Enclosure::node_areas(std::span<const Vec3> x, std::span<Vec3> area) {
-    facet_area_.resize(triangles_.size());
+void Enclosure::node_areas(std::span<const Vec3> x, std::span<Vec3> area) const {
+    thread_local Points kept;  // no memory is asked for in each step
+    Points& facet_area = kept;
+    facet_area.resize(triangles_.size());
     parallel::for_each(triangles_.size(), [&](std::size_t t) {
         const Triangle& c = triangles_[t];
-        facet_area_[t] = vector_area(x[c[0]], x[c[1]], x[c[2]]);
+        facet_area[t] = vector_area(x[c[0]], x[c[1]], x[c[2]]);
     });
     parallel::for_each(nodes_.size(), [&](std::size_t n) {
         Vec3 sum = Vec3::Zero();
-        for (Index i = start_[n]; i < start_[n + 1]; ++i) sum += facet_area_[around_[i]];
+        for (Index i = start_[n]; i < start_[n + 1]; ++i) sum += facet_area[around_[i]];
         area[nodes_[n]] = sum / 3.0;
     });
 }

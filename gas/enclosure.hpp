@@ -25,7 +25,7 @@ public:
 
     /// area[n] = dV/dx_n: the vector area that a node carries, outward.                 N × 3 [m^2]
     /// Only rows in nodes() are written.
-    void node_areas(std::span<const Vec3> x, std::span<Vec3> area);
+    void node_areas(std::span<const Vec3> x, std::span<Vec3> area) const;
 
     /// Is the point inside? By the winding number, sum of solid angles / 4 pi
     /// [van Oosterom & Strackee 1983, Eq. 8]. Cost: one atan2 a triangle.
@@ -42,7 +42,6 @@ private:
     std::vector<Index> nodes_;
     std::vector<Index> start_;  ///< node (place in nodes_) -> its triangles, compressed rows
     std::vector<Index> around_;
-    Points facet_area_;  ///< vector areas, work space of node_areas()                    [m^2]
     std::size_t turned_ = 0;
 };
 
