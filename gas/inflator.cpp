@@ -73,6 +73,20 @@ std::size_t particles_of(const BagCard& card) {
     return air > 0 && card.inflow.empty() ? air : card.particles + air;
 }
 
+/// Air that is no particles goes through the same temperatures as the gases that heat it.
+void check_uniform_air(const BagCard& card, double low, double high, Faults& faults) {
+    const InitialAirCard& air = *card.air;
+    try {
+        const Species species(air.species, card.gas_constant,
+                              fmt::format("initial air of bag {}", card.id));
+        std::string fault = species.fault_between(std::min(low, air.temperature),
+                                                  std::max(high, HOTTER * air.temperature));
+        if (!fault.empty()) faults.push_back(std::move(fault));
+    } catch (const InputError& e) {
+        faults.insert(faults.end(), e.faults.begin(), e.faults.end());
+    }
+}
+
 }  // namespace
 
 Inflators::Inflators(const BagCard& card, std::span<const Curve> curves, std::uint64_t seed,
@@ -98,6 +112,7 @@ Inflators::Inflators(const BagCard& card, std::span<const Curve> curves, std::ui
                 faults);
     const bool has_air = card.air && card.air->is_particles;
     if (has_air) add_air(card, volume, faults);
+    if (card.air && !has_air) check_uniform_air(card, low_, high_, faults);
 
     // A gas is met at any temperature that any of them has, once they are mixed.
     for (const Species& s : species_)

@@ -91,11 +91,13 @@ std::string Species::fault_between(double low, double high) const {
             "{}: Cv = A + B T + C T^2 - R = {:.6g} J/(mol K) at {:.6g} K, expected > 0 "
             "from {:.6g} to {:.6g} K",
             name_, Cv, T, low, high);
-    if (gamma(T) > 5.0 / 3.0 * GAMMA_ROUNDING)
-        return fmt::format(
-            "{}: Cp/Cv = {:.6g} at {:.6g} K, expected 1 to 5/3 from {:.6g} to {:.6g} K "
-            "(check R's unit system against A, B, C)",
-            name_, gamma(T), T, low, high);
+    for (const double where : {T, at[0], at[1], at[2]})
+        if (!(gamma(where) > 1.0 && gamma(where) <= 5.0 / 3.0 * GAMMA_ROUNDING))
+            return fmt::format(
+                "{}: Cp/Cv = {:.6g} at {:.6g} K, expected above 1, up to 5/3, from {:.6g} to "
+                "{:.6g} K "
+                "(check R's unit system against A, B, C)",
+                name_, gamma(where), where, low, high);
     return {};
 }
 

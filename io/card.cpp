@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "io/text.hpp"
 
@@ -14,6 +15,7 @@ namespace corpuscle::io {
 namespace {
 constexpr std::size_t CARD_END = 80, LONG_CARD_END = 160;  ///< columns beyond are remarks
 constexpr std::size_t LONGEST_SHOWN = 60;                  ///< characters of a field in a message
+constexpr double LARGEST = 1e100;                          ///< squares and cubes must not overflow
 constexpr int WIDEST_NUMBER = 20;                          ///< columns; a wider field is a title
 constexpr Range IDS{1.0};
 }  // namespace
@@ -145,16 +147,21 @@ Card::Number Card::number(std::size_t i, bool whole) {
     const bool is_named =
         text.front() == '&' || text.front() == '<' ||
         (text.size() > 1 && text.front() == '-' && (text[1] == '&' || text[1] == '<'));
+    Number result;
     if (is_named) {
-        const Number result = named_number(i, text);
-        if (!result.is_good || !whole || parse_integer(fmt::format("{}", result.value)))
-            return result;
+        result = named_number(i, text);
+        if (!result.is_good) return {};
+        result.is_good = !whole || parse_integer(fmt::format("{}", result.value));
     } else if (whole) {
-        if (const auto value = parse_integer(text)) return {static_cast<double>(*value), true};
+        if (const auto value = parse_integer(text)) result = {static_cast<double>(*value), true};
     } else if (const auto value = parse_real(text)) {
-        return {*value, true};
+        result = {*value, true};
     }
-    fault(i, whole ? "a whole number" : "a number");
+    if (result.is_good && std::abs(result.value) <= LARGEST) return result;
+    if (result.is_good)
+        fault(i, fmt::format("a number of at most {:g}", LARGEST));
+    else
+        fault(i, whole ? "a whole number" : "a number");
     return {};
 }
 

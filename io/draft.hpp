@@ -46,6 +46,7 @@ struct Draft {
     Dialect dialect = Dialect::TODAY;
     std::optional<gas::CollisionModel> collision;  ///< of all bags; none: the default
     double mean_free_path = NaN;                   ///< of that model; NaN: its default      [m]
+    double force_decay = 1.0;  ///< SFFDC of *CONTROL_CPM, for bags that have none of their own  [-]
 
     Registry nodes{"*NODE"}, shells{"*ELEMENT_SHELL"}, parts{"*PART"}, materials{"*MAT"},
         sections{"*SECTION_SHELL"}, curves{"*DEFINE_CURVE"}, vectors{"*DEFINE_VECTOR"},

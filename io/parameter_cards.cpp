@@ -75,7 +75,8 @@ private:
     void value(Card& card, std::size_t i) {
         const Name name = parse_name(card.raw(i));
         const std::string_view text = card.raw(i + 1);
-        if (!name.is_good()) return card.fault(i, "R, I or C and a name");
+        if (!name.is_good())
+            return card.fault(i, "R, I or C and a name, in 10 columns or before a comma");
         Parameter p{name.type, {0.0, name.type == 'I'}, {}, card.place()};
         if (name.type == 'C')
             p.text = text;

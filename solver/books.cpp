@@ -170,6 +170,7 @@ void Simulation::find_touching(double span) {
 void Simulation::find_contact_push(double span) {
     if (held_.empty()) held_ = held_nodes();
     contact_push_ = contact_force_.f;
+    contact_push_.resize(nodes_.size(), Vec3::Zero());  // without contact cards there is no force
     for (std::size_t n = 0; n < nodes_.size(); ++n)
         if (held_[n] == 0)
             contact_push_[n] += nodes_.mass[n] / span * (nodes_.v[n] - v_before_[n]) - nodes_.f[n];

@@ -85,7 +85,7 @@ void print_needs(const Simulation& simulation) {
     line(model.walls.empty(), "rigid walls");
     line(model.bags.empty(), "particles (no *AIRBAG_PARTICLE)");
     line(std::isnan(model.output.frames),
-         "frames (no *DATABASE_BINARY_D3PLOT): only the last state");
+         "frames (no *DATABASE_BINARY_D3PLOT): only the first and the last state");
 }
 
 void print_estimate(const Simulation& simulation) {

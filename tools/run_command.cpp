@@ -80,9 +80,11 @@ public:
           ascii_(ascii),
           bodies_(simulation, results),
           histories_(history_interval(simulation.model())),
-          frames_(simulation.model().output.frames) {}
+          frames_(std::isnan(simulation.model().output.frames) ? INF
+                                                               : simulation.model().output.frames) {
+    }
 
-    /// `at_end`: the last state of a run, always taken.
+    /// `at_end`: the last state of a run. It and the first are always taken.
     void observe(Simulation& simulation, bool at_end) {
         const double t = simulation.time();
         bodies_.observe(simulation, at_end);

@@ -40,7 +40,7 @@ gas::InitialAirCard initial_air(Cards& cards, const gas::BagCard& bag, const Uni
     Card c = cards.next("PAIR TAIR XMAIR AAIR BAIR CAIR NPAIR NPRLX");
     gas::InitialAirCard air;
     air.pressure = c.real("PAIR", NON_NEGATIVE);
-    air.temperature = c.real("TAIR", NON_NEGATIVE);
+    air.temperature = c.real("TAIR", TEMPERATURE);
     if (air.pressure == 0.0) air.pressure = bag.p_atm;
     if (air.temperature == 0.0) air.temperature = bag.T_atm;
     air.is_particles = kind == 2;

@@ -24,6 +24,10 @@ inline constexpr UnitSystem UNIT_SYSTEMS[] = {
     {"ton-mm-s-K", 1e3, 1e-6, 1e-3, 1.0},  // t mm^2/s^2 = mJ, MPa
 };
 
+/// Of gas; 0 or blank has a default. Beyond, particles would cross the bag millions of times a
+/// step.
+inline constexpr Range TEMPERATURE = within(0.0, 1e5);  ///< [K]
+
 /// @param kind  IAIR: 1, -1, 2
 gas::InitialAirCard initial_air(Cards& cards, const gas::BagCard& bag, const UnitSystem& unit,
                                 int kind);

@@ -29,9 +29,10 @@ public:
 
     gas::BagCard read() {
         bag_.id = static_cast<int>(draft_.model.bags.size() + draft_.model.uniform_bags.size()) + 1;
+        bag_.smoothing = draft_.force_decay;
         if (cards_.has("MPP")) cards_.next("SX SY SZ").harmless("SX SY SZ");
         if (cards_.has("ID") || cards_.has("TITLE")) name();
-        if (cards_.has("TIME")) cards_.next("BIRTH DEATH");
+        if (cards_.has("TIME")) window();
         surface();
         if (cards_.has("SEGMENT")) cards_.next("SEGSID");
         particles();
@@ -54,6 +55,14 @@ private:
         Card c = cards_.next("ID TITLE:70");
         bag_.id = c.integer("ID", {1.0});
         bag_.title = c.text("TITLE");
+    }
+
+    /// Bags act from the start to the end.
+    void window() {
+        constexpr double NEVER = 1e10;  // as TEND and TSW have it
+        Card c = cards_.next("BIRTH DEATH");
+        if (const double death = c.real("DEATH"); death != 0.0 && death < NEVER)
+            c.fault("DEATH", "0, or 1e10 and later: the end of a bag is not acted on yet");
     }
 
     void surface() {
@@ -104,7 +113,7 @@ private:
         bag_.show_particles = blank_shows || visible == 1 || visible == 2;
         bag_.gas_constant = GAS_CONSTANT * unit().energy;
         bag_.second = unit().second;
-        bag_.T_atm = c.real("TATM", NON_NEGATIVE);
+        bag_.T_atm = c.real("TATM", TEMPERATURE);
         if (bag_.T_atm == 0.0) bag_.T_atm = ATMOSPHERE_TEMPERATURE;
         bag_.p_atm = c.real("PATM", NON_NEGATIVE);
         if (bag_.p_atm == 0.0) bag_.p_atm = ATMOSPHERE_PRESSURE * unit().pressure;
@@ -117,7 +126,8 @@ private:
         Card c = cards_.next_plus("TSTOP=1e11 TSMTH OCCUP=0.1 REBL SIDSV PSID1 TSPLIT SFFDC=1");
         c.harmless("TSMTH");  // ramp of TSTOP
         c.noted("OCCUP", "particles are points here, collisions need no spheres");
-        bag_.smoothing = c.real("SFFDC", within(0.01, 100.0));
+        const double decay = c.real("SFFDC", within(0.01, 100.0));
+        if (c.given("SFFDC")) bag_.smoothing = decay;
     }
 
     void front_tracking() {

@@ -27,6 +27,16 @@ void control_timestep(Cards& cards, Draft& draft) {
     if (cards.more()) cards.next("RMAVG IGADO DTUSR DTDYNV").harmless("RMAVG IGADO DTDYNV");
 }
 
+void control_cpm(Cards& cards, Draft& draft) {
+    {
+        Card c = cards.next("CPMOUT=11 NP2P=5 NCPMTS CPMERR SFFDC=1 BLKV CPMMF P2PMIX");
+        draft.force_decay = c.real("SFFDC", within(0.01, 100.0));
+        c.noted("NCPMTS", "the step is that of fabric and gas");
+        c.harmless("CPMOUT NP2P CPMERR");  // a bag with holes is always refused
+    }
+    if (cards.more()) cards.next("PMIS").harmless("PMIS");  // no particle is misplaced
+}
+
 namespace {
 
 void interval(Cards& cards, double& interval) {

@@ -120,6 +120,7 @@ void rigidwall_prism(Cards&, Draft&);
 void title(Cards&, Draft&);
 void control_termination(Cards&, Draft&);
 void control_timestep(Cards&, Draft&);
+void control_cpm(Cards&, Draft&);
 void database_cpm_sensor(Cards&, Draft&);  // database_sensor.cpp
 void database_d3plot(Cards&, Draft&);
 void database_d3dump(Cards&, Draft&);

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "io/hdf5.hpp"
 #include "tests/unit/io/deck_scene.hpp"
 
 using namespace corpuscle;
@@ -77,6 +78,35 @@ TEST_CASE("a bag that is not closed gets the line of its card", "[io]") {
     const auto [status, text] = run(deck, "");
     CHECK(status == 2);
     CHECK_THAT(text, Contains("deck.k:19: *AIRBAG_PARTICLE 1: edge"));
+}
+
+TEST_CASE("initial air whose Cv is not above 0 is refused, as a gas and as particles", "[io]") {
+    const test::DeckFolder folder;
+    for (const char* kind : {"1", "-1", "2"}) {
+        CAPTURE(kind);
+        std::string text = balloon(CLOTH, "1e-4");
+        text.replace(text.find("\n2,0,0\n1e5"), 7, std::string("\n") + kind + ",0,0\n");
+        text.replace(text.find("29.1"), 4, "8.0");
+        const auto [status, told] = run(folder.write("deck.k", text), "");
+        CHECK(status == 2);
+        CHECK_THAT(told, Contains("deck.k:20: *AIRBAG_PARTICLE: initial air of bag 1: Cv ="));
+    }
+}
+
+TEST_CASE("BLOCK by contact pressure needs no contact card", "[io]") {
+    const test::DeckFolder folder;
+    const std::string porous = "*MAT_FABRIC\n1,800.,3e8,3e8,,0.3,0.3\n1e8\n,0.5,20.,0,,,8\n\n\n";
+    std::string text = balloon(porous, "1e-4");
+    text.replace(text.find("*AIRBAG_PARTICLE\n1,0\n"), 21, "*AIRBAG_PARTICLE\n1,0,0,0,21\n");
+    CHECK(run(folder.write("deck.k", text), "").first == 0);
+}
+
+TEST_CASE("a run without *DATABASE_BINARY_D3PLOT shows its start and its end", "[io]") {
+    const test::DeckFolder folder;
+    const auto deck = folder.write("deck.k", balloon(CLOTH, "1e-4"));
+    REQUIRE(run(deck, "").first == 0);
+    const io::Hdf5Reader results(deck.string() + ".out/results.h5");
+    CHECK(results.read<double>("/frames/time") == std::vector<double>{0.0, 1e-4});
 }
 
 TEST_CASE("seeds below 0 and threads beyond counting are refused", "[io]") {

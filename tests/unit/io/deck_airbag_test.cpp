@@ -63,6 +63,34 @@ TEST_CASE("AIRBAG_PARTICLE: the notes' simple cards", "[io]") {
     CHECK(model.warnings.empty());
 }
 
+TEST_CASE("CONTROL_CPM: its SFFDC is that of bags which have none of their own", "[io]") {
+    const DeckFolder folder;
+    const auto deck = [](const std::string& plus, const std::string& control) {
+        Bag bag;
+        bag.behind_2 = plus;
+        bag.orifice += "\n*CONTROL_CPM\n" + control;
+        return bag.deck();
+    };
+    const auto smoothing = [&](const std::string& plus) {
+        return folder.read(deck(plus, "11,5,0,1,2.5")).bags.at(0).smoothing;
+    };
+    CHECK(smoothing("") == 2.5);
+    CHECK(smoothing("+\n") == 2.5);
+    CHECK(smoothing("+,,,,,,,4.0\n") == 4.0);
+    CHECK(any_contains(folder.faults(deck("", "11,5,0,0,1,0,0,3")),
+                       "field 8 (P2PMIX) = 3, expected 0 or blank"));
+}
+
+TEST_CASE("AIRBAG_PARTICLE_TIME: a bag that never dies is read, one that does is refused", "[io]") {
+    const DeckFolder folder;
+    Bag bag;
+    bag.suffix = "_TIME";
+    bag.before_1 = "0,1e20\n";
+    CHECK(folder.faults(bag.deck()).empty());
+    bag.before_1 = "0,0.01\n";
+    CHECK_THAT(only_fault(folder, bag), Catch::Contains("field 2 (DEATH) = 0.01"));
+}
+
 TEST_CASE("AIRBAG_PARTICLE: UNIT sets R and the atmosphere", "[io]") {
     const DeckFolder folder;
     Bag cards;

@@ -104,7 +104,8 @@ TEST_CASE("a table with many bad rows shows some and counts the rest", "[io]") {
 
 TEST_CASE("numbers that are none, too large, or not finite are faults", "[io]") {
     const DeckFolder folder;
-    for (const char* number : {"nan", "inf", "1e999", "12abc", "1 2", "99999999999", "1.5"}) {
+    for (const char* number :
+         {"nan", "inf", "1e999", "1e101", "12abc", "1 2", "99999999999", "1.5"}) {
         CAPTURE(number);
         const std::string deck =
             small_deck("*DATABASE_HISTORY_NODE\n" + std::string(number) + ",1\n");

@@ -147,7 +147,8 @@ TEST_CASE("faults of parameters have a place", "[io]") {
                                  "<1+>, 0\n"));
     REQUIRE(faults.size() == 6);
     CHECK(faults[0] ==
-          "deck.k:31: *PARAMETER card 1, field 1 (PRMR1) = X what, expected R, I or C and a name");
+          "deck.k:31: *PARAMETER card 1, field 1 (PRMR1) = X what, expected R, I or C and a name, "
+          "in 10 columns or before a comma");
     CHECK(contains(faults[1],
                    "deck.k:32: *PARAMETER card 2, field 2 (VAL1) = 1.5, expected a whole number"));
     CHECK(contains(faults[2],
