@@ -8,6 +8,7 @@
 #include <optional>
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include "io/ascii_files.hpp"
 #include "io/checkpoint.hpp"
@@ -222,6 +223,26 @@ bool is_finished(const std::string& folder) {
 
 }  // namespace
 
+namespace {
+
+/// Refuses particles that this machine's memory does not hold, before it is taken.
+void expect_room_for_particles(const Model& model) {
+    constexpr double BYTES = 100.0;  ///< of a particle, with its share of lists (gas/README.md)
+    const double memory =
+        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    double wanted = 0.0;
+    for (const gas::BagCard& bag : model.bags) {
+        wanted += BYTES * static_cast<double>(bag.particles);
+        if (wanted > memory)
+            throw InputError(
+                fmt::format("bag {}: NP = {}, expected particles that fit into "
+                            "{:.3g} GB of memory: up to here they take {:.3g} GB",
+                            bag.id, bag.particles, 1e-9 * memory, 1e-9 * wanted));
+    }
+}
+
+}  // namespace
+
 Simulation load(const DeckArguments& arguments) {
     if (arguments.threads > 0) parallel::set_threads(arguments.threads);
     io::DeckOptions options;
@@ -239,6 +260,7 @@ Simulation load(const DeckArguments& arguments) {
         model.end_time = *arguments.until;
     }
     try {
+        expect_room_for_particles(model);
         return Simulation(std::move(model), arguments.seed);
     } catch (const InputError& error) {
         std::vector<std::string> faults;

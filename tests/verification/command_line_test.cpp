@@ -109,6 +109,17 @@ TEST_CASE("a run without *DATABASE_BINARY_D3PLOT shows its start and its end", "
     CHECK(results.read<double>("/frames/time") == std::vector<double>{0.0, 1e-4});
 }
 
+TEST_CASE("more particles than memory holds are refused before it is taken", "[io]") {
+    const test::DeckFolder folder;
+    std::string bags;
+    for (int id = 2; id < 1000; ++id)
+        bags += "*AIRBAG_PARTICLE_ID\n" + std::to_string(id) +
+                "\n1,0\n100000000,1,1\n2,0,0\n1e5,300.,0.029,29.1\n";
+    const auto [status, text] = run(folder.write("deck.k", balloon(CLOTH, "1e-4", bags)), "");
+    CHECK(status == 2);
+    CHECK_THAT(text, Contains("*AIRBAG_PARTICLE_ID: bag") && Contains("NP = 100000000"));
+}
+
 TEST_CASE("seeds below 0 and threads beyond counting are refused", "[io]") {
     const test::DeckFolder folder;
     const auto deck = folder.write("deck.k", balloon(CLOTH, "1e-4"));
