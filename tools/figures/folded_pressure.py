@@ -5,6 +5,7 @@
 pressure, run times beside the curves; and how far each run's pressure is from that of the most
 particles. usage: folded_pressure.py FOLDER ... (of runs, or of a study's, which holds run_0001 ...)"""
 
+import csv
 import json
 import sys
 from pathlib import Path
@@ -22,6 +23,16 @@ def runs_in(folder):
     return [run for run in within if (run / "run.json").exists()]
 
 
+def asked_for(folder):
+    """Particles that a study's run was to have (NP); None of any other run."""
+    table = folder.parent / "study.csv"
+    if not table.exists():
+        return None
+    with open(table, newline="") as file:
+        points = {f"run_{int(row['run']):04}": row.get("NP") for row in csv.DictReader(file)}
+    return int(float(points[folder.name])) if points.get(folder.name) else None
+
+
 def curves_of(folder):
     with h5py.File(folder / "results.h5") as run:
         bag = run["history/airbag/1"]
@@ -32,19 +43,19 @@ def curves_of(folder):
     last = time[np.flatnonzero(np.diff(number))[-1]]
     switch = last if last < time[-1] - 2.0 else np.inf
     wall = json.loads((folder / "run.json").read_text())["wall"]
-    return {"time": time, "switch": switch, "wall": wall, "number": int(number.max()), **kept}
+    return {"time": time, "switch": switch, "wall": wall, "number": asked_for(folder) or int(number.max()), **kept}
 
 
 def label(run):
-    uniform = f", uniform from {run['switch']:.0f} ms" if np.isfinite(run["switch"]) else ""
-    return f"{run['number']:,} particles{uniform}: {run['wall']:.0f} s".replace(",", " ", 1)
+    uniform = f"; uniform from {run['switch']:.0f} ms" if np.isfinite(run["switch"]) else ""
+    return f"{run['number']:,} particles{uniform}: {run['wall']:.0f} s".replace(",", " ")
 
 
 def main():
     folders = [run for name in sys.argv[1:] for run in runs_in(Path(name))]
     if not folders:
         sys.exit("usage: " + __doc__.split("usage: ")[1])
-    runs = sorted((curves_of(folder) for folder in folders), key=lambda r: (r["switch"], r["number"]))
+    runs = sorted((curves_of(folder) for folder in folders), key=lambda r: (np.round(r["switch"]), r["number"]))
     figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4))
     for run in runs:
         style = "--" if np.isfinite(run["switch"]) else "-"
