@@ -18,7 +18,9 @@ RigidWall::RigidWall(const WallCard& card, const Curve* curve) : card_(card), cu
 
 void RigidWall::hold(const Points& x, std::span<const double> mass, double t, double dt, Points& v,
                      const WallBodies& bodies) {
+    velocity_before_ = velocity_;
     set_out(t, dt);
+    if (t <= 0.0) velocity_before_ = velocity_;  // a driven wall has its speed from the start
     stops_.clear();
     touching_.clear();
     Vec3 impulse = Vec3::Zero();

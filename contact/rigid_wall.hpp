@@ -59,6 +59,11 @@ public:
     [[nodiscard]] bool moves() const { return !card_.motion.direction.isZero(0.0); }
     [[nodiscard]] const Vec3& displacement() const { return shift_; }  ///< at t                [m]
     [[nodiscard]] const Vec3& velocity() const { return velocity_; }   ///< at t + dt/2       [m/s]
+    /// At t, between the steps before and ahead.
+    /// @param weight  of the step ahead, Clock::weight()                                       [-]
+    [[nodiscard]] Vec3 velocity_at_t(double weight) const {
+        return velocity_before_ + weight * (velocity_ - velocity_before_);
+    }
 
     /// Rows of nodes that are still behind it; known from the first hold() on.
     [[nodiscard]] std::vector<Index> nodes_behind() const;
@@ -105,6 +110,7 @@ private:
     const Curve* curve_;
     Vec3 shift_ = Vec3::Zero(), next_shift_ = Vec3::Zero();  ///< since the start, at t, t + dt [m]
     Vec3 velocity_ = Vec3::Zero();                           ///< [m/s]
+    Vec3 velocity_before_ = Vec3::Zero();                    ///< in the last step         [m/s]
     std::vector<std::uint8_t> is_behind_;  ///< by row in card_.nodes; empty before birth
     Points last_;                          ///< of a plate: where the nodes were, seen from it  [m]
     std::vector<Stop> stops_;

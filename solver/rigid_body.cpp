@@ -105,6 +105,8 @@ void RigidBody::advance(double t, double dt, double span, const Field& field,
                turning_drag = -field.damping * angular_momentum_;
     const Vec3 velocity = velocity_, spin_before = spin();
     const double kinetic = kinetic_energy();
+    velocity_before_ = velocity_;
+    momentum_before_ = angular_momentum_;
     velocity_ += span / mass_ * (force + weight + drag);
     angular_momentum_ += span * (torque + turning_drag);
     hold_translation(t, dt, span);

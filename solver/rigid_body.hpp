@@ -62,7 +62,16 @@ public:
     [[nodiscard]] const Eigen::Quaterniond& turn() const { return turn_; }
 
     [[nodiscard]] double kinetic_energy() const {  ///< at t + dt/2                         [J]
-        return 0.5 * mass_ * velocity_.squaredNorm() + 0.5 * angular_momentum_.dot(spin());
+        return energy_of(velocity_, angular_momentum_);
+    }
+    /// At t, between those before and after the last kick and what contact gave then.
+    /// @param weight  of the half step after t, Clock::weight()                            [-]
+    [[nodiscard]] Vec3 velocity_at_t(double weight) const {
+        return velocity_before_ + weight * (velocity_ - velocity_before_);
+    }
+    [[nodiscard]] double kinetic_energy_at_t(double weight) const {  ///< [J]
+        return energy_of(velocity_at_t(weight),
+                         momentum_before_ + weight * (angular_momentum_ - momentum_before_));
     }
     /// Velocity of a place, mean of before and after the last kick: with it the work of forces on
     /// the body is exactly what they change of its kinetic energy.
@@ -95,6 +104,10 @@ private:
     void set_inertia(const Model& model, const RigidInertia& all);
     void carry(double dt, fabric::Nodes& nodes);
     [[nodiscard]] Vec3 spin_of(const Eigen::Quaterniond& turn, const Vec3& momentum) const;
+    [[nodiscard]] double energy_of(const Vec3& velocity, const Vec3& angular_momentum) const {
+        return 0.5 * mass_ * velocity.squaredNorm() +
+               0.5 * angular_momentum.dot(spin_of(turn_, angular_momentum));
+    }
     [[nodiscard]] Eigen::Quaterniond turned(double dt) const;
     struct Holds {
         std::vector<Vec3> axes;         ///< independent
@@ -125,6 +138,7 @@ private:
     Vec3 velocity_ = Vec3::Zero();
     Vec3 acceleration_ = Vec3::Zero();
     Vec3 angular_momentum_ = Vec3::Zero();
+    Vec3 velocity_before_ = Vec3::Zero(), momentum_before_ = Vec3::Zero();  ///< at t - dt/2
     Vec3 mid_velocity_ = Vec3::Zero(), mid_spin_ = Vec3::Zero();
     Vec3 impulse_force_ = Vec3::Zero();
     double held_work_ = 0.0, field_work_ = 0.0, damped_ = 0.0;

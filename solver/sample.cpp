@@ -132,15 +132,17 @@ Sample Simulation::sample() {
         for (std::size_t p = 0; p < strain.size(); ++p) row.parts[p].strain_energy += strain[p];
     }
     for (const RigidBody& body : bodies_) {
-        Sample::Rigid state{body.position(), body.velocity(), body.acceleration(), force_on(body)};
-        row.rigid_bodies.push_back(state);
+        const Vec3 velocity = body.velocity_at_t(ledger_.weight);
+        row.rigid_bodies.push_back(
+            {body.position(), velocity, body.acceleration(), force_on(body)});
         for (const Index part : body.parts()) row.parts[part] = {};
-        row.parts[body.part()].kinetic_energy = body.kinetic_energy();
-        row.parts[body.part()].momentum = body.mass() * body.velocity();
+        row.parts[body.part()].kinetic_energy = body.kinetic_energy_at_t(ledger_.weight);
+        row.parts[body.part()].momentum = body.mass() * velocity;
     }
     for (const contact::RigidWall& wall : walls_) {
         row.wall_force.push_back(wall.force());
-        if (wall.moves()) row.moving_walls.push_back({wall.displacement(), wall.velocity()});
+        if (wall.moves())
+            row.moving_walls.push_back({wall.displacement(), wall.velocity_at_t(ledger_.weight)});
     }
     for (std::size_t c = 0; c < model_.contacts.size(); ++c) {
         const int card = static_cast<int>(c);

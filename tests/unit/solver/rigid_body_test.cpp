@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/support/touching_bodies.hpp"
+
 using namespace corpuscle;
 
 namespace {
@@ -151,4 +153,31 @@ TEST_CASE("a body on a hinge turns by the moment about it alone", "[solver][rigi
     CHECK(motion.body.spin().z() == Approx(dt * moment / moment_of_inertia).epsilon(1e-9));
     CHECK(std::abs(motion.body.spin().x()) < 1e-6 * motion.body.spin().z());
     CHECK(motion.body.velocity().norm() == 0.0);
+}
+
+TEST_CASE("a sample has velocity, momentum and energy of a body at its own time",
+          "[solver][rigid]") {
+    constexpr double G = 9.81;
+    Model model = scenes::empty(0.02);
+    scenes::add(model, shapes::sphere(0.1, 1), scenes::rigid(1000.0), 1e-3, Vec3::Zero());
+    scenes::pull(model, Vec3(0, 0, -G));
+    model.rigid_velocity = {{0, Vec3(1, 0, 2), Vec3(0, 40, 0)}};
+    Simulation simulation(model);
+    const RigidBody& body = simulation.bodies()[0];
+    const double turning = 0.5 * body.angular_momentum().dot(body.spin());
+    double worst = 0.0, last_dt = 0.0;
+    const auto watch = [&](Simulation& at) {
+        const Sample sample = at.sample();
+        const Vec3 v(1, 0, 2 - G * sample.time);  // exact for a leapfrog
+        const Vec3 p = sample.parts[0].momentum;
+        const double energy = 0.5 * body.mass() * v.squaredNorm() + turning;
+        worst = std::max({worst, (sample.rigid_bodies[0].velocity - v).norm(),
+                          (p / body.mass() - v).norm(),
+                          std::abs(sample.parts[0].kinetic_energy / energy - 1.0)});
+        last_dt = sample.dt;
+    };
+    while (!simulation.is_over()) simulation.step(watch);
+    simulation.close(watch);
+    CHECK(G * last_dt > 1e-6);  // half a step would be seen
+    CHECK(worst < 1e-11);
 }
