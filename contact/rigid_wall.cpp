@@ -32,6 +32,7 @@ void RigidWall::hold(const Points& x, std::span<const double> mass, double t, do
         stop_bodies(x, dt, v, bodies, impulse);
         if (!(card_.motion.mass > 0.0)) driving_work_ -= impulse.dot(velocity_);
     }
+    impulse_ = impulse;
     force_ = impulse / dt;
     if (curve_ == nullptr) next_shift_ = shift_ + dt * velocity_;
 }

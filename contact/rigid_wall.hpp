@@ -46,6 +46,8 @@ public:
 
     /// On the wall in the last step: impulse / dt.                                              [N]
     [[nodiscard]] const Vec3& force() const { return force_; }
+    /// On the wall in the last step.                                                           [Ns]
+    [[nodiscard]] const Vec3& impulse() const { return impulse_; }
     /// Nodes that the last hold() stopped.
     [[nodiscard]] std::span<const Index> touching() const { return touching_; }
     [[nodiscard]] double stopping_energy() const { return stopping_energy_; }  ///< so far      [J]
@@ -116,7 +118,7 @@ private:
     std::vector<Stop> stops_;
     std::vector<Bump> bumps_;
     std::vector<Index> touching_;
-    Vec3 force_ = Vec3::Zero();
+    Vec3 force_ = Vec3::Zero(), impulse_ = Vec3::Zero();
     double stopping_energy_ = 0.0, friction_energy_ = 0.0, driving_work_ = 0.0, held_work_ = 0.0;
 };
 

@@ -235,6 +235,7 @@ double SurfaceContact::held_work() const {
     return work;
 }
 Vec3 SurfaceContact::force(int card) const {
+    if (state_->is_on[static_cast<std::size_t>(card)] == 0) return Vec3::Zero();
     const Vec3& given = state_->impulses.books()[static_cast<std::size_t>(card)].given;
     return state_->span > 0.0 ? Vec3(given / state_->span) : given;
 }

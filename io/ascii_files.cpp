@@ -91,14 +91,17 @@ void AsciiFiles::list_files(const std::filesystem::path& folder, const RecordLay
         [](const Sample& s, const Sample&, const Sample&) { return cpm_sensor_state(s); },
         cpm_sensor_heading(layout));
     add("matsum", intervals.matsum, now(matsum_state));
-    add("rcforc", intervals.rcforc, now(rcforc_state));
-    add("rwforc", intervals.rwforc, now(rwforc_state));
+    const auto since = [who](auto&& text) {
+        return [who, text](const Sample& s, const Sample&, const Sample& before) {
+            return text(*who, s, before);
+        };
+    };
+    add("rcforc", intervals.rcforc, since(rcforc_state));
+    add("rwforc", intervals.rwforc, since(rwforc_state));
     add("rbdout", intervals.rbdout, [who](const Sample& s, const Sample& start, const Sample&) {
         return rbdout_state(*who, s, start);
     });
-    add("nodout", intervals.nodout, [who](const Sample& s, const Sample&, const Sample& before) {
-        return nodout_state(*who, s, before);
-    });
+    add("nodout", intervals.nodout, since(nodout_state));
 }
 
 double AsciiFiles::next_time() const {

@@ -135,7 +135,7 @@ std::string matsum_state(const RecordLayout& layout, const Sample& sample) {
     return text;
 }
 
-std::string rcforc_state(const RecordLayout& layout, const Sample& sample) {
+std::string rcforc_state(const RecordLayout& layout, const Sample& sample, const Sample& before) {
     std::string text;
     for (std::size_t i = 0; i < layout.contacts.size(); ++i) {
         const auto side = [&](std::string_view name, const Vec3& force) {
@@ -143,18 +143,21 @@ std::string rcforc_state(const RecordLayout& layout, const Sample& sample) {
                                 field(sample.time, 12, 5), field(force.x(), 12, 5),
                                 field(force.y(), 12, 5), field(force.z(), 12, 5));
         };
-        side("slave ", sample.contacts[i].force);
-        side("master", -sample.contacts[i].force);
+        const Vec3 force = mean_force(sample.contacts[i].impulse, before.contacts[i].impulse,
+                                      sample.time - before.time);
+        side("slave ", force);
+        side("master", -force);
     }
     return text;
 }
 
-std::string rwforc_state(const RecordLayout& layout, const Sample& sample) {
+std::string rwforc_state(const RecordLayout& layout, const Sample& sample, const Sample& before) {
     std::string text =
         "\n\n    time       wall#   normal-force    x-force        y-force        z-force\n";
     const bool has_normals = layout.wall_normals.size() == layout.walls.size();
     for (std::size_t i = 0; i < layout.walls.size(); ++i) {
-        const Vec3& force = sample.wall_force[i];
+        const Vec3 force =
+            mean_force(sample.wall_impulse[i], before.wall_impulse[i], sample.time - before.time);
         const bool is_plane = has_normals && !layout.wall_normals[i].isZero(0.0);
         const double normal = is_plane ? std::abs(force.dot(layout.wall_normals[i])) : force.norm();
         text += fmt::format("{}{:8d}{}{}\n", field(sample.time, 12, 5), layout.walls[i],

@@ -23,8 +23,11 @@ namespace corpuscle::io {
 [[nodiscard]] std::string cpm_sensor_heading(const RecordLayout& layout);
 [[nodiscard]] std::string cpm_sensor_state(const Sample& sample);
 [[nodiscard]] std::string matsum_state(const RecordLayout& layout, const Sample& sample);
-[[nodiscard]] std::string rcforc_state(const RecordLayout& layout, const Sample& sample);
-[[nodiscard]] std::string rwforc_state(const RecordLayout& layout, const Sample& sample);
+/// @param before  the sample of the state before: forces are means since then, 0 if it is this one
+[[nodiscard]] std::string rcforc_state(const RecordLayout& layout, const Sample& sample,
+                                       const Sample& before);
+[[nodiscard]] std::string rwforc_state(const RecordLayout& layout, const Sample& sample,
+                                       const Sample& before);
 /// @param start  the first sample of the file: displacements are told relative to it
 [[nodiscard]] std::string rbdout_state(const RecordLayout& layout, const Sample& sample,
                                        const Sample& start);

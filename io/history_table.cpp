@@ -24,7 +24,7 @@ Sample blank(const RecordLayout& layout) {
     }
     s.parts.resize(layout.parts.size());
     s.rigid_bodies.resize(layout.rigid_bodies.size());
-    s.wall_force.resize(layout.walls.size(), Vec3::Zero());
+    s.wall_impulse.resize(layout.walls.size(), Vec3::Zero());
     s.moving_walls.resize(layout.moving_walls.size());
     s.contacts.resize(layout.contacts.size());
     s.sensors.resize(layout.sensors);
@@ -37,7 +37,7 @@ Sample blank(const RecordLayout& layout) {
     bool same = s.airbags.size() == layout.airbags.size() &&
                 s.parts.size() == layout.parts.size() &&
                 s.rigid_bodies.size() == layout.rigid_bodies.size() &&
-                s.wall_force.size() == layout.walls.size() &&
+                s.wall_impulse.size() == layout.walls.size() &&
                 s.moving_walls.size() == layout.moving_walls.size() &&
                 s.contacts.size() == layout.contacts.size() && s.sensors.size() == layout.sensors &&
                 s.node_coordinates.size() == layout.history_nodes.size() &&
@@ -154,11 +154,13 @@ void sensors(auto&& row, const RecordLayout& layout, const Sample& s) {
     }
 }
 
-void touching(auto&& row, const RecordLayout& layout, const Sample& s) {
+void touching(auto&& row, const RecordLayout& layout, const Sample& s, const Sample& before) {
     using enum Quantity;
+    const double span = s.time - before.time;
     for (std::size_t i = 0; i < layout.walls.size(); ++i)
         row(fmt::format("/history/rigidwall/{}/force", layout.walls[i]), FORCE,
-            "force on the rigid wall", s.wall_force[i]);
+            "on the rigid wall, mean since the row before; 0 in the first",
+            mean_force(s.wall_impulse[i], before.wall_impulse[i], span));
     for (std::size_t i = 0; i < layout.moving_walls.size(); ++i) {
         const std::string of = fmt::format("/history/rigidwall/{}/", layout.moving_walls[i]);
         row(of + "displacement", LENGTH, "of the rigid wall, since the start",
@@ -167,7 +169,8 @@ void touching(auto&& row, const RecordLayout& layout, const Sample& s) {
     }
     for (std::size_t i = 0; i < layout.contacts.size(); ++i) {
         const std::string of = fmt::format("/history/contact/{}/", layout.contacts[i]);
-        row(of + "force", FORCE, "resultant contact force", s.contacts[i].force);
+        row(of + "force", FORCE, "resultant on SURFA, mean since the row before; 0 in the first",
+            mean_force(s.contacts[i].impulse, before.contacts[i].impulse, span));
         row(of + "energy", ENERGY, "energy stored in the contact", s.contacts[i].energy);
         row(of + "pairs", NONE, "places that are nearer than the contact thickness",
             s.contacts[i].pairs);
@@ -177,13 +180,14 @@ void touching(auto&& row, const RecordLayout& layout, const Sample& s) {
 }
 
 /// THE list of histories: row(path, quantity, description, value) for every one.
-void visit(const RecordLayout& layout, const Sample& s, auto&& row) {
+/// @param before  the sample of the row before; of the first row: itself
+void visit(const RecordLayout& layout, const Sample& s, const Sample& before, auto&& row) {
     row("/history/time", Quantity::TIME, "time of the samples", s.time);
     energy(row, s.energy);
     for (std::size_t i = 0; i < layout.airbags.size(); ++i)
         airbag(row, layout.airbags[i], s.airbags[i]);
     bodies(row, layout, s);
-    touching(row, layout, s);
+    touching(row, layout, s, before);
     sensors(row, layout, s);
 }
 
@@ -191,7 +195,8 @@ void visit(const RecordLayout& layout, const Sample& s, auto&& row) {
 
 HistoryTable::HistoryTable(const RecordLayout& layout) {
     std::set<std::string> taken;
-    visit(layout, blank(layout),
+    const Sample none = blank(layout);
+    visit(layout, none, none,
           [&]<class Value>(const std::string& path, Quantity quantity, const char* description,
                            const Value&) {
               if (!taken.insert(path).second)
@@ -204,7 +209,7 @@ HistoryTable::HistoryTable(const RecordLayout& layout) {
 void HistoryTable::append(const RecordLayout& layout, const Sample& sample) {
     assert(has_sizes_of(layout, sample) && "a sample has the sizes of its layout");
     auto column = columns_.begin();
-    visit(layout, sample,
+    visit(layout, sample, rows_ == 0 ? sample : last_,
           [&]<class Value>(const std::string&, Quantity, const char*, const Value& value) {
               std::vector<double>& values = (column++)->values;
               if constexpr (std::is_same_v<Value, Vec3>)
@@ -212,6 +217,7 @@ void HistoryTable::append(const RecordLayout& layout, const Sample& sample) {
               else
                   values.push_back(value);
           });
+    last_ = sample;
     ++rows_;
 }
 

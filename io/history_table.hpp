@@ -31,7 +31,7 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(rows_);
+        archive(rows_, last_);
         for (Column& column : columns_) archive(column.values);
     }
 
@@ -46,6 +46,7 @@ private:
 
     std::vector<Column> columns_;
     std::size_t rows_ = 0;
+    Sample last_;  ///< of the row before, once there is one
 };
 
 }  // namespace corpuscle::io

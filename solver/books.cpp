@@ -77,8 +77,18 @@ void Simulation::book_forces(double span) {
         moved.external += restored;
         growth_.give(restored);
     }
+    book_impulses(span);
     if (clock_.step == 0) ledger_.open(books());
     watch_growth(span);
+}
+
+/// What walls and contacts have got in this kick.
+void Simulation::book_impulses(double span) {
+    wall_impulses_.turn_page();
+    for (std::size_t w = 0; w < walls_.size(); ++w) wall_impulses_.give(w, walls_[w].impulse());
+    contact_impulses_.turn_page();
+    for (std::size_t c = 0; c < contact_impulses_.size(); ++c)
+        contact_impulses_.give(c, span * contacts_[0].force(static_cast<int>(c)));
 }
 
 /// Stops when the step has become too long for the fabric.

@@ -96,13 +96,13 @@ struct Sample {
         Vec3 force = Vec3::Zero();  ///< contact + gas
     };
     std::vector<Rigid> rigid_bodies;
-    std::vector<Vec3> wall_force;
+    std::vector<Vec3> wall_impulse;  ///< that each has got so far                      [N s]
     struct WallMotion {
         Vec3 displacement = Vec3::Zero(), velocity = Vec3::Zero();
     };
     std::vector<WallMotion> moving_walls;
     struct Contact {
-        Vec3 force = Vec3::Zero();
+        Vec3 impulse = Vec3::Zero();  ///< that SURFA has got so far                    [N s]
         double energy = 0;
         double pairs = 0;        ///< nearer than the contact thickness
         double penetration = 0;  ///< greatest part of the thickness that is missing        [-]
@@ -117,10 +117,15 @@ struct Sample {
 
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(time, dt, step, energy, airbags, parts, rigid_bodies, wall_force, contacts, sensors,
-                node_coordinates, node_velocity);
+        archive(time, dt, step, energy, airbags, parts, rigid_bodies, wall_impulse, moving_walls,
+                contacts, sensors, node_coordinates, node_velocity);
     }
 };
+
+/// Mean force between two samples, from the impulses up to them; 0 where no time has passed.   [N]
+inline Vec3 mean_force(const Vec3& impulse, const Vec3& before, double span) {
+    return span > 0.0 ? Vec3((impulse - before) / span) : Vec3(Vec3::Zero());
+}
 
 /// One state for pictures.
 struct Frame {

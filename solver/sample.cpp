@@ -139,16 +139,18 @@ Sample Simulation::sample() {
         row.parts[body.part()].kinetic_energy = body.kinetic_energy_at_t(ledger_.weight);
         row.parts[body.part()].momentum = body.mass() * velocity;
     }
-    for (const contact::RigidWall& wall : walls_) {
-        row.wall_force.push_back(wall.force());
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+        const contact::RigidWall& wall = walls_[w];
+        row.wall_impulse.push_back(wall_impulses_.given(w, ledger_.weight));
         if (wall.moves())
             row.moving_walls.push_back({wall.displacement(), wall.velocity_at_t(ledger_.weight)});
     }
     for (std::size_t c = 0; c < model_.contacts.size(); ++c) {
         const int card = static_cast<int>(c);
         const auto depth = contacts_[0].depth(card);
-        row.contacts.push_back({contacts_[0].force(card), contacts_[0].energy_of(card),
-                                static_cast<double>(depth.pairs), depth.greatest});
+        row.contacts.push_back({contact_impulses_.given(c, ledger_.weight),
+                                contacts_[0].energy_of(card), static_cast<double>(depth.pairs),
+                                depth.greatest});
     }
     row.sensors.resize(model_.sensors.size());
     parallel::for_each(

@@ -19,6 +19,7 @@
 #include "solver/clock.hpp"
 #include "solver/constraints.hpp"
 #include "solver/growth_monitor.hpp"
+#include "solver/impulse_book.hpp"
 #include "solver/ledger.hpp"
 #include "solver/loads.hpp"
 #include "solver/model.hpp"
@@ -67,6 +68,7 @@ public:
     [[nodiscard]] const std::vector<gas::BagGas>& bags() const { return bags_; }
     [[nodiscard]] const std::vector<gas::UniformBag>& uniform_bags() const { return uniform_bags_; }
     [[nodiscard]] const std::vector<contact::SurfaceContact>& contacts() const { return contacts_; }
+    [[nodiscard]] const std::vector<contact::RigidWall>& walls() const { return walls_; }
     [[nodiscard]] const std::vector<RigidBody>& bodies() const { return bodies_; }
     [[nodiscard]] const Timings& timings() const { return timings_; }
     /// Pairs of shells that cross, or are nearer than contact lets them be, since contact began:
@@ -120,6 +122,7 @@ private:
     void drift(double dt);
     void stop_at_obstacles(double dt);
     void book_forces(double span);
+    void book_impulses(double span);
     void watch_growth(double span);
     void find_touching(double span);
     void find_contact_pressure(std::vector<float>& pressure);
@@ -163,6 +166,7 @@ private:
     std::vector<std::uint8_t> touching_;  ///< N: nodes in contact, if a bag asks for it
     ForceShare load_force_, damping_force_, contact_force_, fabric_force_;
     Ledger ledger_;
+    ImpulseBook wall_impulses_, contact_impulses_;  ///< by wall; by card
     double rubbed_ = 0.0;  ///< by friction in contact, so far                           [J]
     Timings timings_;
     double last_sample_ = 0.0, last_frame_ = 0.0;  ///< when they were last taken           [s]

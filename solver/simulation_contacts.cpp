@@ -57,6 +57,7 @@ void Simulation::build_contacts() {
     contact_shell_ = std::move(facets.shell);
     contacts_.emplace_back(setup);
     contact_force_.f.assign(model_.x.size(), Vec3::Zero());
+    contact_impulses_ = ImpulseBook(model_.contacts.size());
 }
 
 void Simulation::build_walls() {
@@ -75,6 +76,7 @@ void Simulation::build_walls() {
         const Index curve = card.motion.curve;
         walls_.emplace_back(card, curve >= 0 ? &model_.curves[curve] : nullptr);
     }
+    wall_impulses_ = ImpulseBook(walls_.size());
 }
 
 void Simulation::look_at_contacts() {

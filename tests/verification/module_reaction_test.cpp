@@ -90,7 +90,7 @@ void check(const std::string& name, int module_part, double share) {
     while (!simulation.is_over()) {
         Vec3 force = Vec3::Zero();
         const StepReport report = simulation.step([&](Simulation& at) {
-            if (!at.model().walls.empty()) force = at.sample().wall_force.at(0);
+            if (!at.walls().empty()) force = at.walls().front().force();
         });
         on_plate += report.dt * force;
         now = momentum(simulation);

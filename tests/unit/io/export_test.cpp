@@ -140,9 +140,10 @@ TEST_CASE("a binout holds the run's numbers", "[export]") {
         CHECK(binout.reals("/rbdout" + state + "global_vy") ==
               std::vector<double>{s.rigid_bodies[0].velocity.y()});
         CHECK(binout.reals("/rcforc" + state + "z_force") ==
-              std::vector<double>{s.contacts[0].force.z()});
+              std::vector<double>{scene::contact_force(run.layout, row, 0).z()});
         CHECK(binout.reals("/rwforc/forces" + state + "x_force") ==
-              std::vector<double>{s.wall_force[0].x(), s.wall_force[1].x()});
+              std::vector<double>{scene::wall_force(run.layout, row, 0).x(),
+                                  scene::wall_force(run.layout, row, 1).x()});
         CHECK(binout.reals("/nodout" + state + "y_coordinate") ==
               std::vector<double>{s.node_coordinates[0].y(), s.node_coordinates[1].y()});
         CHECK(binout.reals("/matsum" + state + "kinetic_energy")[2] == s.parts[2].kinetic_energy);

@@ -172,8 +172,8 @@ TEST_CASE("glstat's energies close when the ledger does", "[io]") {
 
 TEST_CASE("rcforc tells both sides of a contact, equal and opposite", "[io]") {
     const RecordLayout layout = scene::layout();
-    const Sample s = scene::sample(layout, 1);
-    const auto rows = lines(io::rcforc_state(layout, s));
+    const Sample before = scene::sample(layout, 0), s = scene::sample(layout, 1);
+    const auto rows = lines(io::rcforc_state(layout, s, before));
     REQUIRE(rows.size() == 2);
     for (std::size_t side = 0; side < 2; ++side) {
         const std::string& row = rows[side];
@@ -184,8 +184,8 @@ TEST_CASE("rcforc tells both sides of a contact, equal and opposite", "[io]") {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             CHECK(row.substr(36 + 16 * axis, 4) == std::string("  ") + "xyz"[axis] + " ");
             const double force = std::stod(row.substr(40 + 16 * axis, 12));
-            CHECK(force ==
-                  Approx((side == 0 ? 1.0 : -1.0) * s.contacts[0].force[static_cast<int>(axis)]));
+            CHECK(force == Approx((side == 0 ? 1.0 : -1.0) *
+                                  scene::contact_force(layout, 1, 0)[static_cast<int>(axis)]));
         }
     }
 }
@@ -193,11 +193,11 @@ TEST_CASE("rcforc tells both sides of a contact, equal and opposite", "[io]") {
 TEST_CASE("rwforc's normal force is the force along the wall's normal", "[io]") {
     RecordLayout layout = scene::layout();
     layout.wall_normals = {Vec3::UnitZ(), Vec3(0.6, 0.8, 0.0)};
-    const Sample s = scene::sample(layout, 1);
-    const auto rows = lines(io::rwforc_state(layout, s));
+    const Sample before = scene::sample(layout, 0), s = scene::sample(layout, 1);
+    const auto rows = lines(io::rwforc_state(layout, s, before));
     REQUIRE(rows.size() == 5);
     for (std::size_t i = 0; i < 2; ++i) {
-        const Vec3& f = s.wall_force[i];
+        const Vec3 f = scene::wall_force(layout, 1, i);
         check_near(cut(rows[3 + i], {12, 8, 15, 15, 15, 15}),
                    {0.5, 31.0 + static_cast<double>(i), f.dot(layout.wall_normals[i]), f.x(), f.y(),
                     f.z()});
@@ -276,6 +276,28 @@ TEST_CASE("each text file appears only when asked for, each at its own interval"
     for (const char* name :
          {"glstat", "abstat_cpm", "cpm_sensor", "matsum", "rcforc", "rwforc", "rbdout"})
         CHECK_FALSE(std::filesystem::exists(folder.path / name));
+}
+
+TEST_CASE("a text file's forces are means since its own row before, whatever other files ask for",
+          "[io]") {
+    const scene::Folder folder("ascii_means");
+    RecordLayout layout = scene::layout();
+    layout.walls = {31};
+    OutputIntervals intervals;
+    intervals.rwforc = 2.0;
+    intervals.glstat = 0.5;
+    {
+        io::AsciiFiles files(folder.path, layout, intervals, "a bag");
+        for (std::size_t row = 0; row <= 8; ++row) files.append(scene::sample(layout, row));
+    }
+    std::vector<double> along_x;
+    for (const std::string& line : lines(text_of(folder.path / "rwforc")))
+        if (line.find("      31 ") == 12) along_x.push_back(std::stod(line.substr(35, 15)));
+    const auto impulse = [&](std::size_t row) {
+        return scene::sample(layout, row).wall_impulse[0];
+    };
+    check_near(along_x,
+               {0.0, (impulse(4) - impulse(0)).x() / 2.0, (impulse(8) - impulse(4)).x() / 2.0});
 }
 
 TEST_CASE("text files that nobody asked for are never due", "[io]") {

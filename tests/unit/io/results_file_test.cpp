@@ -74,6 +74,16 @@ struct Histories {
         CHECK(file.element_size(path) == 8);
         checked.insert(path);
     }
+
+    /// Of an impulse so far: the force that it makes since the row before.
+    template <class Pick>
+    void expect_mean(const std::string& path, Pick&& pick) {
+        expect(path, [&](const Sample& s) -> Vec3 {
+            if (&s == samples.data()) return Vec3::Zero();
+            const Sample& before = *(&s - 1);
+            return (pick(s) - pick(before)) / (s.time - before.time);
+        });
+    }
 };
 
 void expect_energy(Histories& h) {
@@ -145,13 +155,14 @@ void expect_the_rest(Histories& h) {
     h.expect(body + "/acceleration",
              [](const Sample& s) { return s.rigid_bodies[0].acceleration; });
     h.expect(body + "/force", [](const Sample& s) { return s.rigid_bodies[0].force; });
-    h.expect("/history/rigidwall/31/force", [](const Sample& s) { return s.wall_force[0]; });
-    h.expect("/history/rigidwall/32/force", [](const Sample& s) { return s.wall_force[1]; });
+    h.expect_mean("/history/rigidwall/31/force", [](const Sample& s) { return s.wall_impulse[0]; });
+    h.expect_mean("/history/rigidwall/32/force", [](const Sample& s) { return s.wall_impulse[1]; });
     h.expect("/history/rigidwall/32/displacement",
              [](const Sample& s) { return s.moving_walls[0].displacement; });
     h.expect("/history/rigidwall/32/velocity",
              [](const Sample& s) { return s.moving_walls[0].velocity; });
-    h.expect("/history/contact/41/force", [](const Sample& s) { return s.contacts[0].force; });
+    h.expect_mean("/history/contact/41/force",
+                  [](const Sample& s) { return s.contacts[0].impulse; });
     h.expect("/history/contact/41/energy", [](const Sample& s) { return s.contacts[0].energy; });
     h.expect("/history/contact/41/pairs", [](const Sample& s) { return s.contacts[0].pairs; });
     h.expect("/history/contact/41/penetration",

@@ -98,16 +98,33 @@ inline Sample sample(const RecordLayout& layout, std::size_t row) {
         s.parts.push_back({c.next(), c.next(), c.next3()});
     for (std::size_t i = 0; i < layout.rigid_bodies.size(); ++i)
         s.rigid_bodies.push_back({c.next3(), c.next3(), c.next3(), c.next3()});
-    for (std::size_t i = 0; i < layout.walls.size(); ++i) s.wall_force.push_back(c.next3());
+    // such that their mean forces differ too
+    const double grown = static_cast<double>(row + 1);
+    for (std::size_t i = 0; i < layout.walls.size(); ++i)
+        s.wall_impulse.push_back(grown * c.next3());
     for (std::size_t i = 0; i < layout.moving_walls.size(); ++i)
         s.moving_walls.push_back({c.next3(), c.next3()});
     for (std::size_t i = 0; i < layout.contacts.size(); ++i)
-        s.contacts.push_back({c.next3(), c.next(), c.next(), c.next()});
+        s.contacts.push_back({grown * c.next3(), c.next(), c.next(), c.next()});
     for (std::size_t i = 0; i < layout.history_nodes.size(); ++i) {
         s.node_coordinates.push_back(c.next3());
         s.node_velocity.push_back(c.next3());
     }
     return s;
+}
+
+/// Impulse per time since the sample of the row before; 0 in row 0.
+template <class Pick>
+Vec3 mean_since(const RecordLayout& layout, std::size_t row, Pick&& impulse) {
+    if (row == 0) return Vec3::Zero();
+    const Sample now = sample(layout, row), before = sample(layout, row - 1);
+    return (impulse(now) - impulse(before)) / (now.time - before.time);
+}
+inline Vec3 wall_force(const RecordLayout& layout, std::size_t row, std::size_t wall) {
+    return mean_since(layout, row, [=](const Sample& s) { return s.wall_impulse[wall]; });
+}
+inline Vec3 contact_force(const RecordLayout& layout, std::size_t row, std::size_t contact) {
+    return mean_since(layout, row, [=](const Sample& s) { return s.contacts[contact].impulse; });
 }
 
 inline Frame::Particles particles(std::size_t count, Counter& c) {
