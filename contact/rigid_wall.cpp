@@ -6,9 +6,10 @@
 
 namespace corpuscle::contact {
 
-RigidWall::RigidWall(const WallCard& card, const Curve* curve) : card_(card), curve_(curve) {
+RigidWall::RigidWall(const WallCard& card, const Curve* curve, double end_time) : card_(card) {
     const WallMotion& motion = card_.motion;
-    if (curve_ == nullptr)
+    if (curve != nullptr) curve_ = curve->continued_beyond(end_time - card_.birth);
+    if (!curve_)
         velocity_ = motion.speed * motion.direction;
     else if (motion.is_displacement)
         shift_ = next_shift_ = (*curve_)(0.0) * motion.direction;
@@ -34,14 +35,14 @@ void RigidWall::hold(const Points& x, std::span<const double> mass, double t, do
     }
     impulse_ = impulse;
     force_ = impulse / dt;
-    if (curve_ == nullptr) next_shift_ = shift_ + dt * velocity_;
+    if (!curve_) next_shift_ = shift_ + dt * velocity_;
 }
 
 /// Takes the place that the last step led to, and the velocity of the next one: exactly the way
 /// that a curve gives for it.
 void RigidWall::set_out(double t, double dt) {
     shift_ = next_shift_;
-    if (curve_ == nullptr) return;
+    if (!curve_) return;
     const WallMotion& motion = card_.motion;
     const double from = std::max(t - card_.birth, 0.0), to = std::max(t + dt - card_.birth, 0.0);
     double way = 0.0;

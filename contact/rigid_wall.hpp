@@ -34,8 +34,9 @@ struct WallBodies {
 /// w is the wall's velocity. A wall of mass M gets it from M w + sum m n·v = const.
 class RigidWall {
 public:
-    /// @param curve  of the card's motion; nullptr when it has none
-    explicit RigidWall(const WallCard& card, const Curve* curve = nullptr);
+    /// @param curve     of the card's motion; nullptr when it has none
+    /// @param end_time  of the run, beyond which a curve that reaches it goes on               [s]
+    explicit RigidWall(const WallCard& card, const Curve* curve = nullptr, double end_time = INF);
 
     /// Stops nodes, between the kick and the drift from t to t + dt, and moves the wall likewise.
     ///
@@ -109,7 +110,7 @@ private:
     [[nodiscard]] Vec3 rubbed(const Vec3& v, const Vec3& normal, double stop) const;
 
     WallCard card_;
-    const Curve* curve_;
+    std::optional<Curve> curve_;
     Vec3 shift_ = Vec3::Zero(), next_shift_ = Vec3::Zero();  ///< since the start, at t, t + dt [m]
     Vec3 velocity_ = Vec3::Zero();                           ///< [m/s]
     Vec3 velocity_before_ = Vec3::Zero();                    ///< in the last step         [m/s]

@@ -14,8 +14,9 @@ std::uint8_t directions(const Vec3& axis) {
 
 }  // namespace
 
-MotionCurve::MotionCurve(const PrescribedMotion& motion, const Curve& curve, double start_velocity)
-    : curve_(curve),
+MotionCurve::MotionCurve(const PrescribedMotion& motion, const Curve& curve, double start_velocity,
+                         double end_time)
+    : curve_(curve.continued_beyond(end_time)),
       kind_(motion.kind),
       scale_(motion.scale),
       birth_(motion.birth),
@@ -45,7 +46,8 @@ Constraints::Constraints(const Model& model) : held_(model.x.size(), 0) {
         const double start =
             motion.nodes.empty() ? 0.0 : model.velocity[motion.nodes.front()].dot(motion.axis);
         motions_.push_back(
-            {motion.nodes, motion.axis, MotionCurve(motion, model.curves[motion.curve], start)});
+            {motion.nodes, motion.axis,
+             MotionCurve(motion, model.curves[motion.curve], start, model.end_time)});
         if (motion.birth <= 0.0 && motion.death >= model.end_time)
             for (const Index node : motion.nodes) held_[node] |= directions(motion.axis);
     }

@@ -13,7 +13,9 @@ namespace corpuscle {
 /// A motion along one axis as the deck states it, turned into the velocity of a step.
 class MotionCurve {
 public:
-    MotionCurve(const PrescribedMotion& motion, const Curve& curve, double start_velocity);
+    /// @param end_time  of the run, beyond which a curve that reaches it goes on              [s]
+    MotionCurve(const PrescribedMotion& motion, const Curve& curve, double start_velocity,
+                double end_time);
 
     [[nodiscard]] bool is_active(double t) const { return t >= birth_ && t < death_; }
 

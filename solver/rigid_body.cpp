@@ -64,8 +64,9 @@ RigidBody::RigidBody(const Model& model, Index part, const std::vector<double>& 
         if (motion.rigid_part == part) {
             const double start =
                 motion.rotation ? spin().dot(motion.axis) : velocity_.dot(motion.axis);
-            motions_.push_back({motion.rotation, motion.axis,
-                                MotionCurve(motion, model.curves[motion.curve], start)});
+            motions_.push_back(
+                {motion.rotation, motion.axis,
+                 MotionCurve(motion, model.curves[motion.curve], start, model.end_time)});
         }
 }
 

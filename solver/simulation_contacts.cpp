@@ -74,7 +74,7 @@ void Simulation::build_walls() {
                             listed - card.nodes.size()));
         std::erase_if(card.nodes, [&](Index n) { return !(nodes_.mass[n] > 0.0) && !has_body(n); });
         const Index curve = card.motion.curve;
-        walls_.emplace_back(card, curve >= 0 ? &model_.curves[curve] : nullptr);
+        walls_.emplace_back(card, curve >= 0 ? &model_.curves[curve] : nullptr, model_.end_time);
     }
     wall_impulses_ = ImpulseBook(walls_.size());
 }

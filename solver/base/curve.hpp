@@ -55,6 +55,22 @@ struct Curve {
         return sum;
     }
 
+    /// The same up to `end`; one that ends there goes on beyond it along its last segment.
+    ///
+    /// For motions that a curve gives up to the end of a run: the step beyond it, which only the
+    /// last sample looks into, goes on as the one before. A curve that ends sooner stays.
+    [[nodiscard]] Curve continued_beyond(double end) const {
+        constexpr double ROUNDING = 1e-9;  // of times in decks
+        Curve on = *this;
+        const std::size_t n = x.size();
+        if (n < 2 || !(x[n - 1] > x[n - 2])) return on;
+        if (!(end > 0.0) || x[n - 1] < end * (1.0 - ROUNDING)) return on;
+        const double slope = (y[n - 1] - y[n - 2]) / (x[n - 1] - x[n - 2]);
+        on.x.push_back(x[n - 1] + end);  // further than any step
+        on.y.push_back(y[n - 1] + slope * end);
+        return on;
+    }
+
 private:
     /// Ordinate just after knot i: of the last knot at the same abscissa.
     [[nodiscard]] double after(std::size_t i) const {

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "solver/base/vec.hpp"
+
 using namespace corpuscle;
 
 TEST_CASE("a curve interpolates and keeps its end values", "[base][curve]") {
@@ -12,6 +14,20 @@ TEST_CASE("a curve interpolates and keeps its end values", "[base][curve]") {
     CHECK(curve(0.5) == 3.0);
     CHECK(curve(2.0) == 2.0);
     CHECK(curve(9.0) == 0.0);
+}
+
+TEST_CASE("a curve that reaches the end goes on along its last segment, one that does not stays",
+          "[base][curve]") {
+    const Curve curve{1, {0.0, 1.0, 3.0}, {2.0, 4.0, 0.0}};
+    const Curve on = curve.continued_beyond(GENERATE(3.0, 3.0 * (1.0 + 1e-12), 2.0));
+    for (const double at : {-1.0, 0.0, 0.3, 1.0, 2.9, 3.0}) CHECK(on(at) == curve(at));
+    CHECK(on(3.5) == Approx(-1.0));
+    CHECK(on.mean(2.0, 4.0) == Approx(0.0).margin(1e-12));
+    CHECK(curve.continued_beyond(3.01)(4.0) == 0.0);
+    CHECK(curve.continued_beyond(INF)(4.0) == 0.0);
+    const Curve jump{1, {0.0, 1.0, 1.0}, {2.0, 4.0, 0.0}}, point{1, {1.0}, {2.0}};
+    CHECK(jump.continued_beyond(1.0)(1.5) == 0.0);
+    CHECK(point.continued_beyond(1.0)(1.5) == 2.0);
 }
 
 TEST_CASE("integral and mean of a curve agree with a fine sum", "[base][curve]") {

@@ -77,6 +77,47 @@ TEST_CASE("prescribed motion carries nodes by the curve's integral", "[solver]")
     CHECK(simulation.active_shells() == 0);
 }
 
+TEST_CASE("what a curve drives to its end has no jerk in the last sample", "[solver]") {
+    const bool by_way = GENERATE(true, false);
+    // 3 m/s throughout, or speeding up by 2000 m/s^2
+    const Curve way{1, {0.0, 1e-3, 2e-3}, {0.0, 3e-3, 6e-3}}, speed{1, {0.0, 2e-3}, {3.0, 7.0}};
+    const double v_end = by_way ? 3.0 : 7.0, acceleration = by_way ? 0.0 : 2000.0;
+    fabric::RigidCard rigid;
+    rigid.density = 1000.0;
+    rigid.E = 1e9;
+    const bool is_body = GENERATE(true, false);
+    Model model = is_body ? scenes::of(shapes::box({1, 1, 1}, 1), rigid, 1e-3)
+                          : scenes::of(shapes::box({1, 1, 1}, 1), scenes::null_material(), 1e-3);
+    model.curves = {by_way ? way : speed};
+    PrescribedMotion motion;
+    if (is_body)
+        motion.rigid_part = 0;
+    else
+        motion.nodes = {0, 1};
+    motion.axis = Vec3::UnitY();
+    motion.curve = 0;
+    motion.kind = by_way ? MotionKind::DISPLACEMENT : MotionKind::VELOCITY;
+    model.motions = {motion};
+    contact::WallCard wall;
+    wall.shape = contact::HalfSpace{Vec3(0, 0, -9), Vec3::UnitZ()};
+    wall.motion.direction = Vec3::UnitZ();
+    wall.motion.curve = 0;
+    wall.motion.is_displacement = by_way;
+    model.walls = {wall};
+    model.history_nodes = {0};
+    model.end_time = 2e-3;
+    Simulation simulation(model);
+    while (!simulation.is_over()) simulation.step(nothing);
+    Sample end;
+    simulation.close([&](Simulation& at) { end = at.sample(); });
+    CHECK(end.moving_walls.at(0).velocity.z() == Approx(v_end).epsilon(1e-9));
+    CHECK(end.node_velocity.at(0).y() == Approx(v_end).epsilon(1e-9));
+    if (!is_body) return;
+    CHECK(end.rigid_bodies.at(0).velocity.y() == Approx(v_end).epsilon(1e-9));
+    CHECK(end.rigid_bodies.at(0).acceleration.y() ==
+          Approx(acceleration).epsilon(1e-6).margin(1e-3));
+}
+
 TEST_CASE("a flying bag and its gas keep their momentum and energy", "[solver][gas]") {
     Model model = flying_bag(2000);
     model.end_time = 3e-3;
