@@ -21,6 +21,7 @@ target_sources(corpuscle_io PRIVATE
     mesh_file.cpp
     mesh_weld.cpp
     progress.cpp
+    reserve.cpp
     results_file.cpp
     units.cpp
     xdmf.cpp)

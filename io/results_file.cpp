@@ -131,7 +131,11 @@ void fill_root(Hdf5Writer& file, const RunInfo& info, const std::string& termina
 }  // namespace
 
 ResultsFile::ResultsFile(fs::path folder, RunInfo info, const RecordLayout& layout)
-    : folder_(std::move(folder)), info_(std::move(info)), layout_(layout), history_(layout) {
+    : folder_(std::move(folder)),
+      info_(std::move(info)),
+      layout_(layout),
+      history_(layout),
+      reserve_(folder_ / "results.parts/reserve") {
     xdmf_.has_contact = !layout_.contacts.empty();
     clear_away();
     write_mesh();
@@ -141,7 +145,11 @@ ResultsFile::ResultsFile(fs::path folder, RunInfo info, const RecordLayout& layo
 
 ResultsFile::ResultsFile(fs::path folder, RunInfo info, const RecordLayout& layout,
                          StateReader& checkpoint)
-    : folder_(std::move(folder)), info_(std::move(info)), layout_(layout), history_(layout) {
+    : folder_(std::move(folder)),
+      info_(std::move(info)),
+      layout_(layout),
+      history_(layout),
+      reserve_(folder_ / "results.parts/reserve") {
     xdmf_.has_contact = !layout_.contacts.empty();
     checkpoint(*this);
     find_parts();
@@ -229,15 +237,29 @@ void ResultsFile::write(const Frame& frame) {
 void ResultsFile::flush() {
     const auto begin = Clock::now();
     write_version(Parts::LINKED);
+    std::error_code unknown;
+    if (const auto size = fs::file_size(folder_ / "results.h5", unknown); !unknown)
+        reserve_.hold_for(size);
     written_at_ = Clock::now();
     cost_ = written_at_ - begin;
 }
 
 void ResultsFile::finish(std::string_view termination) {
     termination_ = termination;
-    flush();  // should gathering fail for want of space, this version stands
+    reserve_.release();
+    write_version(Parts::LINKED);  // should gathering fail for want of space, this version stands
+    expect_room_to_gather();
     write_version(Parts::COPIED);
     fs::remove_all(folder_ / "results.parts");
+}
+
+/// HDF5 1.10 does not survive copying on to a disk that fills up meanwhile.
+void ResultsFile::expect_room_to_gather() const {
+    constexpr std::uint64_t SPARE = std::uint64_t{1} << 18;  // responses, and groups of its own
+    std::uint64_t size = fs::file_size(folder_ / "results.h5") + SPARE;
+    for (const fs::directory_entry& part : fs::directory_iterator(folder_ / "results.parts"))
+        size += part.file_size();
+    expect_room(folder_, size);
 }
 
 void ResultsFile::write_version(Parts parts) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/history_table.hpp"
+#include "io/reserve.hpp"
 #include "io/rigid_history.hpp"
 #include "io/xdmf.hpp"
 #include "solver/base/archive.hpp"
@@ -68,7 +69,9 @@ public:
     void write(const Frame& frame);
     /// What was appended survives a kill from now on.
     void flush();
-    /// The last version, all in one file. @param termination "normal" or "error: ..."
+    /// The last version, all in one file; on a full disk, before this throws, in the room that was
+    /// held for it: all histories and the reason, mesh and frames still in FOLDER/results.parts.
+    /// @param termination  "normal" or "error: ..."
     void finish(std::string_view termination);
 
 private:
@@ -78,6 +81,7 @@ private:
     void find_parts() const;
     void write_mesh();
     void write_version(Parts parts);
+    void expect_room_to_gather() const;
     [[nodiscard]] std::filesystem::path part_file(std::string_view name) const;
 
     std::filesystem::path folder_;
@@ -90,6 +94,7 @@ private:
     XdmfScene xdmf_;
     std::chrono::steady_clock::time_point written_at_;
     std::chrono::steady_clock::duration cost_{};  ///< of the last version
+    Reserve reserve_;
 };
 
 }  // namespace corpuscle::io

@@ -195,6 +195,19 @@ void advance_to_end(Simulation& simulation, Recorder& recorder, Keeper& keeper,
     simulation.close([&](Simulation& at_end) { recorder.observe(at_end, true); });
 }
 
+/// What a broken run leaves: its last state and why it ended, as far as the disk takes them.
+void leave(Simulation& simulation, io::ResultsFile& results, const char* why) {
+    const auto attempt = [](auto&& write) {
+        try {
+            write();
+        } catch (const std::exception& error) {
+            fmt::print(stderr, "corpuscle: {}\n", error.what());
+        }
+    };
+    attempt([&] { results.write(simulation.frame()); });
+    attempt([&] { results.finish(fmt::format("error: {}", why)); });
+}
+
 /// The checkpoint that a restart goes on from; none: from the beginning.
 std::optional<io::Checkpoint> checkpoint_for(const Simulation& simulation,
                                              const std::string& folder) {
@@ -262,8 +275,7 @@ int run(const RunArguments& arguments) {
     try {
         advance_to_end(simulation, recorder, keeper, progress);
     } catch (const std::exception& error) {
-        results.write(simulation.frame());
-        results.finish(fmt::format("error: {}", error.what()));
+        leave(simulation, results, error.what());
         progress.finish();
         fmt::print(stderr, "results so far: {}/results.h5\n", folder);
         throw;

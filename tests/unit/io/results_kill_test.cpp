@@ -1,11 +1,15 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
+#include <fcntl.h>
+#include <sched.h>
+#include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <csignal>
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <random>
@@ -168,4 +172,78 @@ TEST_CASE("a full disk is an error with its reason and leaves the last good vers
     const Hdf5Reader file(folder.path / "results.h5");
     CHECK(file.shape("/frames/time") == io::Shape{recovers ? 2U : 1U});
     CHECK(file.shape("/history/time") == io::Shape{recovers ? 100U : 1U});
+}
+
+namespace {
+
+constexpr int NO_DISK = 77;  ///< of a process that may not mount one
+
+/// A disk of this size that this process alone sees; false where the system does not allow that.
+bool mount_disk(const std::filesystem::path& at, const char* size) {
+    if (unshare(CLONE_NEWNS) != 0) {
+        const auto user = getuid();
+        if (unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0) return false;
+        std::ofstream("/proc/self/uid_map") << "0 " << user << " 1";
+    }
+    if (mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0) return false;
+    return mount("none", at.c_str(), "tmpfs", 0, (std::string("size=") + size).c_str()) == 0;
+}
+
+void fill_disk(const std::filesystem::path& file) {
+    const int out = open(file.c_str(), O_CREAT | O_WRONLY, 0600);
+    const std::string block(4096, '.');
+    while (write(out, block.data(), block.size()) > 0) {
+    }
+    close(out);
+}
+
+}  // namespace
+
+TEST_CASE("a disk that fills up during a run takes all histories and the reason", "[io]") {
+    const scene::Folder disk("disk"), kept("kept");
+    std::filesystem::create_directories(disk.path);
+    const Child child([&](const std::function<void()>&) {
+        if (!mount_disk(disk.path, "2m")) std::exit(NO_DISK);
+        const auto folder = disk.path / "bag.out";
+        const RecordLayout layout = scene::layout();
+        ResultsFile results(folder, scene::info(), layout);
+        results.append(scene::sample(layout, 0));
+        results.write(scene::frame(layout, 0, 6000));  // more than the room that is held
+        fill_disk(disk.path / "of_others");
+        for (std::size_t row = 1; row < 30; ++row) {
+            try {
+                results.append(scene::sample(layout, row));
+            } catch (const SystemError&) {  // on a slow day an append flushes
+            }
+        }
+        std::string reason;
+        try {
+            results.write(scene::frame(layout, 1, 2000));
+        } catch (const SystemError& error) {
+            reason = error.what();
+        }
+        try {
+            results.finish("error: " + reason);
+            reason += ", but gathered";
+        } catch (const SystemError& error) {
+            reason += error.what();
+        }
+        std::filesystem::copy(folder, kept.path, std::filesystem::copy_options::recursive);
+        const bool is_told =
+            reason.find("cannot") == 0 && reason.find("no room in") != std::string::npos;
+        std::exit(is_told ? 42 : 43);
+    });
+    const int status = child.wait();
+    if (status == NO_DISK) {
+        WARN("skipped: no disk may be mounted here");
+        return;
+    }
+    CHECK(status == 42);
+    const Hdf5Reader file(kept.path / "results.h5");
+    CHECK(file.shape("/history/time") == io::Shape{30});
+    CHECK_THAT(file.text("/", "termination"),
+               Catch::Contains("error: cannot") && Catch::Contains("No space left"));
+    CHECK(file.shape("/frames/time") == io::Shape{1});
+    CHECK(file.read<std::int32_t>("/mesh/node_id") == scene::layout().node_id);
+    CHECK(std::filesystem::exists(kept.path / "results.parts/mesh.h5"));
 }
