@@ -67,6 +67,10 @@ public:
     void append(const Sample& sample);
     /// One state for pictures, on the disk on return.
     void write(const Frame& frame);
+    /// Is the last frame one of this time?                                                    [s]
+    [[nodiscard]] bool has_frame_at(double t) const {
+        return !frame_times_.empty() && frame_times_.back() == t;
+    }
     /// What was appended survives a kill from now on.
     void flush();
     /// The last version, all in one file; on a full disk, before this throws, in the room that was

@@ -204,7 +204,8 @@ void leave(Simulation& simulation, io::ResultsFile& results, const char* why) {
             fmt::print(stderr, "corpuscle: {}\n", error.what());
         }
     };
-    attempt([&] { results.write(simulation.frame()); });
+    if (!results.has_frame_at(simulation.time()))
+        attempt([&] { results.write(simulation.frame()); });
     attempt([&] { results.finish(fmt::format("error: {}", why)); });
 }
 

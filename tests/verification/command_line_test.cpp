@@ -72,6 +72,17 @@ TEST_CASE("a bag that next to nothing holds back stops before its gas is lost", 
     CHECK_THAT(text, Contains("times the bag's size in one step"));
 }
 
+TEST_CASE("a run that breaks in its first step shows the start once", "[io]") {
+    const test::DeckFolder folder;
+    const auto deck =
+        folder.write("deck.k", balloon(CLOTH, "1e-4", "*INITIAL_VELOCITY_NODE\n1,1e9,0,0\n"));
+    const auto [status, text] = run(deck, "");
+    CHECK(status == 3);
+    CHECK_THAT(text, Contains("the physics broke at time 0:"));
+    const io::Hdf5Reader results(deck.string() + ".out/results.h5");
+    CHECK(results.read<double>("/frames/time") == std::vector<double>{0.0});
+}
+
 TEST_CASE("a bag that is not closed gets the line of its card", "[io]") {
     const test::DeckFolder folder;
     const auto deck = folder.write("deck.k", balloon(CLOTH, "1e-4", "", 3));
