@@ -111,7 +111,7 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
                std::uint64_t seed)
     : card_(card),
       walls_(std::move(walls)),
-      enclosure_(closing(walls_), x, node_id, name_of(card)),
+      enclosure_(closing(walls_), x, node_id, name_of(card) + ", SID1"),
       chambers_(card.chambers, walls_, enclosure_, node_id, x, name_of(card)),
       inflators_(card, curves, seed, enclosure_.volume(x)),
       mass_(particle_masses(inflators_)),
@@ -133,7 +133,7 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
     volume_ = enclosure_.volume(x);
     if (!(volume_ > 0.0))
         throw InputError(name_of(card) +
-                         ": the bag encloses no volume at the start, expected some: "
+                         ", SID1: the bag encloses no volume at the start, expected some: "
                          "particles have no place to enter");
     if (card.air && !card.air->is_particles) air_.emplace(*card.air, card.gas_constant, volume_);
     particles_.reserve(std::min(inflators_.particles() + inflators_.resident(), MOST_RESERVED));
@@ -146,9 +146,9 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
     std::vector<std::string> faults;
     for (std::size_t o = 0; o < orifices_.size(); ++o)
         if (const Vec3 at = orifices_.place(o, x); !enclosure_.contains(at, x))
-            faults.push_back(
-                fmt::format("{}: orifice {} at ({:g}, {:g}, {:g}) lies outside the bag",
-                            name_of(card), o + 1, at[0], at[1], at[2]));
+            faults.push_back(fmt::format(
+                "{}, NID of orifice {}: ({:g}, {:g}, {:g}) lies outside the bag, expected inside",
+                name_of(card), o + 1, at[0], at[1], at[2]));
     if (!chambers_.empty() && !card.heat.empty() && card.switch_at < card.all_in)
         faults.push_back(name_of(card) +
                          ": HCONV of a bag with chambers (CHM) that goes over to uniform pressure "

@@ -87,26 +87,27 @@ void Openings::add_vent(const BagWalls& walls, const VentCard& vent, Index row) 
         const Index part = walls.part_rows[walls.part[f]];
         if (std::find(vent.parts.begin(), vent.parts.end(), part) == vent.parts.end()) continue;
         if (gates_.of_facet[f] >= 0)
-            throw InputError(
-                fmt::format("{}: part {} is a vent twice", name_, walls.part_ids[walls.part[f]]));
+            throw InputError(fmt::format("{}, SID3: part {} is a vent twice", name_,
+                                         walls.part_ids[walls.part[f]]));
         gates_.of_facet[f] = gate;
         opening.facets.push_back(static_cast<Index>(f));
     }
     if (opening.facets.empty())
-        throw InputError(fmt::format("{}: vent {} has no shell in the bag", name_, row + 1));
+        throw InputError(
+            fmt::format("{}, SID3 of vent {}: no shell of it is in the bag", name_, row + 1));
     opening.is_internal = static_cast<std::size_t>(opening.facets.back()) >= walls.closing;
     if (opening.is_internal != (static_cast<std::size_t>(opening.facets[0]) >= walls.closing))
         throw InputError(
-            fmt::format("{}: vent {} has shells that close the bag and internal ones, "
+            fmt::format("{}, SID3 of vent {}: shells that close the bag and internal ones, "
                         "expected one kind",
                         name_, row + 1));
     if (opening.is_internal && vent.is_isentropic)
-        throw InputError(
-            fmt::format("{}: vent {} is internal, expected a plain one: it passes gas "
-                        "both ways",
-                        name_, row + 1));
+        throw InputError(fmt::format(
+            "{}, SID3 of vent {}: internal with ENH_V, expected a plain one: it passes gas "
+            "both ways",
+            name_, row + 1));
     if (opening.is_internal && most(vent) > 1.0)
-        throw InputError(fmt::format("{}: vent {} is internal and has C23 = {:g}, expected 0 to 1",
+        throw InputError(fmt::format("{}, C23 of vent {}: {:g} of an internal one, expected 0 to 1",
                                      name_, row + 1, most(vent)));
     openings_.push_back(std::move(opening));
     // What leaves presses on the air outside, not on the hole: its share of a bounce is set with

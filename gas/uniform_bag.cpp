@@ -30,7 +30,7 @@ UniformBag::UniformBag(const UniformBagCard& card, BagWalls walls, std::span<con
                        std::span<const int> node_id, const Points& x)
     : card_(card),
       walls_(std::move(walls)),
-      enclosure_(walls_.triangles, x, node_id, name_of(card)),
+      enclosure_(walls_.triangles, x, node_id, name_of(card) + ", SID"),
       curves_(curves.begin(), curves.end()),
       gas_({species_of(card)}),
       area_(x.size(), Vec3::Zero()) {

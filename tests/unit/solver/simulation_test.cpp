@@ -174,3 +174,11 @@ TEST_CASE("a bag that is not closed is refused with its free edges", "[solver][g
     model.shells.pop_back();
     CHECK_THROWS_AS(Simulation(model), InputError);
 }
+
+TEST_CASE("an orifice outside its bag is refused by its field", "[solver][gas]") {
+    Model model = scenes::of(shapes::box({1, 1, 1}, 1), scenes::null_material(), 1e-3);
+    scenes::fix_all_nodes(model);
+    scenes::fill(model, scenes::air(), 0.1, 0.01, 400.0, Vec3(0.5, 0.5, 1.5), 100);
+    CHECK_THROWS_WITH(Simulation(model),
+                      Catch::Contains("*AIRBAG_PARTICLE 1, NID of orifice 1: (0.5, 0.5, 1.5)"));
+}
