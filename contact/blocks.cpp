@@ -11,7 +11,7 @@ namespace corpuscle::contact {
 namespace {
 
 constexpr float HUGE_F = std::numeric_limits<float>::infinity();
-constexpr std::size_t CHUNK = 64;  ///< blocks
+constexpr std::size_t CHUNK = 8;  ///< patches
 
 std::array<float, 3> single(const Vec3& p, const Vec3& origin) {
     return {static_cast<float>(p.x() - origin.x()), static_cast<float>(p.y() - origin.y()),
@@ -113,27 +113,32 @@ Blocks<CORNERS>::Blocks(const Cloth& cloth)
 }
 
 template <int CORNERS>
-void Blocks<CORNERS>::move(const Outline& outline) {
-    const auto place = [&](std::size_t b) {
-        Block& block = block_[b];
-        for (int lane = 0; lane < EIGHT; ++lane) {
-            if (block.triangle[lane] < 0) continue;
-            double own = 0.0;
-            for (int c = 0; c < CORNERS; ++c) {
-                const Index node = block.node[lane][c];
-                const auto now = single(outline.x[node], outline.origin),
-                           late = single(outline.late[node], outline.origin);
-                for (int k = 0; k < 3; ++k) {
-                    block.moving.now[c][k][lane] = now[k];
-                    block.moving.late[c][k][lane] = late[k];
-                }
-                own = std::max(own, outline.own[node]);
-            }
-            block.margin[lane] =
-                static_cast<float>(outline.margin[block.triangle[lane]] + own + outline.rounding);
-        }
+void Blocks<CORNERS>::move(std::span<const Index> patches, const Outline& outline) {
+    const auto place_all = [&](std::size_t i) {
+        for (Index b = start_[patches[i]]; b < start_[patches[i] + 1]; ++b)
+            place(block_[b], outline);
     };
-    parallel::for_each(block_.size(), place, CHUNK);
+    parallel::for_each(patches.size(), place_all, CHUNK);
+}
+
+template <int CORNERS>
+void Blocks<CORNERS>::place(Block& block, const Outline& outline) const {
+    for (int lane = 0; lane < EIGHT; ++lane) {
+        if (block.triangle[lane] < 0) continue;
+        double own = 0.0;
+        for (int c = 0; c < CORNERS; ++c) {
+            const Index node = block.node[lane][c];
+            const auto now = single(outline.x[node], outline.origin),
+                       late = single(outline.late[node], outline.origin);
+            for (int k = 0; k < 3; ++k) {
+                block.moving.now[c][k][lane] = now[k];
+                block.moving.late[c][k][lane] = late[k];
+            }
+            own = std::max(own, outline.own[node]);
+        }
+        block.margin[lane] =
+            static_cast<float>(outline.margin[block.triangle[lane]] + own + outline.rounding);
+    }
 }
 
 template <int CORNERS>
@@ -150,17 +155,21 @@ void Blocks<CORNERS>::bound(Index b, const Outline& outline) {
 }
 
 template <int CORNERS>
-void Blocks<CORNERS>::set_bounds(const Outline& outline) {
-    parallel::for_each(
-        block_.size(), [&](std::size_t b) { bound(static_cast<Index>(b), outline); }, CHUNK);
-    for (std::size_t p = 0; p + 1 < start_.size(); ++p) {
-        Bounds of_patch = EightBounds()[0];
+void Blocks<CORNERS>::set_bounds(std::span<const Index> patches, const Outline& outline) {
+    std::fill(patches_.begin(), patches_.end(), EightBounds());
+    const auto bound_all = [&](std::size_t i) {
+        const Index p = patches[i];
         for (Index b = start_[p]; b < start_[p + 1]; ++b) {
             const Index at = b - start_[p];
-            const Bounds& all = block_[b].whole;
-            group_[group_start_[p] + at / EIGHT].set(at % EIGHT, all);
-            of_patch.include(all);
+            bound(b, outline);
+            group_[group_start_[p] + at / EIGHT].set(at % EIGHT, block_[b].whole);
         }
+    };
+    parallel::for_each(patches.size(), bound_all, CHUNK);
+    for (const Index p : patches) {
+        Bounds of_patch = EightBounds()[0];
+        for (Index g = group_start_[p]; g < group_start_[p + 1]; ++g)
+            of_patch.include(group_[g].all());
         set_patch(p, of_patch);
     }
 }

@@ -76,10 +76,10 @@ public:
 
     explicit Blocks(const Cloth& cloth);
 
-    /// Takes all places anew.
-    void move(const Outline& outline);
-    /// Takes all boxes anew.
-    void set_bounds(const Outline& outline);
+    /// Takes all places of some patches anew.
+    void move(std::span<const Index> patches, const Outline& outline);
+    /// Takes all their boxes anew; those of all other patches overlap with nothing.
+    void set_bounds(std::span<const Index> patches, const Outline& outline);
     /// Takes a block's box anew; those that hold it only grow.
     void renew_bounds(Index block, const Outline& outline);
 
@@ -111,6 +111,7 @@ public:
 
 private:
     struct Item;
+    void place(Block& block, const Outline& outline) const;
     void bound(Index block, const Outline& outline);
     void set_patch(std::size_t patch, const Bounds& box) {
         patches_[patch / EIGHT].set(static_cast<int>(patch % EIGHT), box);

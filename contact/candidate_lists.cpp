@@ -17,6 +17,9 @@ namespace {
 /// candidates a triangle at most, and in folded cloth.
 constexpr double SWEEP_OPEN = 0.25, SWEEP_FOLDED = 0.5;
 constexpr std::size_t OPEN = 8;
+/// Steps for which patches have room to move: in open cloth; more than lists have lived, in folded.
+constexpr std::size_t FEW = 2;  ///< candidates a triangle, in open cloth
+constexpr double ROOM = 28.0, MORE_ROOM = 1.25;
 constexpr std::size_t CHUNK = 8;  ///< patch pairs; some thousand triangle pairs
 /// Chunks whose findings wait at once to be put together: memory that the list has no more use for.
 constexpr std::size_t ROUND = 64;
@@ -32,7 +35,8 @@ void Candidates::start(const Points& x, const Points& v, double t, double dt,
 
 void Candidates::admit(const Points& x, const Points& v, double t, double dt,
                        std::span<const std::uint8_t> is_on) {
-    motion_.foresee(x, v, dt);
+    patches_.start(x);
+    patches_.foresee(v, dt);
     bar_all_crossing(x);
     build(x, v, t, dt);
     meet_gently(x, t, is_on);
@@ -66,7 +70,9 @@ void Candidates::meet_gently(const Points& x, double t, std::span<const std::uin
 
 void Candidates::build(const Points& x, const Points& v, double t, double dt) {
     set_budget(dt);
-    motion_.restart(x, budget_);
+    const bool is_sparse = list_.size() <= FEW * cloth_.triangles.size();
+    patches_.find(x, is_sparse ? ROOM : MORE_ROOM * life_ / dt);
+    motion_.restart(x, v, budget_);
     motion_.foresee(x, v, dt);
     life_ = steps_ * dt;
     const double fastest = motion_.fastest();
@@ -91,8 +97,9 @@ void Candidates::build(const Points& x, const Points& v, double t, double dt) {
 
 /// Boxes of what nodes may reach; of two things that may come within reach they overlap.
 void Candidates::set_boxes(const Points& x) {
-    parallel::for_each(x.size(),
-                       [&](std::size_t n) { set_node_box(static_cast<Index>(n), x[n], life_); });
+    const auto& nodes = patches_.pieces().nodes;
+    parallel::for_each(nodes.size(),
+                       [&](std::size_t i) { set_node_box(nodes[i], x[nodes[i]], life_); });
 }
 
 /// @param time  for which the node is predicted [s]
@@ -106,13 +113,14 @@ void Candidates::set_node_box(Index node, const Vec3& from, double time) {
 /// Where nodes are predicted to be after so long.
 void Candidates::find_late(const Points& x, double time) {
     late_.resize(x.size());
-    parallel::for_each(x.size(), [&](std::size_t n) {
-        late_[n] = x[n] + time * motion_.velocity(static_cast<Index>(n));
+    const auto& nodes = patches_.pieces().nodes;
+    parallel::for_each(nodes.size(), [&](std::size_t i) {
+        late_[nodes[i]] = x[nodes[i]] + time * motion_.velocity(nodes[i]);
     });
 }
 
 void Candidates::list_pairs(const Points& x) {
-    const auto pairs = search_.patch_pairs();
+    const auto pairs = patches_.pairs();
     chunks_.resize(std::max(chunks_.size(), ROUND));
     const Outlook ahead{x, life_, true};
     std::size_t first = 0;

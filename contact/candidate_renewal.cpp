@@ -67,8 +67,9 @@ void Candidates::list_renewed_pairs(const Points& x) {
     const double rest_of_life = life_ - motion_.age();
     for (const Index n : strayed_) set_node_box(n, motion_.predicted(n), rest_of_life);
     predicted_.resize(x.size());
-    parallel::for_each(
-        x.size(), [&](std::size_t n) { predicted_[n] = motion_.predicted(static_cast<Index>(n)); });
+    const auto& nodes = patches_.pieces().nodes;
+    parallel::for_each(nodes.size(),
+                       [&](std::size_t i) { predicted_[nodes[i]] = motion_.predicted(nodes[i]); });
     find_late(predicted_, rest_of_life);
     search_.renew(renewed_, predicted_, late_, node_box_, own_);
 

@@ -20,23 +20,37 @@ constexpr double LEAST_LIFE = 2.0, GREATEST_LIFE = 100.0;  ///< of the lists, in
 constexpr double MOST_STRAYED = 0.02;  ///< part of the nodes that is predicted anew by itself
 constexpr double ADAPTATION = 1.25;  ///< by which budget and life change from one build to the next
 
+/// Half the gap that matters, by triangle: the greatest of all cards that hold for it.     [m]
+std::vector<double> margins(const Cloth& cloth, double reach) {
+    std::vector<double> margin(cloth.triangles.size(), 0.0);
+    for (std::size_t c = 0; c < cloth.thickness.size(); ++c)
+        for (std::size_t t = 0; t < margin.size(); ++t)
+            if (cloth.rules.concerns(static_cast<int>(c), cloth.part[t]))
+                margin[t] = std::max(margin[t], 0.5 * reach * cloth.thickness[c][t]);
+    return margin;
+}
+
 }  // namespace
 
 Candidates::Candidates(const Cloth& cloth, double reach)
     : cloth_(cloth),
       reach_(reach),
-      motion_(cloth),
-      search_(cloth, reach),
+      patches_(cloth, margins(cloth, reach)),
+      motion_(cloth, patches_.pieces()),
+      search_(cloth, margins(cloth, reach), patches_.pieces()),
       budget_(cloth.greatest_thickness),
       node_box_(cloth.inverse_mass.size()),
       own_(node_box_.size(), 0.0) {}
 
 void Candidates::foresee(const Points& x, const Points& v, double t, double dt) {
+    patches_.foresee(v, dt);
     motion_.foresee(x, v, dt);
-    if (motion_.age() + dt > life_) return build(x, v, t, dt);
+    const bool is_over = !patches_.pieces().nodes.empty() && motion_.age() + dt > life_;
+    if (is_over || !patches_.holds(x)) return build(x, v, t, dt);
     if (motion_.stray() <= budget_) return;
     motion_.list_strayed(budget_, strayed_);
-    if (static_cast<double>(strayed_.size()) > MOST_STRAYED * static_cast<double>(x.size()))
+    if (static_cast<double>(strayed_.size()) >
+        MOST_STRAYED * static_cast<double>(patches_.pieces().nodes.size()))
         return build(x, v, t, dt);
     renew(x);
     motion_.foresee(x, v, dt);

@@ -12,6 +12,7 @@
 #include "contact/distance.hpp"
 #include "contact/motion.hpp"
 #include "contact/near_search.hpp"
+#include "contact/patch_pairs.hpp"
 #include "contact/watch_list.hpp"
 
 namespace corpuscle::contact {
@@ -28,8 +29,9 @@ struct PairMemory {
 
 /// Pairs that are near enough to be looked at.
 ///
-/// Lists are built from FCL's patch pairs for what is ahead: each patch sweeps on as it moves, and
-/// may stray from that within a budget. They live until that time is over. A few nodes that are
+/// Patches that cannot meet are left alone. Of the others, lists are built for what is ahead: each
+/// node flies on as it moves, and may stray from that within a budget. They live until that time is
+/// over. A few nodes that are
 /// about to overspend are predicted anew, and their pairs alone are listed again; only when many
 /// are, all is. Between builds a pair is looked at only when the motion since could have brought it
 /// within reach: a sum of two numbers tells.
@@ -50,7 +52,10 @@ public:
                std::span<const std::uint8_t> is_on);
 
     /// Follows the cloth to x.
-    void follow(const Points& x, double t) { motion_.follow(x, t); }
+    void follow(const Points& x, double t) {
+        patches_.follow(x);
+        motion_.follow(x, t);
+    }
 
     /// Makes sure that the lists hold all pairs that can meet in the step ahead, from x to x + dt
     /// v.
@@ -111,6 +116,8 @@ public:
     [[nodiscard]] const std::vector<std::pair<Index, Index>>& close_starts() const {
         return close_starts_;
     }
+    /// Triangles that are searched: those of all patches that may meet.
+    [[nodiscard]] std::size_t searched() const { return patches_.pieces().triangles.size(); }
     [[nodiscard]] std::size_t builds() const { return builds_; }
     /// Times that the pairs of a few nodes were listed anew.
     [[nodiscard]] std::size_t renewals() const { return renewals_; }
@@ -118,9 +125,9 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(motion_, budget_, steps_, life_, list_, watch_, memories_, parted_accounts_,
-                crossing_, close_starts_, was_on_, barred_, builds_, renewals_, dead_, node_box_,
-                own_, search_);
+        archive(patches_, motion_, budget_, steps_, life_, list_, watch_, memories_,
+                parted_accounts_, crossing_, close_starts_, was_on_, barred_, builds_, renewals_,
+                dead_, node_box_, own_, search_);
     }
 
 private:
@@ -187,6 +194,7 @@ private:
 
     const Cloth& cloth_;
     double reach_;
+    PatchPairs patches_;
     Motion motion_;
     NearSearch search_;
     double budget_;              ///< stray at which the lists are spent             [m]

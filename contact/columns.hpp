@@ -44,6 +44,7 @@ public:
     /// order. List: ContactList, const or not, as it was sorted.
     template <class List, class Body>
     void for_each(List& contacts, Body&& body) const {
+        if (order_.empty()) return;
         for_each([&](std::size_t column) {
             for (std::size_t i = start_[column]; i < start_[column + 1]; ++i)
                 body(contacts.chunk(order_[i].chunk)[order_[i].row]);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #ifdef __AVX__
@@ -37,6 +38,16 @@ inline Eight least_of(const Eight& a, const Eight& b) {
 }
 inline Eight greatest_of(const Eight& a, const Eight& b) {
     return a > b ? a : b;
+}
+
+inline Eight roots_of(const Eight& a) {
+#ifdef __AVX__
+    return _mm256_sqrt_ps(a);
+#else
+    Eight out;
+    for (int l = 0; l < EIGHT; ++l) out[l] = std::sqrt(a[l]);
+    return out;
+#endif
 }
 
 /// A number between 0 and 1; NaN becomes 0.

@@ -28,6 +28,7 @@ void Impulses::apply(double span, double dt, ContactList& contacts, Columns& col
                      Candidates& pairs, Movement& motion) {
     for (ImpulseBooks& book : books_) book.given.setZero();
     book_kick(span, contacts, pairs, motion);
+    if (contacts.chunks() == 0) return;
     share_debt(contacts, columns);
     on_body_.clear();
     columns.for_each(contacts, [&](Contact& c) {

@@ -18,13 +18,14 @@ template <class Value>
 Vec3 mean_over(const std::vector<Index>& nodes, Value&& value) {
     const auto term = [&](std::size_t i) -> Vec3 { return value(nodes[i]); };
     return parallel::sum(nodes.size(), Vec3(Vec3::Zero()), term) /
-           static_cast<double>(nodes.size());
+           static_cast<double>(std::max<std::size_t>(1, nodes.size()));
 }
 
 }  // namespace
 
-Motion::Motion(const Cloth& cloth)
+Motion::Motion(const Cloth& cloth, const Pieces& pieces)
     : cloth_(cloth),
+      pieces_(pieces),
       velocity_(cloth.inverse_mass.size(), Vec3::Zero()),
       relative_(velocity_),
       way_(cloth.triangles.size(), 0.0),
@@ -32,9 +33,7 @@ Motion::Motion(const Cloth& cloth)
       node_stepped_(velocity_.size(), 0.0),
       node_ahead_(velocity_.size(), 0.0),
       slack_(velocity_.size(), 1.0),
-      strays_(velocity_.size(), 0.0) {
-    chunk_stray_.resize(parallel::chunk_count(cloth_.nodes.size()), 0.0);
-}
+      strays_(velocity_.size(), 0.0) {}
 
 void Motion::start(const Points& x, double t) {
     base_ = last_ = x;
@@ -45,28 +44,29 @@ void Motion::follow(const Points& x, double t) {
     const double dt = t - t_;
     age_ += dt;
     t_ = t;
-    const Vec3 common = mean_over(cloth_.nodes, [&](Index n) -> Vec3 { return x[n] - last_[n]; });
+    const Vec3 common = mean_over(pieces_.nodes, [&](Index n) -> Vec3 { return x[n] - last_[n]; });
     common_ += common;
-    parallel::for_each(cloth_.nodes.size(), [&](std::size_t i) {
-        const Index n = cloth_.nodes[i];
+    parallel::for_each(pieces_.nodes.size(), [&](std::size_t i) {
+        const Index n = pieces_.nodes[i];
         node_stepped_[n] = (x[n] - last_[n] - common - dt * velocity_[n]).norm();
         last_[n] = x[n];
     });
-    parallel::for_each(way_.size(), [&](std::size_t triangle) {
+    parallel::for_each(pieces_.triangles.size(), [&](std::size_t i) {
+        const Index triangle = pieces_.triangles[i];
         const auto& [a, b, c] = cloth_.triangles[triangle];
         way_[triangle] += std::max({node_stepped_[a], node_stepped_[b], node_stepped_[c]});
     });
 }
 
 void Motion::foresee(const Points& x, const Points& v, double dt) {
-    const Vec3 common = mean_over(cloth_.nodes, [&](Index n) -> Vec3 { return v[n]; });
+    const Vec3 common = mean_over(pieces_.nodes, [&](Index n) -> Vec3 { return v[n]; });
     const Vec3 moved = common_ + dt * common;
     std::vector<double>& strays = chunk_stray_;
-    std::fill(strays.begin(), strays.end(), 0.0);
+    strays.assign(std::max<std::size_t>(1, parallel::chunk_count(pieces_.nodes.size())), 0.0);
     parallel::for_chunks(
-        cloth_.nodes.size(), [&](std::size_t begin, std::size_t end, std::size_t c) {
+        pieces_.nodes.size(), [&](std::size_t begin, std::size_t end, std::size_t c) {
             for (std::size_t i = begin; i < end; ++i) {
-                const Index n = cloth_.nodes[i];
+                const Index n = pieces_.nodes[i];
                 relative_[n] = v[n] - common;
                 node_ahead_[n] = dt * relative_[n].norm();
                 const Vec3 predicted = base_[n] + moved + (age_ + dt) * velocity_[n];
@@ -75,7 +75,8 @@ void Motion::foresee(const Points& x, const Points& v, double dt) {
             }
         });
     stray_ = *std::max_element(strays.begin(), strays.end());
-    parallel::for_each(way_ahead_.size(), [&](std::size_t triangle) {
+    parallel::for_each(pieces_.triangles.size(), [&](std::size_t i) {
+        const Index triangle = pieces_.triangles[i];
         const auto& [a, b, c] = cloth_.triangles[triangle];
         way_ahead_[triangle] =
             way_[triangle] + std::max({node_ahead_[a], node_ahead_[b], node_ahead_[c]});
@@ -84,13 +85,13 @@ void Motion::foresee(const Points& x, const Points& v, double dt) {
 
 double Motion::fastest() const {
     double square = 0.0;
-    for (const Index n : cloth_.nodes) square = std::max(square, velocity_[n].squaredNorm());
+    for (const Index n : pieces_.nodes) square = std::max(square, velocity_[n].squaredNorm());
     return std::sqrt(square);
 }
 
 void Motion::list_strayed(double budget, std::vector<Index>& out) const {
     out.clear();
-    for (const Index n : cloth_.nodes)
+    for (const Index n : pieces_.nodes)
         if (strays_[n] > budget * slack_[n]) out.push_back(n);
 }
 
@@ -102,14 +103,16 @@ void Motion::renew(std::span<const Index> nodes, const Points& x) {
     }
 }
 
-void Motion::restart(const Points& x, double budget) {
-    for (const Index n : cloth_.nodes) {
+void Motion::restart(const Points& x, const Points& v, double budget) {
+    const Vec3 common = mean_over(pieces_.nodes, [&](Index n) -> Vec3 { return v[n]; });
+    for (const Index n : pieces_.nodes) {
         slack_[n] = strays_[n] > USED * budget * slack_[n]
                         ? std::min(MOST_SLACK, MORE_SLACK * slack_[n])
                         : std::max(1.0, LESS_SLACK * slack_[n]);
-        base_[n] = x[n];
-        velocity_[n] = relative_[n];
+        base_[n] = last_[n] = x[n];
+        velocity_[n] = relative_[n] = v[n] - common;
     }
+    std::fill(strays_.begin(), strays_.end(), 0.0);
     common_.setZero();
     age_ = stray_ = 0.0;
 }

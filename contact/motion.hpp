@@ -6,14 +6,16 @@
 #include <vector>
 
 #include "contact/cloth.hpp"
+#include "contact/patch_pairs.hpp"
 
 namespace corpuscle::contact {
 
-/// How the cloth moves, as bounds. Motion that all of it has in common is left out of everything,
-/// so a bag that flies freely spends nothing.
+/// How the cloth that is searched moves, as bounds. Motion that all of it has in common is left out
+/// of everything, so a bag that flies freely spends nothing.
 class Motion {
 public:
-    explicit Motion(const Cloth& cloth);
+    /// @param pieces  what is searched; may change at a restart
+    Motion(const Cloth& cloth, const Pieces& pieces);
 
     /// Starts at x and t.
     void start(const Points& x, double t);
@@ -24,9 +26,9 @@ public:
     /// Looks at the step ahead, from x to x + dt v.
     void foresee(const Points& x, const Points& v, double dt);
 
-    /// Predicts from x on: each node keeps the velocity that was foreseen, less that of all. Nodes
-    /// that have used much of their part of the budget get more of it, others less.
-    void restart(const Points& x, double budget);
+    /// Predicts from x on: each node keeps its velocity, less that of all. Nodes that have used
+    /// much of their part of the budget get more of it, others less.
+    void restart(const Points& x, const Points& v, double budget);
 
     /// Predicts some nodes anew, from x on as they were foreseen last; they get more slack.
     void renew(std::span<const Index> nodes, const Points& x);
@@ -69,6 +71,7 @@ public:
 
 private:
     const Cloth& cloth_;
+    const Pieces& pieces_;
     Points base_, last_;          ///< positions at the restart and at the last call, N × 3   [m]
     Points velocity_, relative_;  ///< predicted, and ahead; less that of all, N × 3          [m/s]
     Vec3 common_ = Vec3::Zero();  ///< mean displacement of all since the restart             [m]

@@ -88,7 +88,10 @@ public:
     /// Gives a node an impulse; returns the work that what is held does thereby.           [J]
     double push(Index node, const Vec3& impulse);
     /// Gives a node that is no body's a velocity.
-    void set(Index node, const Vec3& velocity) { v_[node] = velocity; }
+    void set(Index node, const Vec3& velocity) {
+        has_changed_ = true;
+        v_[node] = velocity;
+    }
     /// Joins a node to a body's place where it is: an impulse that leaves no velocity between them.
     struct Joined {
         double taken = 0.0;      ///< energy                                               [J]
@@ -98,6 +101,8 @@ public:
 
     /// Hands what bodies have taken to their nodes' v.
     void settle();
+    /// Whether any velocity has.
+    [[nodiscard]] bool has_changed() const { return has_changed_; }
     [[nodiscard]] const Points& v() const { return v_; }
     [[nodiscard]] const Points& x() const { return x_; }
     [[nodiscard]] std::span<const RigidMover> bodies() const { return bodies_; }
@@ -107,6 +112,7 @@ private:
     const Points& x_;
     Points& v_;
     std::span<RigidMover> bodies_;
+    bool has_changed_ = false;
 };
 
 }  // namespace corpuscle::contact

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contact/blocks.hpp"
-#include "contact/broad_phase.hpp"
+#include "contact/patch_pairs.hpp"
 #include "contact/shared_nodes.hpp"
 
 namespace corpuscle::contact {
@@ -23,13 +23,14 @@ struct Distances {
     double now, late;
 };
 
-/// Which nodes and triangles, and which edges, may come near to each other until late: FCL pairs
-/// patches of cloth by their boxes, blocks of eight by theirs; then eight pairs at once are looked
-/// at along the line between their nearest places. In single precision, on the safe side.
+/// Which nodes and triangles, and which edges, of two patches of cloth may come near to each other
+/// until late: blocks of eight are paired by their boxes; then eight pairs at once are looked at
+/// along the line between their nearest places. In single precision, on the safe side.
 class NearSearch {
 public:
-    /// @param reach  gap below which pairs matter, in contact thicknesses
-    NearSearch(const Cloth& cloth, double reach);
+    /// @param margin  by triangle: its part of the gap that matters                        [m]
+    /// @param pieces  what is searched; may change at a build
+    NearSearch(const Cloth& cloth, std::vector<double> margin, const Pieces& pieces);
 
     /// Takes the cloth anew.
     /// @param x, late    where each node is predicted to be, now and late, N × 3            [m]
@@ -38,13 +39,10 @@ public:
     void build(const Points& x, const Points& late, std::span<const Box> node_box,
                std::span<const double> own);
 
-    /// Takes some triangles anew, with all that they own; the others' boxes and the pairs of
-    /// patches stay as they are. All places are taken anew.
+    /// Takes some triangles anew, with all that they own; the others' boxes stay as they are. All
+    /// places are taken anew.
     void renew(std::span<const Index> triangles, const Points& x, const Points& late,
                std::span<const Box> node_box, std::span<const double> own);
-
-    /// Patch pairs p <= q that may touch, sorted, each patch also with itself.
-    [[nodiscard]] std::span<const std::pair<Index, Index>> patch_pairs() const { return pairs_; }
 
     /// Each pair between a pair of patches once: edges(Piece, Piece, Distances) and node(Piece,
     /// triangle, Distances). None has a node in common.
@@ -141,22 +139,14 @@ private:
         }
     }
 
-    void find_half_reach(double reach);
     void find_rounding(std::span<const Box> node_box);
-    void pair_patches();
-    [[nodiscard]] bool may_touch(Index p, Index q) const;
 
-    const Cloth& cloth_;
-    std::size_t patches_;
-    std::vector<double> half_reach_;  ///< by triangle                                     [m]
+    const Pieces& pieces_;
+    std::vector<double> margin_;  ///< by triangle                                         [m]
     Blocks<1> nodes_;
     Blocks<2> edges_;
     Blocks<3> triangles_;
     SharedNodes edges_by_edges_, nodes_by_triangles_, triangles_by_nodes_;
-    std::vector<Index> patch_part_, patch_body_;  ///< that a whole patch is of, or -1
-    BroadPhase tree_;
-    std::vector<Box> patch_box_;
-    std::vector<std::pair<Index, Index>> pairs_;
     Vec3 origin_ = Vec3::Zero();  ///< of single precision                                    [m]
     double rounding_ = 0.0;       ///< of that, at most                                       [m]
     bool knows_boxes_ = false;    ///< not after a restart

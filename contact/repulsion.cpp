@@ -75,6 +75,7 @@ void Repulsion::set_stiffness(const Points& x, std::span<const RigidMover> bodie
 
 void Repulsion::find(double dt, const Points& x, std::span<const RigidMover> bodies,
                      const OwnRates& own, const Columns& columns, ContactList& contacts) {
+    if (columns.size() == 0) return;
     count_sharers(columns, contacts);
     share_limits(dt, own);
     contacts.for_each_apart([&](Contact& c) {

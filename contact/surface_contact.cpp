@@ -100,9 +100,8 @@ void SurfaceContact::find(const Points& x, const Points& v, double t, double dt,
                           std::span<const RigidMover> bodies) {
     State& s = *state_;
     s.contacts.clear(0);
-    s.columns.sort(s.contacts);
     const bool is_born = s.look_at_cards(t);
-    if (!s.any_on()) return;
+    if (!s.any_on()) return s.columns.sort(s.contacts);
     if (!s.is_started) {
         s.look.set_growth(GROWTH_STEPS * dt);
         s.is_started = true;
@@ -112,8 +111,10 @@ void SurfaceContact::find(const Points& x, const Points& v, double t, double dt,
         if (is_born) s.pairs.admit(x, v, t, dt, s.is_on);
     }
     s.counts.close_starts = s.pairs.close_starts().size();
-    s.columns.lay(x);
-    s.look.find({x, v, t, bodies, s.is_on, s.most}, s.columns, s.pairs, s.contacts);
+    if (s.pairs.size() > 0) {
+        s.columns.lay(x);
+        s.look.find({x, v, t, bodies, s.is_on, s.most}, s.columns, s.pairs, s.contacts);
+    }
     s.columns.sort(s.contacts);
     s.count();
 }
@@ -121,6 +122,7 @@ void SurfaceContact::find(const Points& x, const Points& v, double t, double dt,
 void SurfaceContact::State::count() {
     counts.builds = pairs.builds();
     counts.renewals = pairs.renewals();
+    counts.searched = pairs.searched();
     counts.candidates = pairs.pairs();
     counts.near = counts.touching = 0;
     counts.impacts = guard.impacts();
@@ -152,16 +154,17 @@ void SurfaceContact::add_force(const Points& x, const Points& /*v*/, double dt, 
     s.dt_last = dt;
 }
 
-void SurfaceContact::filter(const Points& x, double dt, Points& v, std::span<RigidMover> bodies) {
+bool SurfaceContact::filter(const Points& x, double dt, Points& v, std::span<RigidMover> bodies) {
     State& s = *state_;
     s.load.pass(s.span);
-    if (!s.any_on()) return;
+    if (!s.any_on()) return false;
     Movement motion(s.cloth, x, v, bodies);
     s.impulses.apply(s.span, dt, s.contacts, s.columns, s.pairs, motion);
     s.columns.for_each(s.contacts, [&](const Contact& c) { s.load.add(c); });
     s.guard.stop(s.t, dt, s.pairs, s.impulses, s.load, motion);
     s.step.follow(dt, s.guard.stopped(), s.counts.touching, s.guard.card());
     motion.settle();
+    return motion.has_changed();
 }
 
 /// A pair that has given more energy than it took, and is parting, does not push on.

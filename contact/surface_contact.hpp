@@ -19,6 +19,7 @@ namespace corpuscle::contact {
 struct ContactCounts {
     std::size_t builds = 0;        ///< of the pair lists, so far
     std::size_t renewals = 0;      ///< of the lists of a few nodes alone, so far
+    std::size_t searched = 0;      ///< facets that these lists are for: others lie open
     std::size_t candidates = 0;    ///< pairs in the lists now
     std::size_t near = 0;          ///< pairs within reach in this step
     std::size_t touching = 0;      ///< pairs that push now
@@ -60,7 +61,8 @@ public:
 
     /// Damping, friction, and the limit of approach for the step ahead; changes velocities only,
     /// and what the bodies have taken.
-    void filter(const Points& x, double dt, Points& v, std::span<RigidMover> bodies = {});
+    /// @returns whether it has changed any
+    bool filter(const Points& x, double dt, Points& v, std::span<RigidMover> bodies = {});
 
     /// Longest step for the speeds at which near places approach each other; INF when none do. [s]
     [[nodiscard]] double stable_step(const Points& v) const;

@@ -57,8 +57,8 @@ void Simulation::drift(double dt) {
 /// Their impulses m (v - v_k) act with the forces of the kick, v_before -> v_k; what they take is
 /// m (v_k - v) · (v_before + v) / 2, nothing where a node rests against its load.
 void Simulation::stop_at_obstacles(double dt) {
-    const bool may_stop = !walls_.empty() || !contacts_.empty();
-    if (may_stop) v_kicked_ = nodes_.v;
+    if (!walls_.empty() || !contacts_.empty()) v_kicked_ = nodes_.v;
+    bool has_stopped = !walls_.empty();
     const double kinetic = kinetic_energy();
     for (contact::RigidWall& wall : walls_) {
         const double by_others = wall.driving_work() + wall.held_work();
@@ -69,14 +69,14 @@ void Simulation::stop_at_obstacles(double dt) {
     }
     for (contact::SurfaceContact& contact : contacts_) {
         const double by_held = contact.held_work();
-        contact.filter(nodes_.x, dt, nodes_.v, movers_);
+        has_stopped |= contact.filter(nodes_.x, dt, nodes_.v, movers_);
         ledger_.after.external += contact.held_work() - by_held;
         ledger_.after.contact += contact.held_work() - by_held;
     }
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         bodies_[b].take(movers_[b], dt, clock_.kick_span(dt), nodes_);
-    ledger_.after.kinetic = kinetic_energy();
-    if (may_stop)
+    ledger_.after.kinetic = has_stopped ? kinetic_energy() : kinetic;
+    if (has_stopped)
         ledger_.after.contact +=
             kinetic - ledger_.after.kinetic - parallel::sum(nodes_.size(), 0.0, [&](std::size_t n) {
                 return 0.5 * nodes_.mass[n] *

@@ -110,8 +110,9 @@ void print_contacts_at_start(Simulation& simulation) {
     simulation.look_at_contacts();
     for (const contact::SurfaceContact& contact : simulation.contacts()) {
         const contact::ContactCounts& counts = contact.counts();
-        fmt::print("contact at the start: {} candidates, {} near, {} touching\n", counts.candidates,
-                   counts.near, counts.touching);
+        fmt::print(
+            "contact at the start: {} facets searched, {} candidates, {} near, {} touching\n",
+            counts.searched, counts.candidates, counts.near, counts.touching);
     }
     print_bad_starts(simulation);
 }

@@ -63,10 +63,11 @@ std::string listed(const std::vector<std::pair<int, int>>& pairs) {
 void print_contact(const Simulation& simulation, const contact::SurfaceContact& contact) {
     const contact::ContactCounts& counts = contact.counts();
     fmt::print(
-        "\n  contact: {} list builds, {} candidates, {} near and {} touching at the end; {} pairs "
-        "stopped at the last moment, least gap {:.3g} of its rest value\n",
-        counts.builds, counts.candidates, counts.near, counts.touching, counts.impacts,
-        counts.least_gap);
+        "\n  contact: {} list builds; {} facets searched, {} candidates, {} near and {} touching "
+        "at "
+        "the end; {} pairs stopped at the last moment, least gap {:.3g} of its rest value\n",
+        counts.builds, counts.searched, counts.candidates, counts.near, counts.touching,
+        counts.impacts, counts.least_gap);
     if (counts.clumps > 0) fmt::print("    {} tangles moved as one for a step\n", counts.clumps);
     if (counts.unstopped > 0)
         fmt::print("    {} times held surfaces drove others through each other\n",
