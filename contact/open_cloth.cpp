@@ -16,6 +16,7 @@ constexpr std::size_t CHUNK = 4;  ///< patches
 /// What does not hold for so many steps is looked at anew if its patch is; it is not left out, and
 /// its chart is turned.
 constexpr double LEAST = 12.0, SOON = 2.0;
+constexpr double SPARE = 0.1;      ///< in edge lengths: way left to what is left out
 constexpr std::uint8_t PAUSE = 4;  ///< calls after one in which nothing of a chart lay open
 constexpr double ROUNDING = 1e-4;  ///< of mu in single precision, on the safe side
 constexpr double NEVER = -1.0;
@@ -42,7 +43,8 @@ OpenCloth::OpenCloth(const Cloth& cloth, std::span<const double> margin)
       frame_(charts_.size()),
       least_limit_(charts_.size(), INF),
       used_(charts_.size(), 0),
-      pause_(charts_.size(), 0) {}
+      pause_(charts_.size(), 0),
+      spare_(SPARE * cloth.mean_edge) {}
 
 /// Two edges of a block of a patch's triangles, from their first corner on.
 const EightEdges& OpenCloth::take_edges(Index patch, std::size_t b, const Points& x,
@@ -68,7 +70,7 @@ void OpenCloth::look(Index patch, const Charts::Place& at, bool is_all, const Po
     const Spread spread(chart.axis, frame_[at.chart], static_cast<float>(chart.least + ROUNDING));
     const auto blocks = charts_.blocks(patch);
     const double gone = motion.gone(patch).flutter;
-    const double soon = gone + LEAST * motion.ahead(patch).flutter;
+    const double soon = gone + std::max(LEAST * motion.ahead(patch).flutter, spare_);
     const auto row = static_cast<std::size_t>(at.row);
     double least = INF;
     for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -92,7 +94,7 @@ void OpenCloth::look_at_patches(std::span<const Index> patches,
         const Index r = patches[i];
         Edges edges;
         for (const Charts::Place& at : charts_.places(r))
-            if (wanted[at.chart] >> at.sheet & 1U && is_short(at.row, r, LEAST, motion))
+            if (wanted[at.chart] >> at.sheet & 1U && is_short(at.row, r, LEAST, motion, spare_))
                 look(r, at, false, x, motion, edges);
     };
     parallel::for_each(patches.size(), look_at_one, CHUNK);
@@ -129,6 +131,13 @@ void OpenCloth::turn(Index p, std::uint64_t wanted, const Points& x, const Patch
         frame_[p][0][i] = static_cast<float>(first[i]);
         frame_[p][1][i] = static_cast<float>(second[i]);
     }
+    // what was seen from elsewhere says nothing any more
+    const auto forget = [](std::vector<double>& limits, std::size_t begin, std::size_t count) {
+        std::fill_n(limits.begin() + static_cast<std::ptrdiff_t>(begin), count, -INF);
+    };
+    const auto first_row = static_cast<std::size_t>(chart.first);
+    forget(limit_, first_row, chart.sheets.size());
+    forget(block_limit_, BLOCKS * first_row, BLOCKS * chart.sheets.size());
     for_each_bit(wanted, [&](std::size_t at) {
         const auto& [r, crossed] = chart.sheets[at];
         Edges of_sheet;
@@ -139,11 +148,11 @@ void OpenCloth::turn(Index p, std::uint64_t wanted, const Points& x, const Patch
 
 /// Those of a chart's sheets that do not hold for so many steps.
 std::uint64_t OpenCloth::short_of(Index p, std::uint64_t wanted, double steps,
-                                  const PatchMotion& motion) const {
+                                  const PatchMotion& motion, double spare) const {
     std::uint64_t out = 0;
     for_each_bit(wanted, [&](std::size_t s) {
         const Index r = charts_[p].sheets[s].patch;
-        if (is_short(charts_[p].first + static_cast<Index>(s), r, steps, motion))
+        if (is_short(charts_[p].first + static_cast<Index>(s), r, steps, motion, spare))
             out |= std::uint64_t{1} << s;
     });
     return out;
@@ -170,7 +179,8 @@ void OpenCloth::drop_open(const Points& x, const PatchMotion& motion,
     used_.assign(charts_.size(), 0);
     std::vector<std::uint64_t> missing(charts_.size());
     for (std::size_t c = 0; c < missing.size(); ++c)
-        missing[c] = ~wanted_[c] | short_of(static_cast<Index>(c), wanted_[c], SOON, motion);
+        missing[c] =
+            ~wanted_[c] | short_of(static_cast<Index>(c), wanted_[c], SOON, motion, spare_);
     std::erase_if(pairs, [&](const auto& pair) {
         const auto [chart, cover] = charts_.link(pair.first, pair.second);
         if (chart < 0 || (cover & missing[chart]) != 0) return false;
@@ -188,7 +198,7 @@ void OpenCloth::look_at_charts(const Points& x, const PatchMotion& motion) {
     std::vector<std::uint8_t> is_due(charts_.size(), 0);
     for (std::size_t i = 0; i < wanted_.size(); ++i) {
         const auto c = static_cast<Index>(i);
-        for_each_bit(short_of(c, wanted_[c], SOON, motion),
+        for_each_bit(short_of(c, wanted_[c], SOON, motion, spare_),
                      [&](std::size_t s) { is_due[charts_[c].sheets[s].patch] = 1; });
     }
     due_.clear();
@@ -197,7 +207,7 @@ void OpenCloth::look_at_charts(const Points& x, const PatchMotion& motion) {
     look_at_patches(due_, wanted_, x, motion);
     const auto turn_short = [&](std::size_t i) {
         const auto c = static_cast<Index>(i);
-        if (short_of(c, wanted_[c], SOON, motion) != 0) turn(c, wanted_[c], x, motion);
+        if (short_of(c, wanted_[c], SOON, motion, spare_) != 0) turn(c, wanted_[c], x, motion);
     };
     parallel::for_each(charts_.size(), turn_short, CHUNK);
 }

@@ -58,9 +58,10 @@ private:
     void look(Index patch, const Charts::Place& at, bool is_all, const Points& x,
               const PatchMotion& motion, Edges& edges);
     /// Whether a sheet, given by its row, does not hold for so many steps.
-    [[nodiscard]] bool is_short(Index row, Index patch, double steps,
-                                const PatchMotion& motion) const {
-        return motion.gone(patch).flutter + steps * motion.ahead(patch).flutter > limit_[row];
+    [[nodiscard]] bool is_short(Index row, Index patch, double steps, const PatchMotion& motion,
+                                double spare = 0.0) const {
+        const double ahead = std::max(steps * motion.ahead(patch).flutter, spare);
+        return motion.gone(patch).flutter + ahead > limit_[row];
     }
     [[nodiscard]] bool has_turned(Index c) const {
         return std::find(turned_.begin(), turned_.end(), c) != turned_.end();
@@ -70,7 +71,7 @@ private:
     void look_at_charts(const Points& x, const PatchMotion& motion);
     void turn(Index p, std::uint64_t wanted, const Points& x, const PatchMotion& motion);
     [[nodiscard]] std::uint64_t short_of(Index p, std::uint64_t wanted, double steps,
-                                         const PatchMotion& motion) const;
+                                         const PatchMotion& motion, double spare = 0.0) const;
     void find_least_limit(Index patch);
 
     Charts charts_;
@@ -80,6 +81,7 @@ private:
     std::vector<double> least_limit_;  ///< by patch, of the sheets that count          [m]
     std::vector<std::uint64_t> used_;  ///< by chart: sheets that pairs left out lie on
     std::vector<std::uint8_t> pause_;  ///< by chart: calls for which it is not looked at
+    double spare_;                     ///< way left to what is left out                    [m]
 
     std::vector<std::uint64_t> wanted_;  ///< by chart: sheets that pairs at hand lie on
     std::vector<Index> due_;             ///< patches
