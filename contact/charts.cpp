@@ -127,16 +127,20 @@ Charts::Charts(const Cloth& cloth, std::span<const double> margin)
                 pairs[p].emplace_back(p, q);
     }
     draw_all();
-    for (std::size_t c = 0; c < charts_.size(); ++c) {
-        charts_[c].first = static_cast<Index>(sheets_);
-        sheets_ += charts_[c].sheets.size();
+    number_sheets();
+}
+
+/// Those of a patch one after the other: they are looked at together.
+void Charts::number_sheets() {
+    for (std::size_t c = 0; c < charts_.size(); ++c)
         for (std::size_t s = 0; s < charts_[c].sheets.size(); ++s) {
-            const auto& [patch, crossed] = charts_[c].sheets[s];
-            const auto sheet = static_cast<Index>(s);
-            places_[patch].push_back(
-                {static_cast<Index>(c), sheet, charts_[c].first + sheet, crossed});
+            const Sheet& sheet = charts_[c].sheets[s];
+            places_[sheet.patch].push_back(
+                {static_cast<Index>(c), static_cast<Index>(s), 0, sheet.crossed});
         }
-    }
+    for (auto& places : places_)
+        for (Place& at : places)
+            at.row = charts_[at.chart].sheets[at.sheet].row = static_cast<Index>(sheets_++);
 }
 
 void Charts::set_blocks(const Cloth& cloth) {
@@ -170,7 +174,7 @@ std::vector<Charts::Linked> Charts::draw(Index c, std::span<const Pair> pairs,
     const auto sheet_of = [&](Index patch) {
         const auto is_it = [&](const Sheet& sheet) { return sheet.patch == patch; };
         const auto found = std::find_if(chart.sheets.begin(), chart.sheets.end(), is_it);
-        if (found == chart.sheets.end()) chart.sheets.push_back({patch, 0});
+        if (found == chart.sheets.end()) chart.sheets.push_back({patch});
         return static_cast<std::size_t>(
             std::find_if(chart.sheets.begin(), chart.sheets.end(), is_it) - chart.sheets.begin());
     };

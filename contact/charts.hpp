@@ -36,11 +36,11 @@ public:
     /// b.
     struct Sheet {
         Index patch;
-        std::uint64_t crossed;
+        Index row = 0;  ///< of all charts' sheets
+        std::uint64_t crossed = 0;
     };
     struct Chart {
         std::vector<Sheet> sheets;
-        Index first = 0;     ///< sheets of the charts before it
         Frame axis{};        ///< of the plane: u_i = axis_i · X
         double least = 0.0;  ///< value of mu from which on nothing of them can be within reach  [-]
     };
@@ -53,7 +53,7 @@ public:
     /// Where a patch is a sheet.
     struct Place {
         Index chart, sheet;
-        Index row;              ///< of all charts' sheets
+        Index row;              ///< of all charts' sheets, a patch's in a row
         std::uint64_t crossed;  ///< as in Sheet
     };
 
@@ -77,6 +77,7 @@ private:
         Link link;
     };
     std::vector<Linked> draw(Index c, std::span<const Pair> pairs, const Drawing& from);
+    void number_sheets();
     void set_blocks(const Cloth& cloth);
 
     std::vector<Chart> charts_;

@@ -57,6 +57,7 @@ bool CrossingGuard::stop_dangers(int rounds, double dt, Candidates& pairs, Impul
     checked_ = 0;
     int n = 0;
     for (; find_impacts(dt, pairs, motion); ++n) {
+        motion.begin();
         checked_ = ++round_;
         if (n < rounds && joined_.empty()) {
             stop_impacts(dt, pairs, impulses, load, motion);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -38,6 +39,19 @@ inline Eight least_of(const Eight& a, const Eight& b) {
 }
 inline Eight greatest_of(const Eight& a, const Eight& b) {
     return a > b ? a : b;
+}
+
+/// Lanes whose bits are set.
+inline EightBits lanes_of(unsigned bits) {
+    const auto b = static_cast<std::int32_t>(bits);
+    return (EightBits{b, b, b, b, b, b, b, b} & EightBits{1, 2, 4, 8, 16, 32, 64, 128}) != 0;
+}
+
+/// The least of the eight.
+inline float least_lane(const Eight& a) {
+    const Eight four = least_of(a, __builtin_shuffle(a, EightBits{4, 5, 6, 7, 0, 1, 2, 3}));
+    const Eight two = least_of(four, __builtin_shuffle(four, EightBits{2, 3, 0, 1, 6, 7, 4, 5}));
+    return std::min(two[0], two[1]);
 }
 
 inline Eight roots_of(const Eight& a) {

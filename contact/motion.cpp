@@ -44,6 +44,7 @@ void Motion::follow(const Points& x, double t) {
     const double dt = t - t_;
     age_ += dt;
     t_ = t;
+    if (pieces_.nodes.empty()) return;
     const Vec3 common = mean_over(pieces_.nodes, [&](Index n) -> Vec3 { return x[n] - last_[n]; });
     common_ += common;
     parallel::for_each(pieces_.nodes.size(), [&](std::size_t i) {
@@ -59,6 +60,8 @@ void Motion::follow(const Points& x, double t) {
 }
 
 void Motion::foresee(const Points& x, const Points& v, double dt) {
+    stray_ = 0.0;
+    if (pieces_.nodes.empty()) return;
     const Vec3 common = mean_over(pieces_.nodes, [&](Index n) -> Vec3 { return v[n]; });
     const Vec3 moved = common_ + dt * common;
     std::vector<double>& strays = chunk_stray_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 
 #include "contact/cloth.hpp"
 #include "contact/contact.hpp"
@@ -68,9 +69,16 @@ void for_bodies_of(const Cloth& cloth, const Contact& c, Visit&& visit) {
 /// of rigid bodies' nodes in v and what their bodies have taken since. Held nodes stay as they are.
 class Movement {
 public:
-    /// @param bodies  by the numbers that cloth.body has for their nodes
-    Movement(const Cloth& cloth, const Points& x, Points& v, std::span<RigidMover> bodies)
-        : cloth_(cloth), x_(x), v_(v), bodies_(bodies) {}
+    /// @param bodies    by the numbers that cloth.body has for their nodes
+    /// @param v_before  gets the velocities that are about to change, if it is not null
+    Movement(const Cloth& cloth, const Points& x, Points& v, std::span<RigidMover> bodies,
+             Points* v_before)
+        : cloth_(cloth), x_(x), v_(v), bodies_(bodies), v_before_(v_before) {}
+
+    /// To be called before any velocity changes.
+    void begin() {
+        if (!std::exchange(has_begun_, true) && v_before_) *v_before_ = v_;
+    }
 
     [[nodiscard]] Vec3 velocity(Index node) const {
         const Index body = cloth_.body[node];
@@ -88,10 +96,7 @@ public:
     /// Gives a node an impulse; returns the work that what is held does thereby.           [J]
     double push(Index node, const Vec3& impulse);
     /// Gives a node that is no body's a velocity.
-    void set(Index node, const Vec3& velocity) {
-        has_changed_ = true;
-        v_[node] = velocity;
-    }
+    void set(Index node, const Vec3& velocity) { v_[node] = velocity; }
     /// Joins a node to a body's place where it is: an impulse that leaves no velocity between them.
     struct Joined {
         double taken = 0.0;      ///< energy                                               [J]
@@ -101,8 +106,8 @@ public:
 
     /// Hands what bodies have taken to their nodes' v.
     void settle();
-    /// Whether any velocity has.
-    [[nodiscard]] bool has_changed() const { return has_changed_; }
+    /// Whether any velocity may have changed.
+    [[nodiscard]] bool has_begun() const { return has_begun_; }
     [[nodiscard]] const Points& v() const { return v_; }
     [[nodiscard]] const Points& x() const { return x_; }
     [[nodiscard]] std::span<const RigidMover> bodies() const { return bodies_; }
@@ -112,7 +117,8 @@ private:
     const Points& x_;
     Points& v_;
     std::span<RigidMover> bodies_;
-    bool has_changed_ = false;
+    Points* v_before_;
+    bool has_begun_ = false;
 };
 
 }  // namespace corpuscle::contact

@@ -16,7 +16,7 @@ constexpr std::size_t CHUNK = 4;  ///< patches
 /// What does not hold for so many steps is looked at anew if its patch is; it is not left out, and
 /// its chart is turned.
 constexpr double LEAST = 12.0, SOON = 2.0;
-constexpr double SPARE = 0.1;      ///< in edge lengths: way left to what is left out
+constexpr double SPARE = 0.04;     ///< in edge lengths: way left to what is left out
 constexpr std::uint8_t PAUSE = 4;  ///< calls after one in which nothing of a chart lay open
 constexpr double ROUNDING = 1e-4;  ///< of mu in single precision, on the safe side
 constexpr double NEVER = -1.0;
@@ -24,9 +24,8 @@ constexpr double NEVER = -1.0;
 /// Of some lanes; NEVER if one of them is below 0, or no number.
 double least_of_lanes(const Eight& a, unsigned lanes) {
     if ((bits_of(a >= 0.0F) & lanes) != lanes) return NEVER;
-    float least = std::numeric_limits<float>::max();
-    for (; lanes != 0; lanes &= lanes - 1) least = std::min(least, a[std::countr_zero(lanes)]);
-    return static_cast<double>(least);
+    return static_cast<double>(
+        least_lane(lanes_of(lanes) ? a : all_eight(std::numeric_limits<float>::max())));
 }
 
 template <class Visit>
@@ -89,9 +88,10 @@ void OpenCloth::look(Index patch, const Charts::Place& at, bool is_all, const Po
 /// Looks at these patches in all charts that want them.
 void OpenCloth::look_at_patches(std::span<const Index> patches,
                                 const std::vector<std::uint64_t>& wanted, const Points& x,
-                                const PatchMotion& motion) {
+                                PatchMotion& motion) {
     const auto look_at_one = [&](std::size_t i) {
         const Index r = patches[i];
+        motion.mark_shape(r, x);
         Edges edges;
         for (const Charts::Place& at : charts_.places(r))
             if (wanted[at.chart] >> at.sheet & 1U && is_short(at.row, r, LEAST, motion, spare_))
@@ -132,17 +132,15 @@ void OpenCloth::turn(Index p, std::uint64_t wanted, const Points& x, const Patch
         frame_[p][1][i] = static_cast<float>(second[i]);
     }
     // what was seen from elsewhere says nothing any more
-    const auto forget = [](std::vector<double>& limits, std::size_t begin, std::size_t count) {
-        std::fill_n(limits.begin() + static_cast<std::ptrdiff_t>(begin), count, -INF);
-    };
-    const auto first_row = static_cast<std::size_t>(chart.first);
-    forget(limit_, first_row, chart.sheets.size());
-    forget(block_limit_, BLOCKS * first_row, BLOCKS * chart.sheets.size());
+    for (const Charts::Sheet& sheet : chart.sheets) {
+        limit_[sheet.row] = -INF;
+        const auto row = static_cast<std::ptrdiff_t>(sheet.row);
+        std::fill_n(block_limit_.begin() + row * static_cast<std::ptrdiff_t>(BLOCKS), BLOCKS, -INF);
+    }
     for_each_bit(wanted, [&](std::size_t at) {
-        const auto& [r, crossed] = chart.sheets[at];
+        const auto& [r, row, crossed] = chart.sheets[at];
         Edges of_sheet;
-        const auto sheet = static_cast<Index>(at);
-        look(r, {p, sheet, chart.first + sheet, crossed}, true, x, motion, of_sheet);
+        look(r, {p, static_cast<Index>(at), row, crossed}, true, x, motion, of_sheet);
     });
 }
 
@@ -151,11 +149,39 @@ std::uint64_t OpenCloth::short_of(Index p, std::uint64_t wanted, double steps,
                                   const PatchMotion& motion, double spare) const {
     std::uint64_t out = 0;
     for_each_bit(wanted, [&](std::size_t s) {
-        const Index r = charts_[p].sheets[s].patch;
-        if (is_short(charts_[p].first + static_cast<Index>(s), r, steps, motion, spare))
-            out |= std::uint64_t{1} << s;
+        const Charts::Sheet& sheet = charts_[p].sheets[s];
+        if (is_short(sheet.row, sheet.patch, steps, motion, spare)) out |= std::uint64_t{1} << s;
     });
     return out;
+}
+
+double OpenCloth::spare(Index p, Index q, const Points& x) const {
+    const auto [c, cover] = charts_.link(p, q);
+    double least = INF;
+    if (c < 0) return least;
+    const Spread spread(charts_[c].axis, frame_[c], static_cast<float>(charts_[c].least));
+    for_each_bit(cover, [&](std::size_t s) {
+        const Charts::Sheet& sheet = charts_[c].sheets[s];
+        const auto blocks = charts_.blocks(sheet.patch);
+        Edges edges;
+        for (std::size_t b = 0; b < blocks.size(); ++b)
+            if (const auto lanes = static_cast<unsigned>(sheet.crossed >> (EIGHT * b) & 0xFF))
+                least = std::min(
+                    least, least_of_lanes(
+                               spread.allowed(blocks[b].edge, take_edges(sheet.patch, b, x, edges)),
+                               lanes));
+    });
+    return least;
+}
+
+double OpenCloth::known_spare(Index p, Index q, const PatchMotion& motion) const {
+    const auto [c, cover] = charts_.link(p, q);
+    double least = INF;
+    for_each_bit(cover, [&](std::size_t s) {
+        const Charts::Sheet& sheet = charts_[c].sheets[s];
+        least = std::min(least, limit_[sheet.row] - motion.gone(sheet.patch).flutter);
+    });
+    return least;
 }
 
 void OpenCloth::find_least_limit(Index patch) {
@@ -165,7 +191,7 @@ void OpenCloth::find_least_limit(Index patch) {
     least_limit_[patch] = least;
 }
 
-void OpenCloth::drop_open(const Points& x, const PatchMotion& motion,
+void OpenCloth::drop_open(const Points& x, PatchMotion& motion,
                           std::vector<std::pair<Index, Index>>& pairs) {
     wanted_.assign(charts_.size(), 0);
     for (const auto& [p, q] : pairs) {
@@ -194,43 +220,72 @@ void OpenCloth::drop_open(const Points& x, const PatchMotion& motion,
 
 /// Looks at what is wanted and does not hold for long, as charts lie; turns those where that is not
 /// enough.
-void OpenCloth::look_at_charts(const Points& x, const PatchMotion& motion) {
-    std::vector<std::uint8_t> is_due(charts_.size(), 0);
-    for (std::size_t i = 0; i < wanted_.size(); ++i) {
-        const auto c = static_cast<Index>(i);
-        for_each_bit(short_of(c, wanted_[c], SOON, motion, spare_),
-                     [&](std::size_t s) { is_due[charts_[c].sheets[s].patch] = 1; });
-    }
-    due_.clear();
-    for (std::size_t r = 0; r < is_due.size(); ++r)
-        if (is_due[r]) due_.push_back(static_cast<Index>(r));
-    look_at_patches(due_, wanted_, x, motion);
-    const auto turn_short = [&](std::size_t i) {
-        const auto c = static_cast<Index>(i);
-        if (short_of(c, wanted_[c], SOON, motion, spare_) != 0) turn(c, wanted_[c], x, motion);
+void OpenCloth::look_at_charts(const Points& x, PatchMotion& motion) {
+    const auto is_short_for = [&](Index r) {
+        const auto places = charts_.places(r);
+        return std::any_of(places.begin(), places.end(), [&](const Charts::Place& at) {
+            return (wanted_[at.chart] >> at.sheet & 1U) != 0 &&
+                   is_short(at.row, r, SOON, motion, spare_);
+        });
     };
-    parallel::for_each(charts_.size(), turn_short, CHUNK);
+    list_due(is_short_for, x, motion);
+    look_at_patches(due_, wanted_, x, motion);
+
+    turned_.clear();
+    for (std::size_t i = 0; i < wanted_.size(); ++i)
+        if (const auto c = static_cast<Index>(i);
+            short_of(c, wanted_[i], SOON, motion, spare_) != 0)
+            turned_.push_back(c);
+    mark_sheets(wanted_, x, motion);
+    const auto turn_one = [&](std::size_t i) { turn(turned_[i], wanted_[turned_[i]], x, motion); };
+    parallel::for_each(turned_.size(), turn_one, CHUNK);
 }
 
-bool OpenCloth::holds(const Points& x, const PatchMotion& motion) {
+/// Lists patches that are due by what they have come to, which is measured where it seems so.
+template <class IsDue>
+void OpenCloth::list_due(IsDue&& is_due, const Points& x, PatchMotion& motion) {
     due_.clear();
-    for (std::size_t i = 0; i < least_limit_.size(); ++i) {
-        const auto r = static_cast<Index>(i);
-        if (motion.gone(r).flutter + motion.ahead(r).flutter > least_limit_[r]) due_.push_back(r);
-    }
+    for (std::size_t i = 0; i < charts_.size(); ++i)
+        if (const auto r = static_cast<Index>(i); is_due(r)) due_.push_back(r);
+    parallel::for_each(
+        due_.size(), [&](std::size_t i) { motion.measure_flutter(due_[i], x); }, CHUNK);
+    std::erase_if(due_, [&](Index r) { return !is_due(r); });
+}
+
+/// Marks the shapes of all patches that lie in charts that are turned.
+void OpenCloth::mark_sheets(const std::vector<std::uint64_t>& wanted, const Points& x,
+                            PatchMotion& motion) {
+    is_due_.assign(charts_.size(), 0);
+    for (const Index c : turned_)
+        for_each_bit(wanted[c], [&](std::size_t s) { is_due_[charts_[c].sheets[s].patch] = 1; });
+    due_.clear();
+    for (std::size_t r = 0; r < is_due_.size(); ++r)
+        if (is_due_[r]) due_.push_back(static_cast<Index>(r));
+    parallel::for_each(
+        due_.size(), [&](std::size_t i) { motion.mark_shape(due_[i], x); }, CHUNK);
+}
+
+bool OpenCloth::holds(const Points& x, PatchMotion& motion) {
+    const auto is_over = [&](Index r) {
+        return motion.gone(r).flutter + motion.ahead(r).flutter > least_limit_[r];
+    };
+    list_due(is_over, x, motion);
     if (due_.empty()) return true;
     look_at_patches(due_, used_, x, motion);
-    bool is_open = true;
+    for (const Index r : due_) find_least_limit(r);
+
+    turned_.clear();
     for (const Index r : due_)
         for (const auto& [c, sheet, row, crossed] : charts_.places(r))
-            if (used_[c] >> sheet & 1U && is_short(row, r, SOON, motion) && !has_turned(c)) {
-                turn(c, used_[c], x, motion);
-                is_open &= short_of(c, used_[c], 1.0, motion) == 0;
+            if (used_[c] >> sheet & 1U && is_short(row, r, SOON, motion) && !has_turned(c))
                 turned_.push_back(c);
-            }
-    for (const Index c : turned_)
-        for (const Charts::Sheet& sheet : charts_[c].sheets) due_.push_back(sheet.patch);
-    turned_.clear();
+    if (turned_.empty()) return true;
+    mark_sheets(used_, x, motion);
+    bool is_open = true;
+    for (const Index c : turned_) {
+        turn(c, used_[c], x, motion);
+        is_open &= short_of(c, used_[c], 1.0, motion) == 0;
+    }
     for (const Index r : due_) find_least_limit(r);
     return is_open;
 }

@@ -31,11 +31,18 @@ public:
     }
 
     /// Leaves out the pairs of patches p <= q that lie open at x.
-    void drop_open(const Points& x, const PatchMotion& motion,
+    void drop_open(const Points& x, PatchMotion& motion,
                    std::vector<std::pair<Index, Index>>& pairs);
 
     /// Whether those that were left out lie open in the step ahead of x, too.
-    [[nodiscard]] bool holds(const Points& x, const PatchMotion& motion);
+    [[nodiscard]] bool holds(const Points& x, PatchMotion& motion);
+
+    /// How far nodes may move until patches p <= q may not lie open any more, looked at anew: a
+    /// number below 0 where they do not, INF where they have no chart.                      [m]
+    [[nodiscard]] double spare(Index p, Index q, const Points& x) const;
+
+    /// That of a pair that was left out, as the last looks and the way since have it: never more.
+    [[nodiscard]] double known_spare(Index p, Index q, const PatchMotion& motion) const;
 
     /// Whether patches p <= q lie beside each other in a chart.
     [[nodiscard]] bool are_neighbours(Index p, Index q) const {
@@ -67,8 +74,12 @@ private:
         return std::find(turned_.begin(), turned_.end(), c) != turned_.end();
     }
     void look_at_patches(std::span<const Index> patches, const std::vector<std::uint64_t>& wanted,
-                         const Points& x, const PatchMotion& motion);
-    void look_at_charts(const Points& x, const PatchMotion& motion);
+                         const Points& x, PatchMotion& motion);
+    void look_at_charts(const Points& x, PatchMotion& motion);
+    template <class IsDue>
+    void list_due(IsDue&& is_due, const Points& x, PatchMotion& motion);
+    void mark_sheets(const std::vector<std::uint64_t>& wanted, const Points& x,
+                     PatchMotion& motion);
     void turn(Index p, std::uint64_t wanted, const Points& x, const PatchMotion& motion);
     [[nodiscard]] std::uint64_t short_of(Index p, std::uint64_t wanted, double steps,
                                          const PatchMotion& motion, double spare = 0.0) const;
@@ -86,6 +97,7 @@ private:
     std::vector<std::uint64_t> wanted_;  ///< by chart: sheets that pairs at hand lie on
     std::vector<Index> due_;             ///< patches
     std::vector<Index> turned_;          ///< charts, in this step
+    std::vector<std::uint8_t> is_due_;   ///< patches
 };
 
 }  // namespace corpuscle::contact

@@ -49,20 +49,25 @@ PatchPairs::PatchPairs(const Cloth& cloth, std::span<const double> margin)
 bool PatchPairs::holds(const Points& x) {
     for (std::size_t i = 0; i < room_.size(); ++i) {
         const auto p = static_cast<Index>(i);
-        if (motion_.gone(p).drift + motion_.ahead(p).drift > room_[p]) return false;
+        const auto is_over = [&] {
+            return motion_.gone(p).drift + motion_.ahead(p).drift > room_[p];
+        };
+        if (!is_over()) continue;
+        motion_.measure_drift(p, x);
+        if (is_over()) return false;
     }
     return open_.holds(x, motion_);
 }
 
 void PatchPairs::find(const Points& x, double steps) {
+    motion_.mark(x);
     const auto bound = [&](std::size_t p) {
         const double ahead = motion_.ahead(static_cast<Index>(p)).drift;
-        const double room = std::max(steps * ahead, LEAST_ROOM * cloth_.mean_edge);
-        room_[p] = motion_.gone(static_cast<Index>(p)).drift + room;
+        room_[p] = std::max(steps * ahead, LEAST_ROOM * cloth_.mean_edge);
         box_[p] = {};
         for (const Index n : motion_.nodes(p)) box_[p].include(x[n]);
         middle_[p] = 0.5 * (box_[p].low + box_[p].high);
-        box_[p].inflate(room + margin_[p]);
+        box_[p].inflate(room_[p] + margin_[p]);
     };
     parallel::for_each(room_.size(), bound, CHUNK);
     tree_.update(box_);
@@ -104,10 +109,7 @@ bool PatchPairs::may_touch(Index p, Index q) const {
 /// is approached along straight lines [Gilbert 1966].
 bool PatchPairs::are_apart(Index p, Index q, const Points& x) const {
     if (p == q || open_.are_neighbours(p, q)) return false;
-    const auto needs = [&](Index patch) {
-        return margin_[patch] + room_[patch] - motion_.gone(patch).drift;
-    };
-    const double needed = needs(p) + needs(q);
+    const double needed = margin_[p] + room_[p] + margin_[q] + room_[q];
     Vec3 z = middle_[q] - middle_[p];
     for (int look = 0; look < MOST_LOOKS; ++look) {
         const double length = z.norm();

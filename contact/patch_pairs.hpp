@@ -64,7 +64,7 @@ private:
     OpenCloth open_;
     std::vector<Index> part_, body_;  ///< that a whole patch is of, or -1
     std::vector<double> margin_;      ///< by patch                                        [m]
-    std::vector<double> room_;        ///< bound of what a patch has gone, by patch        [m]
+    std::vector<double> room_;        ///< by patch: drift that it has room for            [m]
     BroadPhase tree_;
     std::vector<Box> box_;
     Points middle_;  ///< by patch                                                          [m]

@@ -154,17 +154,19 @@ void SurfaceContact::add_force(const Points& x, const Points& /*v*/, double dt, 
     s.dt_last = dt;
 }
 
-bool SurfaceContact::filter(const Points& x, double dt, Points& v, std::span<RigidMover> bodies) {
+bool SurfaceContact::filter(const Points& x, double dt, Points& v, std::span<RigidMover> bodies,
+                            Points* v_before) {
     State& s = *state_;
     s.load.pass(s.span);
     if (!s.any_on()) return false;
-    Movement motion(s.cloth, x, v, bodies);
+    Movement motion(s.cloth, x, v, bodies, v_before);
+    if (s.counts.near > 0) motion.begin();
     s.impulses.apply(s.span, dt, s.contacts, s.columns, s.pairs, motion);
     s.columns.for_each(s.contacts, [&](const Contact& c) { s.load.add(c); });
     s.guard.stop(s.t, dt, s.pairs, s.impulses, s.load, motion);
     s.step.follow(dt, s.guard.stopped(), s.counts.touching, s.guard.card());
     motion.settle();
-    return motion.has_changed();
+    return motion.has_begun();
 }
 
 /// A pair that has given more energy than it took, and is parting, does not push on.

@@ -61,8 +61,10 @@ public:
 
     /// Damping, friction, and the limit of approach for the step ahead; changes velocities only,
     /// and what the bodies have taken.
-    /// @returns whether it has changed any
-    bool filter(const Points& x, double dt, Points& v, std::span<RigidMover> bodies = {});
+    /// @param v_before  gets v as it was, unless null or nothing is near
+    /// @returns whether it may have changed any
+    bool filter(const Points& x, double dt, Points& v, std::span<RigidMover> bodies = {},
+                Points* v_before = nullptr);
 
     /// Longest step for the speeds at which near places approach each other; INF when none do. [s]
     [[nodiscard]] double stable_step(const Points& v) const;

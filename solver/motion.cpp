@@ -3,6 +3,8 @@
 //
 // How forces and obstacles change the velocities of nodes and rigid bodies in a step.
 
+#include <utility>
+
 #include "solver/simulation.hpp"
 
 namespace corpuscle {
@@ -31,6 +33,7 @@ void Simulation::kick(double dt, double span) {
     nodes_.kick(span);
     move_bodies(dt, span);
     supports_.hold(clock_.t, dt, span, nodes_);
+    ledger_.after.kinetic = kinetic_energy();
 }
 
 /// What the fabric leaves of the nodes' stability is contact's.
@@ -57,9 +60,9 @@ void Simulation::drift(double dt) {
 /// Their impulses m (v - v_k) act with the forces of the kick, v_before -> v_k; what they take is
 /// m (v_k - v) · (v_before + v) / 2, nothing where a node rests against its load.
 void Simulation::stop_at_obstacles(double dt) {
-    if (!walls_.empty() || !contacts_.empty()) v_kicked_ = nodes_.v;
     bool has_stopped = !walls_.empty();
-    const double kinetic = kinetic_energy();
+    v_kicked_.clear();
+    if (has_stopped) v_kicked_ = nodes_.v;
     for (contact::RigidWall& wall : walls_) {
         const double by_others = wall.driving_work() + wall.held_work();
         wall.hold(nodes_.x, nodes_.mass, clock_.t, dt, nodes_.v, {body_of_node_, movers_});
@@ -69,19 +72,21 @@ void Simulation::stop_at_obstacles(double dt) {
     }
     for (contact::SurfaceContact& contact : contacts_) {
         const double by_held = contact.held_work();
-        has_stopped |= contact.filter(nodes_.x, dt, nodes_.v, movers_);
+        has_stopped |= contact.filter(nodes_.x, dt, nodes_.v, movers_,
+                                      has_stopped ? nullptr : &v_kicked_);
         ledger_.after.external += contact.held_work() - by_held;
         ledger_.after.contact += contact.held_work() - by_held;
     }
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         bodies_[b].take(movers_[b], dt, clock_.kick_span(dt), nodes_);
-    ledger_.after.kinetic = has_stopped ? kinetic_energy() : kinetic;
-    if (has_stopped)
+    if (has_stopped) {
+        const double kicked = std::exchange(ledger_.after.kinetic, kinetic_energy());
         ledger_.after.contact +=
-            kinetic - ledger_.after.kinetic - parallel::sum(nodes_.size(), 0.0, [&](std::size_t n) {
+            kicked - ledger_.after.kinetic - parallel::sum(nodes_.size(), 0.0, [&](std::size_t n) {
                 return 0.5 * nodes_.mass[n] *
                        (v_kicked_[n] - nodes_.v[n]).dot(v_kicked_[n] - v_before_[n]);
             });
+    }
     check_finite();
 }
 

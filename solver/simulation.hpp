@@ -159,7 +159,7 @@ private:
     Loads loads_;
 
     Points v_before_;                 ///< v(t - dt/2)                                [m/s]
-    Points v_kicked_;                 ///< before obstacles, if there are any         [m/s]
+    Points v_kicked_;                 ///< before obstacles, if any stopped something [m/s]
     Points v_mid_;                    ///< mean of v before and after this step's kick   [m/s]
     std::vector<std::uint8_t> held_;  ///< N: as held_nodes() says, if contact_push_ is asked for
     Points contact_push_;             ///< N × 3: contact and obstacles, if a bag asks    [N]

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <iterator>
 #include <random>
 
 #include "contact/patch_pairs.hpp"
@@ -52,8 +55,8 @@ double least_distance(const Cloth& cloth, Index p, Index q, const Points& x) {
 /// Cloth in waves and noise that move.
 class Waves {
 public:
-    Waves(Points rest, double height, double noise, unsigned seed)
-        : rest_(std::move(rest)), height_(height), noise_(noise) {
+    Waves(Points rest, double height, double noise, unsigned seed, double speed = 4e3)
+        : rest_(std::move(rest)), height_(height), noise_(noise), speed_(speed) {
         std::mt19937 random(seed);
         std::uniform_real_distribution<double> one(-1.0, 1.0);
         const auto any = [&] {
@@ -67,16 +70,17 @@ public:
         Points x = rest_;
         for (std::size_t i = 0; i < x.size(); ++i) {
             for (std::size_t k = 0; k < wave_.size(); ++k)
-                x[i] += height_ * wave_[(k + 1) % wave_.size()] *
-                        std::sin(40.0 * wave_[k].dot(rest_[i]) + 4e3 * t + static_cast<double>(k));
-            x[i] += noise_ * kick_[i] * std::sin(2e4 * t + 1e3 * kick_[i].x());
+                x[i] +=
+                    height_ * wave_[(k + 1) % wave_.size()] *
+                    std::sin(40.0 * wave_[k].dot(rest_[i]) + speed_ * t + static_cast<double>(k));
+            x[i] += noise_ * kick_[i] * std::sin(5.0 * speed_ * t + 1e3 * kick_[i].x());
         }
         return x;
     }
 
 private:
     Points rest_, kick_;
-    double height_, noise_;
+    double height_, noise_, speed_;
     std::array<Vec3, 4> wave_;
 };
 
@@ -124,6 +128,61 @@ TEST_CASE("what is left out is out of reach, however cloth moves, until it does 
     CHECK(near > 300);
     CHECK(left_out > 500);
     CHECK(finds < steps);
+}
+
+TEST_CASE("what swings back and forth is left out only while a fresh look finds it open",
+          "[contact]") {
+    const support::Sheet sheet = support::square_sheet(28, 0.28);
+    const Cloth cloth = cloth_of(sheet);
+    const std::vector<double> margin(cloth.triangles.size(), 0.5 * REACH);
+    std::size_t left_out = 0, closed = 0, looks = 0;
+    std::mt19937 random(4);
+    for (unsigned state = 0; state < 12; ++state) {
+        const Waves waves(sheet.x, 1e-3, 5e-3, state, 1e3 * (1 + state));
+        const auto at = [&](int n) {  // more and more, and turns
+            Points x = waves.at(n * DT);
+            const Mat3 turn = Eigen::AngleAxisd(0.001 * (state % 5) * n, Vec3::UnitY()).matrix();
+            for (std::size_t i = 0; i < x.size(); ++i)
+                x[i] = turn * (sheet.x[i] + n / 240.0 * (x[i] - sheet.x[i]));
+            return x;
+        };
+        PatchMotion motion(cloth);
+        OpenCloth open(cloth, margin);
+        std::vector<std::pair<Index, Index>> all, out;
+        for (std::size_t p = 0; p < cloth.patches.size(); ++p)
+            for (std::size_t q = p; q < cloth.patches.size(); ++q)
+                if (const std::pair<Index, Index> both(p, q);
+                    open.are_neighbours(both.first, both.second))
+                    all.push_back(both);
+        motion.start(at(0));
+        for (int n = 0; n < 240; ++n) {
+            const Points x = at(n), next = at(n + 1);
+            Points v(x.size());
+            for (std::size_t i = 0; i < x.size(); ++i) v[i] = (next[i] - x[i]) / DT;
+            if (n > 0) motion.follow(x);
+            motion.foresee(v, DT);
+            if (n % 3 == 0 || !open.holds(x, motion)) {
+                std::vector<std::pair<Index, Index>> asked;
+                std::copy_if(all.begin(), all.end(), std::back_inserter(asked),
+                             [&](const auto&) { return random() % 4 == 0; });
+                std::vector<std::pair<Index, Index>> kept = asked;
+                open.drop_open(x, motion, kept);
+                out.clear();
+                std::set_difference(asked.begin(), asked.end(), kept.begin(), kept.end(),
+                                    std::back_inserter(out));
+                ++looks;
+            }
+            left_out += out.size();
+            for (const auto& [p, q] : out) {
+                CHECK(open.spare(p, q, x) >= open.known_spare(p, q, motion));
+                CHECK(open.spare(p, q, next) >= 0.0);
+            }
+            for (const auto& [p, q] : all) closed += open.spare(p, q, next) < 0.0;
+        }
+    }
+    CHECK(left_out > 1000);
+    CHECK(closed > 1000);
+    CHECK(looks < 12 * 120);
 }
 
 TEST_CASE("open cloth that flutters is not searched at all", "[contact]") {
