@@ -166,7 +166,7 @@ std::vector<Charts::Linked> Charts::draw(Index c, std::span<const Pair> pairs,
                                          const Drawing& from) {
     std::vector<Linked> out;
     const auto is_large = [&](Index patch) {
-        return from.cloth.patches[patch].size() > EIGHT * EIGHT;
+        return from.cloth.patches[patch].size() > EIGHT * MOST_BLOCKS;
     };
     if (pairs.empty() || is_large(c)) return out;
     ChartLayout layout(from.cloth, from.sides, c);

@@ -27,6 +27,7 @@ namespace corpuscle::contact {
 /// one (Noshiro 1934, Warschawski 1935, in the plane); (2) is the integral of (1) along the way.
 class Charts {
 public:
+    static constexpr std::size_t MOST_BLOCKS = 8;  ///< of a patch in a chart
     /// Eight triangles of a patch; the last fills up what is missing.
     struct Block {
         std::array<std::array<Index, EIGHT>, 3> corner;  ///< nodes

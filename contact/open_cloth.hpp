@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -11,24 +10,20 @@
 
 #include "contact/charts.hpp"
 #include "contact/patch_motion.hpp"
-#include "contact/spread.hpp"
+#include "contact/sheet_limits.hpp"
 
 namespace corpuscle::contact {
 
 /// Which patches lie open beside each other: spread so that nothing of the one can be within reach
 /// of the other, as their chart tells. Looked at again only when the way of their nodes since could
-/// have changed it: a way of d changes the gradient of a triangle of least height h by 2 d / h at
-/// most.
+/// have changed it.
 class OpenCloth {
 public:
     /// @param margin  by triangle: its part of the gap that matters                        [m]
     OpenCloth(const Cloth& cloth, std::span<const double> margin);
 
     /// Forgets what it has seen: the cloth has moved unseen.
-    void forget() {
-        std::fill(limit_.begin(), limit_.end(), -INF);
-        std::fill(block_limit_.begin(), block_limit_.end(), -INF);
-    }
+    void forget() { limits_.forget(); }
 
     /// Leaves out the pairs of patches p <= q that lie open at x.
     void drop_open(const Points& x, PatchMotion& motion,
@@ -52,24 +47,10 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(limit_, block_limit_, frame_, least_limit_, used_, pause_);
+        archive(limits_, least_limit_, used_, pause_);
     }
 
 private:
-    static constexpr std::size_t BLOCKS = 8;  ///< of a patch, at most
-    struct Edges {                            ///< of a patch's blocks, as far as they are known
-        std::array<EightEdges, BLOCKS> of;
-        std::array<bool, BLOCKS> is_known{};
-    };
-    const EightEdges& take_edges(Index patch, std::size_t b, const Points& x, Edges& edges) const;
-    void look(Index patch, const Charts::Place& at, bool is_all, const Points& x,
-              const PatchMotion& motion, Edges& edges);
-    /// Whether a sheet, given by its row, does not hold for so many steps.
-    [[nodiscard]] bool is_short(Index row, Index patch, double steps, const PatchMotion& motion,
-                                double spare = 0.0) const {
-        const double ahead = std::max(steps * motion.ahead(patch).flutter, spare);
-        return motion.gone(patch).flutter + ahead > limit_[row];
-    }
     [[nodiscard]] bool has_turned(Index c) const {
         return std::find(turned_.begin(), turned_.end(), c) != turned_.end();
     }
@@ -80,15 +61,10 @@ private:
     void list_due(IsDue&& is_due, const Points& x, PatchMotion& motion);
     void mark_sheets(const std::vector<std::uint64_t>& wanted, const Points& x,
                      PatchMotion& motion);
-    void turn(Index p, std::uint64_t wanted, const Points& x, const PatchMotion& motion);
-    [[nodiscard]] std::uint64_t short_of(Index p, std::uint64_t wanted, double steps,
-                                         const PatchMotion& motion, double spare = 0.0) const;
     void find_least_limit(Index patch);
 
     Charts charts_;
-    std::vector<double> limit_;        ///< by chart and sheet: of the flutter of its nodes     [m]
-    std::vector<double> block_limit_;  ///< and block                                          [m]
-    std::vector<Frame> frame_;         ///< by chart: Q
+    SheetLimits limits_;
     std::vector<double> least_limit_;  ///< by patch, of the sheets that count          [m]
     std::vector<std::uint64_t> used_;  ///< by chart: sheets that pairs left out lie on
     std::vector<std::uint8_t> pause_;  ///< by chart: calls for which it is not looked at
