@@ -72,8 +72,8 @@ void Simulation::stop_at_obstacles(double dt) {
     }
     for (contact::SurfaceContact& contact : contacts_) {
         const double by_held = contact.held_work();
-        has_stopped |= contact.filter(nodes_.x, dt, nodes_.v, movers_,
-                                      has_stopped ? nullptr : &v_kicked_);
+        has_stopped |=
+            contact.filter(nodes_.x, dt, nodes_.v, movers_, has_stopped ? nullptr : &v_kicked_);
         ledger_.after.external += contact.held_work() - by_held;
         ledger_.after.contact += contact.held_work() - by_held;
     }
