@@ -65,4 +65,11 @@ inline Sheet two_panels(Index n, double size, double gap, bool is_seamed) {
     return bag;
 }
 
+/// What leads from x to x_1 in a step.                                                   [m/s]
+inline Points velocity_between(const Points& x, const Points& x_1, double dt) {
+    Points v(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) v[i] = (x_1[i] - x[i]) / dt;
+    return v;
+}
+
 }  // namespace corpuscle::support

@@ -111,6 +111,15 @@ bool crosses(const Pair& pair, const std::vector<Triangle>& triangles,
     });
 }
 
+/// Brings the lists to x at t, and looks at the step ahead.
+void lead(Candidates& pairs, bool is_start, const Points& x, const Points& v, double t, double dt) {
+    if (is_start)
+        pairs.start(x, v, t, dt, std::vector<std::uint8_t>{1});
+    else
+        pairs.follow(x, t);
+    pairs.foresee(x, v, t, dt);
+}
+
 }  // namespace
 
 TEST_CASE("of 200 random crumpled states, moving, nothing near or about to meet is missed",
@@ -129,15 +138,9 @@ TEST_CASE("of 200 random crumpled states, moving, nothing near or about to meet 
         const auto left_alone = brute_force::crossings(sheet.triangles, motion.at(0.0));
         for (int n = 0; n < 12; ++n) {
             const Points x = motion.at(n * DT), next = motion.at((n + 1) * DT);
-            Points v(x.size());
-            for (std::size_t i = 0; i < x.size(); ++i) v[i] = (next[i] - x[i]) / DT;
-            if (n == 0) {
-                pairs.start(x, v, 0.0, DT, std::vector<std::uint8_t>{1});
-                REQUIRE(pairs.crossing() == left_alone);
-            } else {
-                pairs.follow(x, n * DT);
-            }
-            pairs.foresee(x, v, n * DT, DT);
+            const Points v = support::velocity_between(x, next, DT);
+            lead(pairs, n == 0, x, v, n * DT, DT);
+            if (n == 0) REQUIRE(pairs.crossing() == left_alone);
             std::set<Named> due, may_meet;
             pairs.for_each_meeting(0, pairs.size(), insert_into(may_meet, pairs));
             pairs.for_each_due(0, pairs.size(), insert_into(due, pairs));
@@ -176,13 +179,8 @@ TEST_CASE("where most of the cloth lies open, nothing near is missed either", "[
         const auto left_alone = brute_force::crossings(sheet.triangles, motion.at(0.0));
         for (int n = 0; n < 40; ++n) {
             const Points x = motion.at(n * DT), next = motion.at((n + 1) * DT);
-            Points v(x.size());
-            for (std::size_t i = 0; i < x.size(); ++i) v[i] = (next[i] - x[i]) / DT;
-            if (n == 0)
-                pairs.start(x, v, 0.0, DT, std::vector<std::uint8_t>{1});
-            else
-                pairs.follow(x, n * DT);
-            pairs.foresee(x, v, n * DT, DT);
+            const Points v = support::velocity_between(x, next, DT);
+            lead(pairs, n == 0, x, v, n * DT, DT);
             std::set<Named> due;
             pairs.for_each_due(0, pairs.size(), insert_into(due, pairs));
             pairs.for_each_due(0, pairs.size(), [&](std::size_t i) { tell_distance(pairs, i, x); });
@@ -227,13 +225,8 @@ TEST_CASE("whatever is near is due, and whatever may meet is known, as in a list
     for (int n = 0; n < 200; ++n) {
         const double t = n * dt;
         const Points x = place(t), next = place(t + dt);
-        Points v(x.size());
-        for (std::size_t i = 0; i < x.size(); ++i) v[i] = (next[i] - x[i]) / dt;
-        if (n == 0)
-            pairs.start(x, v, t, dt, std::vector<std::uint8_t>{1});
-        else
-            pairs.follow(x, t);
-        pairs.foresee(x, v, t, dt);
+        const Points v = support::velocity_between(x, next, dt);
+        lead(pairs, n == 0, x, v, t, dt);
         std::set<Named> due, may_meet;
         pairs.for_each_meeting(0, pairs.size(), insert_into(may_meet, pairs));
         pairs.for_each_due(0, pairs.size(), insert_into(due, pairs));
@@ -284,13 +277,8 @@ TEST_CASE("nodes that dash off are predicted anew and nothing that they come nea
             return x;
         };
         const Points x = place(n * DT), next = place((n + 1) * DT);
-        Points v(x.size());
-        for (std::size_t i = 0; i < x.size(); ++i) v[i] = (next[i] - x[i]) / DT;
-        if (n == 0)
-            pairs.start(x, v, 0.0, DT, std::vector<std::uint8_t>{1});
-        else
-            pairs.follow(x, n * DT);
-        pairs.foresee(x, v, n * DT, DT);
+        const Points v = support::velocity_between(x, next, DT);
+        lead(pairs, n == 0, x, v, n * DT, DT);
         std::map<Named, int> due;
         pairs.for_each_due(0, pairs.size(), [&](std::size_t i) { ++due[name(pairs[i])]; });
         for (const Pair& pair : everything) {

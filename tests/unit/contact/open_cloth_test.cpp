@@ -101,8 +101,7 @@ TEST_CASE("what is left out is out of reach, however cloth moves, until it does 
             patches.start(motion.at(0.0));
             for (int n = 0; n < 24; ++n, ++steps) {
                 const Points x = motion.at(n * DT), next = motion.at((n + 1) * DT);
-                Points v(x.size());
-                for (std::size_t i = 0; i < x.size(); ++i) v[i] = (next[i] - x[i]) / DT;
+                const Points v = support::velocity_between(x, next, DT);
                 if (n > 0) patches.follow(x);
                 patches.foresee(v, DT);
                 if (n == 0 || !patches.holds(x)) {
@@ -157,8 +156,7 @@ TEST_CASE("what swings back and forth is left out only while a fresh look finds 
         motion.start(at(0));
         for (int n = 0; n < 240; ++n) {
             const Points x = at(n), next = at(n + 1);
-            Points v(x.size());
-            for (std::size_t i = 0; i < x.size(); ++i) v[i] = (next[i] - x[i]) / DT;
+            const Points v = support::velocity_between(x, next, DT);
             if (n > 0) motion.follow(x);
             motion.foresee(v, DT);
             if (n % 3 == 0 || !open.holds(x, motion)) {

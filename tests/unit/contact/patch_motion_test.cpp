@@ -52,8 +52,7 @@ struct Flying {
 
 void step(PatchMotion& motion, const Flying& flying, int n) {
     const Points x = flying.at(n * DT), next = flying.at((n + 1) * DT);
-    Points v(x.size());
-    for (std::size_t i = 0; i < x.size(); ++i) v[i] = (next[i] - x[i]) / DT;
+    const Points v = support::velocity_between(x, next, DT);
     motion.foresee(v, DT);
     motion.follow(next);
 }
