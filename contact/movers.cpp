@@ -76,6 +76,7 @@ Contact contact_at(const Cloth& cloth, std::span<const RigidMover> bodies, const
 }
 
 double Movement::push(Index node, const Vec3& impulse) {
+    assert(has_begun_);
     if (const Index body = cloth_.body[node]; body >= 0)
         return bodies_[body].push(impulse, x_[node]);
     if (const double inverse = cloth_.inverse_mass[node]; inverse > 0.0) {

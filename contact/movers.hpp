@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cassert>
 #include <span>
 #include <utility>
 
@@ -96,7 +97,10 @@ public:
     /// Gives a node an impulse; returns the work that what is held does thereby.           [J]
     double push(Index node, const Vec3& impulse);
     /// Gives a node that is no body's a velocity.
-    void set(Index node, const Vec3& velocity) { v_[node] = velocity; }
+    void set(Index node, const Vec3& velocity) {
+        assert(has_begun_);
+        v_[node] = velocity;
+    }
     /// Joins a node to a body's place where it is: an impulse that leaves no velocity between them.
     struct Joined {
         double taken = 0.0;      ///< energy                                               [J]

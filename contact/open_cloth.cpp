@@ -33,7 +33,7 @@ void OpenCloth::look_at_patches(std::span<const Index> patches,
     const auto look_at_one = [&](std::size_t i) {
         const Index r = patches[i];
         motion.mark_shape(r, x);
-        const Outlook ahead{LEAST, spare_};
+        const Lookahead ahead{LEAST, spare_};
         SheetLimits::Edges edges(charts_.blocks(r), x);
         for (const Charts::Place& at : charts_.places(r))
             if (wanted[at.chart] >> at.sheet & 1U && limits_.is_short(at.row, r, ahead, motion))

@@ -115,7 +115,7 @@ void SheetLimits::turn(Index c, std::uint64_t sheets, const Points& x, const Pat
     });
 }
 
-std::uint64_t SheetLimits::short_of(Index c, std::uint64_t sheets, const Outlook& ahead,
+std::uint64_t SheetLimits::short_of(Index c, std::uint64_t sheets, const Lookahead& ahead,
                                     const PatchMotion& motion) const {
     std::uint64_t out = 0;
     for_each_bit(sheets, [&](std::size_t s) {

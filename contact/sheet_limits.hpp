@@ -15,7 +15,7 @@
 namespace corpuscle::contact {
 
 /// How far it is looked ahead: so many steps like the one that was foreseen, at least some way.
-struct Outlook {
+struct Lookahead {
     double steps;
     double least = 0.0;  ///< [m]
 
@@ -64,12 +64,12 @@ public:
     void turn(Index chart, std::uint64_t sheets, const Points& x, const PatchMotion& motion);
 
     /// Whether a sheet of a patch, given by its row, is spread enough for less than that.
-    [[nodiscard]] bool is_short(Index row, Index patch, const Outlook& ahead,
+    [[nodiscard]] bool is_short(Index row, Index patch, const Lookahead& ahead,
                                 const PatchMotion& motion) const {
         return motion.gone(patch).flutter + ahead.of(patch, motion) > limit_[row];
     }
     /// Those of some of a chart's sheets that are.
-    [[nodiscard]] std::uint64_t short_of(Index chart, std::uint64_t sheets, const Outlook& ahead,
+    [[nodiscard]] std::uint64_t short_of(Index chart, std::uint64_t sheets, const Lookahead& ahead,
                                          const PatchMotion& motion) const;
 
     [[nodiscard]] double operator[](Index row) const { return limit_[row]; }  ///< [m]

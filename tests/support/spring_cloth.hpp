@@ -173,4 +173,12 @@ inline ClothRun run_cloth(SpringCloth& cloth, contact::SurfaceContact& contact, 
     return run;
 }
 
+/// A sheet as contact knows it, 1 mm thick for it.
+inline contact::Cloth cloth_of(const Sheet& sheet) {
+    SpringCloth cloth(sheet);
+    contact::ContactCard card;
+    card.thickness = 1e-3;
+    return contact::Cloth(cloth.setup(card, sheet.x));
+}
+
 }  // namespace corpuscle::support

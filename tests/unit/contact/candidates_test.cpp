@@ -16,6 +16,8 @@ using namespace corpuscle::contact;
 
 namespace {
 
+constexpr double REACH = 1.5, DT = 1e-5;  ///< [contact thicknesses], [s]
+
 using Named = std::array<Index, 5>;  ///< a pair whatever the order of its nodes
 
 Named name(Pair pair) {
@@ -126,11 +128,7 @@ TEST_CASE("of 200 random crumpled states, moving, nothing near or about to meet 
           "[contact]") {
     const support::Sheet sheet = support::square_sheet(6, 0.06);
     const auto everything = all_pairs(sheet.triangles, sheet.x.size());
-    support::SpringCloth cloth(sheet);
-    ContactCard card;
-    card.thickness = 1e-3;
-    const Cloth fixed(cloth.setup(card, sheet.x));
-    constexpr double REACH = 1.5, DT = 1e-5;
+    const Cloth fixed = support::cloth_of(sheet);
     std::size_t near = 0, meeting = 0, listed = 0;
     for (unsigned state = 0; state < 200; ++state) {
         const Crumpling motion(sheet.x, 0.06, state);
@@ -150,7 +148,8 @@ TEST_CASE("of 200 random crumpled states, moving, nothing near or about to meet 
             for (const Pair& pair : everything) {
                 const double now = nearest(pair, corners(pair, x)).apart.norm();
                 const double later = nearest(pair, corners(pair, next)).apart.norm();
-                const bool is_near = now < REACH * card.thickness, meets = later < 0.2 * now;
+                const bool is_near = now < REACH * fixed.greatest_thickness,
+                           meets = later < 0.2 * now;
                 if ((!is_near && !meets) || crosses(pair, sheet.triangles, left_alone)) continue;
                 near += is_near;
                 meeting += meets;
@@ -167,11 +166,7 @@ TEST_CASE("of 200 random crumpled states, moving, nothing near or about to meet 
 TEST_CASE("where most of the cloth lies open, nothing near is missed either", "[contact]") {
     const support::Sheet sheet = support::square_sheet(16, 0.16);
     const auto everything = all_pairs(sheet.triangles, sheet.x.size());
-    support::SpringCloth cloth(sheet);
-    ContactCard card;
-    card.thickness = 1e-3;
-    const Cloth fixed(cloth.setup(card, sheet.x));
-    constexpr double REACH = 1.5, DT = 1e-5;
+    const Cloth fixed = support::cloth_of(sheet);
     std::size_t near = 0, unsearched = 0;
     for (unsigned state = 0; state < 10; ++state) {
         const Crumpling motion(sheet.x, 0.16, state, 0.01 * (1 + state % 5));
@@ -187,7 +182,8 @@ TEST_CASE("where most of the cloth lies open, nothing near is missed either", "[
             unsearched += sheet.triangles.size() - pairs.searched();
             if (n % 13 != 0) continue;
             for (const Pair& pair : everything) {
-                if (nearest(pair, corners(pair, x)).apart.norm() >= REACH * card.thickness ||
+                if (nearest(pair, corners(pair, x)).apart.norm() >=
+                        REACH * fixed.greatest_thickness ||
                     crosses(pair, sheet.triangles, left_alone))
                     continue;
                 ++near;
@@ -217,7 +213,6 @@ TEST_CASE("whatever is near is due, and whatever may meet is known, as in a list
     ContactCard card;
     card.thickness = 1e-3;
     const Cloth fixed(cloth.setup(card, flat));
-    constexpr double REACH = 1.5;
     Candidates pairs(fixed, REACH);
     const auto everything = all_pairs(sheet.triangles, flat.size());
 
@@ -254,11 +249,7 @@ TEST_CASE("nodes that dash off are predicted anew and nothing that they come nea
           "[contact]") {
     support::Sheet sheet = support::square_sheet(12, 0.12);
     sheet.append(support::square_sheet(12, 0.12), {0.001, 0.002, 4e-3});
-    support::SpringCloth cloth(sheet);
-    ContactCard card;
-    card.thickness = 1e-3;
-    const Cloth fixed(cloth.setup(card, sheet.x));
-    constexpr double REACH = 1.5, DT = 1e-5;
+    const Cloth fixed = support::cloth_of(sheet);
     const auto everything = all_pairs(sheet.triangles, sheet.x.size());
     Candidates pairs(fixed, REACH);
     std::size_t near = 0, missed = 0;
@@ -282,7 +273,8 @@ TEST_CASE("nodes that dash off are predicted anew and nothing that they come nea
         std::map<Named, int> due;
         pairs.for_each_due(0, pairs.size(), [&](std::size_t i) { ++due[name(pairs[i])]; });
         for (const Pair& pair : everything) {
-            if (nearest(pair, corners(pair, x)).apart.norm() >= REACH * card.thickness) continue;
+            if (nearest(pair, corners(pair, x)).apart.norm() >= REACH * fixed.greatest_thickness)
+                continue;
             ++near;
             missed += due[name(pair)] != 1;  // and none is listed twice
         }

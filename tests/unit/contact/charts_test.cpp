@@ -14,13 +14,6 @@ using namespace corpuscle::contact;
 
 namespace {
 
-Cloth cloth_of(const support::Sheet& sheet) {
-    support::SpringCloth cloth(sheet);
-    ContactCard card;
-    card.thickness = 1e-3;
-    return Cloth(cloth.setup(card, sheet.x));
-}
-
 Charts charts_of(const Cloth& cloth) {
     return {cloth, std::vector<double>(cloth.triangles.size(), 0.75e-3)};
 }
@@ -38,7 +31,7 @@ bool have_common_node(const Cloth& cloth, std::size_t p, std::size_t q) {
 }  // namespace
 
 TEST_CASE("of flat cloth, patches beside each other have a chart in common", "[contact]") {
-    const Cloth cloth = cloth_of(support::square_sheet(24, 0.24));
+    const Cloth cloth = support::cloth_of(support::square_sheet(24, 0.24));
     const Charts charts = charts_of(cloth);
     std::size_t beside = 0;
     for (std::size_t p = 0; p < charts.size(); ++p)
@@ -60,7 +53,7 @@ TEST_CASE("of flat cloth, patches beside each other have a chart in common", "[c
 
 TEST_CASE("of a sphere, too, and no chart holds what lies behind", "[contact]") {
     const auto ball = shapes::sphere(0.3, 5);
-    const Cloth cloth = cloth_of({ball.x, ball.triangles});
+    const Cloth cloth = support::cloth_of({ball.x, ball.triangles});
     const Charts charts = charts_of(cloth);
     for (std::size_t p = 0; p < charts.size(); ++p)
         for (std::size_t q = p; q < charts.size(); ++q) {
@@ -77,7 +70,7 @@ TEST_CASE("of a sphere, too, and no chart holds what lies behind", "[contact]") 
 TEST_CASE("panels that lie on each other have no chart in common but across their seam, nor there",
           "[contact]") {
     const support::Sheet bag = support::two_panels(24, 0.24, 0.0, true);
-    const Cloth cloth = cloth_of(bag);
+    const Cloth cloth = support::cloth_of(bag);
     const Charts charts = charts_of(cloth);
     const auto panel = static_cast<Index>(bag.triangles.size() / 2);
     const auto side = [&](std::size_t p) {  // -1: patches of both
@@ -102,7 +95,7 @@ TEST_CASE("no way leads over a hole in the cloth, nor over an edge of three tria
     support::Sheet sheet = support::square_sheet(24, 0.24);
     const auto is_over = [&](const support::Sheet& of, double x, double y) {
         // pairs that have a triangle left and right of the place
-        const Cloth cloth = cloth_of(of);
+        const Cloth cloth = support::cloth_of(of);
         const Charts charts = charts_of(cloth);
         std::size_t found = 0;
         for (std::size_t p = 0; p < charts.size(); ++p)

@@ -19,13 +19,6 @@ namespace {
 
 constexpr double REACH = 1.5e-3, DT = 1e-5;  ///< [m], [s]
 
-Cloth cloth_of(const support::Sheet& sheet) {
-    support::SpringCloth cloth(sheet);
-    ContactCard card;
-    card.thickness = 1e-3;
-    return Cloth(cloth.setup(card, sheet.x));
-}
-
 /// Least distance of two patches' nodes and triangles, edges and edges that share no node; INF when
 /// it is above 2 REACH.                                                                     [m]
 double least_distance(const Cloth& cloth, Index p, Index q, const Points& x) {
@@ -93,7 +86,7 @@ TEST_CASE("what is left out is out of reach, however cloth moves, until it does 
     for (const auto& sheet :
          {support::square_sheet(16, 0.16), support::Sheet{ball.x, ball.triangles},
           support::two_panels(12, 0.12, 0.0, true)}) {
-        const Cloth cloth = cloth_of(sheet);
+        const Cloth cloth = support::cloth_of(sheet);
         for (unsigned state = 0; state < 8; ++state) {
             // from gentle waves to cloth that runs through itself
             const Waves motion(sheet.x, 2e-3 * (1 << state % 4), 1e-3 * (state % 3), state);
@@ -132,7 +125,7 @@ TEST_CASE("what is left out is out of reach, however cloth moves, until it does 
 TEST_CASE("what swings back and forth is left out only while a fresh look finds it open",
           "[contact]") {
     const support::Sheet sheet = support::square_sheet(28, 0.28);
-    const Cloth cloth = cloth_of(sheet);
+    const Cloth cloth = support::cloth_of(sheet);
     const std::vector<double> margin(cloth.triangles.size(), 0.5 * REACH);
     std::size_t left_out = 0, closed = 0, looks = 0;
     std::mt19937 random(4);
@@ -188,7 +181,7 @@ TEST_CASE("open cloth that flutters is not searched at all", "[contact]") {
         const auto ball = shapes::sphere(0.3, 5);
         const auto sheet =
             is_ball ? support::Sheet{ball.x, ball.triangles} : support::square_sheet(24, 0.24);
-        const Cloth cloth = cloth_of(sheet);
+        const Cloth cloth = support::cloth_of(sheet);
         const Waves motion(sheet.x, 1e-3, 5e-4, 1);
         PatchPairs patches(cloth, std::vector<double>(cloth.triangles.size(), 0.5 * REACH));
         patches.start(motion.at(0.0));
