@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gas/resident_air.hpp"
+#include "gas/inflow/resident_air.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "gas/orifice_flow.hpp"
+#include "gas/thermo/orifice_flow.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "gas/control_volume.hpp"
-#include "gas/enclosure.hpp"
+#include "gas/thermo/control_volume.hpp"
+#include "gas/enclosure/enclosure.hpp"
 
 namespace corpuscle::gas {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gas/collision_name.hpp"
+#include "gas/cards/collision_model.hpp"
 #include "io/deck_places.hpp"
 #include "io/draft.hpp"
 #include "io/faults.hpp"

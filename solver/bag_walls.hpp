@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "gas/openings.hpp"
+#include "gas/outflow/openings.hpp"
 #include "solver/model.hpp"
 
 namespace corpuscle {

@@ -11,9 +11,9 @@
 #include "contact/wall_card.hpp"
 #include "fabric/materials/fabric_card.hpp"
 #include "fabric/mesh.hpp"
-#include "gas/bag.hpp"
+#include "gas/cards/bag.hpp"
 #include "gas/sensor.hpp"
-#include "gas/uniform_card.hpp"
+#include "gas/cards/uniform_card.hpp"
 #include "solver/base/curve.hpp"
 #include "solver/base/vec.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "gas/collision_name.hpp"
+#include "gas/cards/collision_model.hpp"
 #include "io/keywords/airbag_gas.hpp"
 #include "io/keywords/airbag_vents.hpp"
 #include "io/keywords/keywords.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "gas/bag.hpp"
+#include "gas/cards/bag.hpp"
 #include "io/card.hpp"
 #include "io/draft.hpp"
 

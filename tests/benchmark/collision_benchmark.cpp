@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "gas/collision_name.hpp"
+#include "gas/cards/collision_model.hpp"
 #include "solver/base/parallel.hpp"
 #include "tests/benchmark/collision_cases.hpp"
 #include "tests/support/sod.hpp"

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "gas/collide.hpp"
+#include "gas/collisions/collide.hpp"
 
 /// Cases whose answer is known, each computed once by one collision model.
 namespace corpuscle::benchmark {

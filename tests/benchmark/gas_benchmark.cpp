@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "gas/collide.hpp"
+#include "gas/collisions/collide.hpp"
 #include "solver/base/parallel.hpp"
 #include "tests/unit/gas/random_gas.hpp"
 

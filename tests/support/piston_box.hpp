@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "gas/collide.hpp"
+#include "gas/collisions/collide.hpp"
 #include "tests/unit/gas/random_gas.hpp"
 
 namespace corpuscle::gas {

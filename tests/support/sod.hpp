@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "gas/collide.hpp"
+#include "gas/collisions/collide.hpp"
 
 /// Sod's shock tube in three dimensions: a box 1 x 0.1 x 0.1 of diatomic gas, c_T = sqrt(R T / M) =
 /// 1 on the left, where density and pressure are 1; on the right of the middle they are 0.125 and

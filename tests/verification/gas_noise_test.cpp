@@ -10,8 +10,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "gas/collide.hpp"
-#include "gas/impulse_store.hpp"
+#include "gas/collisions/collide.hpp"
+#include "gas/wall_load/impulse_store.hpp"
 #include "tests/support/shapes.hpp"
 #include "tests/unit/gas/random_gas.hpp"
 

@@ -10,8 +10,8 @@
 #include <numeric>
 #include <string>
 
-#include "gas/enclosure.hpp"
-#include "gas/flight.hpp"
+#include "gas/enclosure/enclosure.hpp"
+#include "gas/flight/flight.hpp"
 #include "solver/base/random.hpp"
 #include "tests/support/shapes.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "gas/cell_grid.hpp"
+#include "gas/collisions/cell_grid.hpp"
 #include "random_gas.hpp"
 #include "solver/base/parallel.hpp"
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gas/clearance.hpp"
-#include "gas/crossing.hpp"
-#include "gas/free_ways.hpp"
+#include "gas/flight/clearance.hpp"
+#include "gas/flight/crossing.hpp"
+#include "gas/flight/free_ways.hpp"
 #include "solver/base/random.hpp"
 #include "tests/support/shapes.hpp"
 

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <string>
 
-#include "gas/collide.hpp"
-#include "gas/relax.hpp"
+#include "gas/collisions/collide.hpp"
+#include "gas/collisions/relax.hpp"
 #include "random_gas.hpp"
 #include "solver/base/parallel.hpp"
 

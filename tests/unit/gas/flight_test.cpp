@@ -1,14 +1,14 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "gas/flight.hpp"
+#include "gas/flight/flight.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
 #include <numeric>
 
-#include "gas/crossing.hpp"
-#include "gas/enclosure.hpp"
+#include "gas/flight/crossing.hpp"
+#include "gas/enclosure/enclosure.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/base/random.hpp"
 #include "tests/support/shapes.hpp"

@@ -1,13 +1,13 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "gas/gates.hpp"
+#include "gas/flight/gates.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
 
-#include "gas/flight.hpp"
-#include "gas/orifice_flow.hpp"
+#include "gas/flight/flight.hpp"
+#include "gas/thermo/orifice_flow.hpp"
 #include "solver/base/constants.hpp"
 #include "tests/support/shapes.hpp"
 

@@ -1,6 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "gas/groups.hpp"
+#include "gas/collisions/groups.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -3,7 +3,7 @@
 //
 // What hits bring reaches the fabric: all of it, promptly, and quietly.
 
-#include "gas/impulse_store.hpp"
+#include "gas/wall_load/impulse_store.hpp"
 
 #include <catch2/catch.hpp>
 

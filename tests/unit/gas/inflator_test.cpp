@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "gas/inflator.hpp"
+#include "gas/inflow/inflator.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/random.hpp"
 

@@ -1,12 +1,12 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "gas/lin_lanes.hpp"
+#include "gas/collisions/lin_lanes.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
 
-#include "gas/collide.hpp"
+#include "gas/collisions/collide.hpp"
 #include "random_gas.hpp"
 
 using namespace corpuscle;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gas/particles.hpp"
-#include "gas/species.hpp"
+#include "gas/thermo/species.hpp"
 #include "solver/base/random.hpp"
 
 namespace corpuscle::gas {

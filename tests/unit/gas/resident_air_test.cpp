@@ -1,13 +1,13 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "gas/resident_air.hpp"
+#include "gas/inflow/resident_air.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
 #include <numeric>
 
-#include "gas/inside.hpp"
+#include "gas/enclosure/inside.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/base/random.hpp"

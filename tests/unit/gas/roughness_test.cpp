@@ -1,6 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "gas/roughness.hpp"
+#include "gas/wall_load/roughness.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
-#include "gas/species.hpp"
+#include "gas/thermo/species.hpp"
 #include "solver/base/error.hpp"
 
 using namespace corpuscle;

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "deck_scene.hpp"
-#include "gas/collide.hpp"
+#include "gas/collisions/collide.hpp"
 #include "solver/base/constants.hpp"
 
 using namespace corpuscle;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "gas/orifice_flow.hpp"
+#include "gas/thermo/orifice_flow.hpp"
 #include "solver/base/error.hpp"
 #include "solver/simulation.hpp"
 #include "tests/support/scenes.hpp"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gas/orifice_flow.hpp"
+#include "gas/thermo/orifice_flow.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/simulation.hpp"
 #include "tests/support/scenes.hpp"

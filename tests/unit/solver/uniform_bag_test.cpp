@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "gas/control_volume.hpp"
-#include "gas/orifice_flow.hpp"
+#include "gas/thermo/control_volume.hpp"
+#include "gas/thermo/orifice_flow.hpp"
 #include "solver/base/error.hpp"
 #include "solver/simulation.hpp"
 #include "tests/support/scenes.hpp"

@@ -1,0 +1,102 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gas/cards/collision_model.hpp"
+#include "gas/cards/opening_cards.hpp"
+#include "solver/base/constants.hpp"
+#include "solver/base/vec.hpp"
+
+/// What *AIRBAG_PARTICLE says of one bag, in deck units, defaults resolved, sets expanded to rows.
+namespace corpuscle::gas {
+
+/// One gas: molar heat capacity Cp(T) = A + B·T + C·T².
+struct SpeciesCard {
+    double molar_mass = NaN;  ///< XM                     [kg/mol]
+    double A = NaN;           ///< constant part of Cp    [J/(mol K)]
+    double B = 0.0;           ///< linear part            [J/(mol K^2)]
+    double C = 0.0;           ///< quadratic part         [J/(mol K^3)]
+};
+
+/// A gas that flows in.
+struct InflowCard {
+    SpeciesCard species;
+    Index mass_rate = -1;    ///< LCM: curve row, mass flow over time              [kg/s]
+    Index temperature = -1;  ///< LCT: curve row, static temperature over time     [K]
+    int inflator = 1;        ///< INFG
+};
+
+/// A nozzle.
+struct OrificeCard {
+    Index node = -1;      ///< NID: node row of its place
+    Index shell = -1;     ///< VD = -1, -2: shell row instead of a node; the flow follows its normal
+    double weight = 1.0;  ///< AN: area, shares the gas among an inflator's orifices
+    std::optional<Vec3> direction;  ///< VD > 0: direction of the vector; none: into every direction
+    double normal_sign = 0.0;       ///< VD = -1: +1, VD = -2: -1
+    double cone = NaN;    ///< half angle between the axis and the rim of the jet       [rad]
+    int inflator = 1;     ///< INFO
+    double offset = 0.0;  ///< XOFF: from the shell's centre, the way the gas flows [m]
+    bool pushes = false;  ///< IMOM = 1: the jet pushes its node (or shell) back
+};
+
+/// Air that is in the bag at the start.
+struct InitialAirCard {
+    SpeciesCard species;
+    double pressure = NaN;      ///< PAIR  [Pa]
+    double temperature = NaN;   ///< TAIR  [K]
+    bool is_particles = false;  ///< IAIR = 2
+    bool flows_in = false;      ///< IAIR = -1: ambient air comes in where p < p_atm
+    std::size_t particles = 0;  ///< NPAIR, beside NP; 0: a share of NP
+};
+
+/// Rough fabric: FRIC of card 1, or PFRIC of an NPDATA row.
+struct FrictionCard {
+    std::vector<Index> parts;  ///< part rows; none: all that no other card names
+    double factor = 0.0;       ///< WallFriction::factor                                   [-]
+    Index curve = -1;          ///< in its place: over the part's absolute pressure
+};
+
+/// A closed room of a bag, *DEFINE_CPM_CHAMBER.
+struct ChamberCard {
+    int id = 0;                ///< CHM_ID
+    std::vector<Index> parts;  ///< part rows whose shells close it
+};
+
+/// One *AIRBAG_PARTICLE.
+struct BagCard {
+    int id = 0;  ///< the _ID card's number, else order in the deck from 1
+    std::string title;
+    std::vector<Index> external_parts;  ///< SID1 without SID2: part rows whose shells close the bag
+    std::vector<Index> internal_parts;  ///< SID2: part rows inside (tethers, diffusers, valves)
+    std::size_t particles = 200000;     ///< NP
+    bool show_particles = true;         ///< VISFLG
+    double gas_constant = GAS_CONSTANT;     ///< R in deck units (UNIT)                 [J/(mol K)]
+    double second = 1.0;                    ///< one second in the deck's unit of time (UNIT)
+    double p_atm = ATMOSPHERE_PRESSURE;     ///< PATM                                   [Pa]
+    double T_atm = ATMOSPHERE_TEMPERATURE;  ///< TATM                                   [K]
+    double all_in = 1e10;                   ///< TEND: all particles have entered       [s]
+    double switch_at = INF;                 ///< TSW: uniform pressure from then on [s]
+    std::vector<InflowCard> inflow;         ///< NGAS cards
+    std::vector<OrificeCard> orifices;      ///< NORIF cards
+    std::optional<InitialAirCard> air;      ///< IAIR other than 0
+    std::array<Index, 3> frame{-1, -1,
+                               -1};  ///< NID1-3: node rows that directions turn with; -1: none
+    bool is_of_2007 = false;         ///< the cards mean what they meant in the course notes
+    std::optional<CollisionModel> collision;  ///< none: the collider's own choice
+    double mean_free_path = NaN;              ///< of that model; NaN: its default        [m]
+    std::vector<VentCard> vents;              ///< NVENT cards
+    std::vector<HeatCard> heat;               ///< HCONV of NPDATA cards
+    std::vector<ChamberCard> chambers;        ///< CHM
+    BlockCard block;                          ///< BLOCK
+    std::vector<FrictionCard> friction;       ///< FRIC and PFRIC that are not 0
+    bool friction_pushes_along = true;        ///< IDFRIC = 0
+    double normal_damping = 0.0;              ///< VNDAMP                                 [-]
+    double smoothing = 1.0;  ///< SFFDC, scales the time over which impulse is released [-]
+};
+
+}  // namespace corpuscle::gas

@@ -1,0 +1,107 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "gas/collisions/cell_grid.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "solver/base/lanes.hpp"
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle::gas {
+
+namespace {
+
+constexpr std::size_t SMALLEST_SLICE = 8192;  ///< particles worth a thread
+
+/// Grid::cell_of() of many points, by fours.
+void find_cells(const Grid& grid, std::span<const Vec3> x, Index* cell) {
+    using lanes::Four;
+    const std::size_t fours = x.size() / lanes::LANES;
+    for (std::size_t q = 0; q < fours; ++q) {
+        const double* const at = x[q * lanes::LANES].data();
+        const auto column = lanes::columns(lanes::load(at), lanes::load(at + lanes::LANES),
+                                           lanes::load(at + 2 * lanes::LANES));
+        using Ints = std::int32_t __attribute__((vector_size(16)));
+        std::array<Ints, 3> along;
+        for (int a = 0; a < 3; ++a) {
+            const Four cells = (column[a] - grid.low[a]) * grid.per_edge,
+                       last = lanes::all(grid.count[a] - 1.0);
+            const Four least = cells < 0.0 ? lanes::all(0.0) : cells;
+            along[a] = __builtin_convertvector(least > last ? last : least, Ints);
+        }
+        const Ints row = (along[2] * grid.count[1] + along[1]) * grid.count[0] + along[0];
+        std::memcpy(cell + q * lanes::LANES, &row, sizeof(row));
+    }
+    for (std::size_t i = fours * lanes::LANES; i < x.size(); ++i)
+        cell[i] = static_cast<Index>(grid.cell_of(x[i]));
+}
+
+}  // namespace
+
+void CellSort::sort(const Grid& grid, Particles& particles, bool moves_rows) {
+    const std::span<const Vec3> x = particles.x;
+    cells_ = grid.size();
+    cell_.reserve(particles.id.capacity());
+    spare_.reserve(particles.id.capacity());
+    cell_.resize(x.size());
+    order_.reserve(particles.id.capacity());
+    order_.resize(x.size());
+    start_.resize(cells_ + 1);
+
+    // One slice of the particles a thread. A stable sort has one result, however it is cut.
+    const auto threads = static_cast<std::size_t>(parallel::threads());
+    slice_length_ = std::max(SMALLEST_SLICE, (x.size() + threads - 1) / threads);
+    const std::size_t slices = parallel::chunk_count(x.size(), slice_length_);
+    fill_.assign(slices * cells_, 0);
+
+    parallel::for_each(
+        slices, [&](std::size_t s) { count(grid, x, s); }, 1);
+    Index next = 0;
+    for (std::size_t c = 0; c < cells_; ++c) {
+        start_[c] = next;
+        for (std::size_t s = 0; s < slices; ++s) next += std::exchange(fill_[s * cells_ + c], next);
+    }
+    start_[cells_] = next;
+    parallel::for_each(
+        slices, [&](std::size_t s) { place(s); }, 1);
+    if (moves_rows) move_rows(particles);
+}
+
+void CellSort::count(const Grid& grid, std::span<const Vec3> x, std::size_t slice) {
+    Index* const counts = fill_.data() + slice * cells_;
+    const std::size_t begin = slice * slice_length_;
+    const std::size_t end = std::min(x.size(), begin + slice_length_);
+    find_cells(grid, x.subspan(begin, end - begin), cell_.data() + begin);
+    for (std::size_t i = begin; i < end; ++i) ++counts[cell_[i]];
+}
+
+void CellSort::place(std::size_t slice) {
+    Index* const next = fill_.data() + slice * cells_;
+    const std::size_t end = std::min(cell_.size(), (slice + 1) * slice_length_);
+    for (std::size_t i = slice * slice_length_; i < end; ++i)
+        order_[static_cast<std::size_t>(next[cell_[i]]++)] = static_cast<Index>(i);
+}
+
+/// Number by number, so that eight spare bytes a particle do for all.
+void CellSort::move_rows(Particles& particles) {
+    const std::size_t n = order_.size();
+    spare_.resize(n);
+    const auto move = [&]<class T>(T* numbers, std::size_t stride) {
+        T* const spare = reinterpret_cast<T*>(spare_.data());
+        parallel::for_each(n, [&](std::size_t i) {
+            spare[i] = numbers[stride * static_cast<std::size_t>(order_[i])];
+        });
+        parallel::for_each(n, [&](std::size_t i) { numbers[stride * i] = spare[i]; });
+    };
+    if (n == 0) return;
+    for (auto* column : {&particles.x, &particles.v})
+        for (int a = 0; a < 3; ++a) move((*column)[0].data() + a, 3);
+    move(particles.e.data(), 1);
+    for (auto* column : {&particles.species, &particles.id}) move(column->data(), 1);
+    move(particles.clear.data(), 1);
+    parallel::for_each(n, [&](std::size_t i) { order_[i] = static_cast<Index>(i); });
+}
+
+}  // namespace corpuscle::gas

@@ -1,0 +1,90 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "gas/cards/collision_model.hpp"
+#include "gas/collisions/groups.hpp"
+#include "gas/particles.hpp"
+#include "gas/thermo/species.hpp"
+#include "solver/base/constants.hpp"
+
+namespace corpuscle::gas {
+
+/// What a model needs to know to collide all groups once.
+struct CollisionStep {
+    Lists groups;
+    const Mixture& mixture;
+    double heat;           ///< factor on each group's thermal energy, 1: none                [-]
+    double dt;             ///< since the last collision step                       [s]
+    double volume;         ///< of a cell                                           [m^3]
+    double cross_section;  ///< pi d² of the spheres; 0 where a model has none      [m^2]
+    std::uint64_t seed;
+    std::uint64_t step;  ///< counts collision steps: no two draw the same numbers
+};
+
+/// What went other than planned.
+struct CollisionReport {
+    double thermal = 0.0;  ///< energy of all groups that `heat` has multiplied, before    [J]
+    std::size_t unrelaxed =
+        0;  ///< groups whose energy belongs to no temperature; it was left where it is
+    CollisionReport& operator+=(const CollisionReport& o) {
+        thermal += o.thermal;
+        unrelaxed += o.unrelaxed;
+        return *this;
+    }
+};
+
+CollisionReport collide_pairs(const CollisionStep& step, Particles& particles);
+CollisionReport collide_lin(const CollisionStep& step, Particles& particles);
+/// The same map, group by group and sum by sum: what collide_lin() is held to.
+CollisionReport collide_lin_plainly(const CollisionStep& step, Particles& particles);
+CollisionReport collide_ntc(const CollisionStep& step, Particles& particles);
+CollisionReport collide_spheres(const CollisionStep& step, Particles& particles);
+
+/// Collisions and internal energy of a bag's particles, from sorting to scattering.
+///
+///     collider.find_groups(grid, fabric, particles);
+///     const CollisionReport report = collider.collide(step, dt, heat, particles);
+///     brought_in += (heat - 1) * report.thermal;
+class Collider {
+public:
+    /// @param mean_free_path  of NTC and SPHERES at the mean density of the cells that hold
+    ///                        particles [m]; NaN: as many mean distances of particles as
+    ///                        default_free_path() says
+    Collider(std::vector<Species> species, double moles_each, std::uint64_t seed,
+             CollisionModel model = CollisionModel::LIN, double mean_free_path = NaN);
+
+    /// Lists particles by cell, and in cells with fabric tells sides apart; `moves_rows`: puts them
+    /// in the order of cells, too (CellSort). Valid until rows or places change.
+    void find_groups(const Grid& grid, const FabricInCells& fabric, Particles& particles,
+                     bool moves_rows = true);
+
+    /// Energy of all motion relative to the groups' mean velocities, and all internal energy. [J]
+    /// What collide(heat) multiplies.
+    [[nodiscard]] double thermal_energy(const Particles& particles) const;
+
+    /// One collision step of every group, for the time dt that has gone by since the last one;
+    /// thermal energy is multiplied by `heat` on the way.
+    CollisionReport collide(std::uint64_t step, double dt, double heat, Particles& particles) const;
+
+    [[nodiscard]] const Groups& groups() const { return groups_; }
+    [[nodiscard]] const Mixture& mixture() const { return mixture_; }
+    [[nodiscard]] Lists cells() const { return cells_.cells(); }
+
+private:
+    [[nodiscard]] double cross_section() const;
+
+    Mixture mixture_;
+    std::uint64_t seed_;
+    CollisionModel model_;
+    double mean_free_path_;     ///< NaN: the default                                [m]
+    double cell_volume_ = 0.0;  ///< [m^3]
+    CellSort cells_;
+    Groups groups_;
+};
+
+}  // namespace corpuscle::gas

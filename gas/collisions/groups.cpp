@@ -1,0 +1,248 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "gas/collisions/groups.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "gas/collisions/sight.hpp"
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle::gas {
+
+namespace {
+
+constexpr std::size_t CELLS_A_CHUNK = 64;
+constexpr int WITNESSES =
+    4;  ///< classes of a group that a newcomer tries to see; more: fewer, larger groups
+
+/// Divides the particles of one cell. Keeps its memory from cell to cell.
+class Divider {
+public:
+    Divider(const FabricInCells& fabric, const Particles& particles, double reach)
+        : fabric_(fabric), particles_(particles), reach_(reach) {}
+
+    /// Orders `rows` by group, in place; true in begins[k] where a group begins. Returns their
+    /// number.
+    std::size_t divide(std::size_t cell, std::span<Index> rows, std::uint8_t* begins) {
+        begins[0] = 1;
+        if (rows.size() < 2 || !reaches_fabric(cell, rows) || !find_screens(cell, rows)) return 1;
+        find_classes();
+        const std::size_t groups = join_classes();
+        if (groups > 1) write(groups, rows, begins);
+        return groups;
+    }
+
+private:
+    struct Group {
+        std::array<int, WITNESSES> witness;
+        int witnesses = 0;
+    };
+
+    /// False when all particles are on one side of all that the cell holds.
+    [[nodiscard]] bool reaches_fabric(std::size_t cell, std::span<const Index> rows) const {
+        const Slab& slab = fabric_.lists->slab(cell);
+        float low = std::numeric_limits<float>::max(), high = -low;
+        for (const Index row : rows) {
+            const float height = slab.height(fabric_.lists->small(particles_.x[row]));
+            low = std::min(low, height);
+            high = std::max(high, height);
+        }
+        return low <= slab.high && high >= slab.low;
+    }
+
+    /// Keeps the facets that have particles on both sides, and who is where. False when there are
+    /// none.
+    bool find_screens(std::size_t cell, std::span<const Index> rows) {
+        screens_.clear();
+        side_.clear();
+        n_ = rows.size();
+        Vec3 low = Vec3::Constant(INF), high = Vec3::Constant(-INF);
+        x_.resize(n_);
+        for (std::size_t i = 0; i < n_; ++i) {
+            x_[i] = particles_.x[rows[i]];
+            low = low.cwiseMin(x_[i]);
+            high = high.cwiseMax(x_[i]);
+        }
+        bool is_ordered = false;
+        for (const Index f : fabric_.lists->in(cell)) {
+            const auto& [i, j, k] = fabric_.lists->triangles()[f];
+            const Vec3 &a = fabric_.x[i], &b = fabric_.x[j], &c = fabric_.x[k];
+            if ((a.cwiseMin(b).cwiseMin(c).array() > high.array()).any() ||
+                (a.cwiseMax(b).cwiseMax(c).array() < low.array()).any())
+                continue;
+            const Screen screen(a, b, c, reach_);
+            if (!divides(screen)) continue;
+            if (!is_ordered) order_by_id(rows);
+            is_ordered = true;
+            screens_.push_back(screen);
+            for (const Vec3& x : x_) side_.push_back(static_cast<std::int8_t>(screen.side(x)));
+        }
+        return !screens_.empty();
+    }
+
+    [[nodiscard]] bool divides(const Screen& screen) const {
+        const int first = screen.side(x_[0]);
+        return first == 0 || std::any_of(x_.begin() + 1, x_.end(),
+                                         [&](const Vec3& x) { return screen.side(x) != first; });
+    }
+
+    /// From here on particles are numbered by id, so that nothing depends on the order of rows.
+    void order_by_id(std::span<const Index> rows) {
+        place_.resize(n_);
+        for (std::size_t i = 0; i < n_; ++i) place_[i] = static_cast<Index>(i);
+        std::sort(place_.begin(), place_.end(), [&](Index p, Index q) {
+            return particles_.id[rows[p]] < particles_.id[rows[q]];
+        });
+        for (std::size_t i = 0; i < n_; ++i) x_[i] = particles_.x[rows[place_[i]]];
+    }
+
+    /// A class: particles strictly on the same side of every screen. Who touches a plane is alone.
+    void find_classes() {
+        class_.assign(n_, 0);
+        std::size_t classes = 1;
+        for (std::size_t s = 0; s < screens_.size(); ++s) {
+            split_.assign(2 * classes, -1);
+            classes = 0;
+            for (std::size_t i = 0; i < n_; ++i) {
+                const int side = side_[s * n_ + i];
+                int& found = split_[2 * class_[i] + (side > 0)];
+                if (side == 0)
+                    class_[i] = static_cast<int>(classes++);
+                else if (found < 0)
+                    class_[i] = found = static_cast<int>(classes++);
+                else
+                    class_[i] = found;
+            }
+        }
+        member_.assign(classes, -1);
+        for (std::size_t i = n_; i-- > 0;) member_[class_[i]] = static_cast<int>(i);
+    }
+
+    /// Joins classes that see each other; group_[class] in the order of their first particles.
+    std::size_t join_classes() {
+        groups_.clear();
+        group_.assign(member_.size(), -1);
+        for (int k = 0; k < static_cast<int>(member_.size()); ++k) {
+            int home = -1;
+            for (int g = 0; g < static_cast<int>(groups_.size()); ++g) {
+                if (!sees(k, groups_[g])) continue;
+                if (home < 0)
+                    home = g;
+                else
+                    merge(g--, home);
+            }
+            if (home < 0) {
+                home = static_cast<int>(groups_.size());
+                groups_.emplace_back();
+            }
+            group_[k] = home;
+            Group& group = groups_[home];
+            if (group.witnesses < WITNESSES) group.witness[group.witnesses++] = k;
+        }
+        return groups_.size();
+    }
+
+    void merge(int from, int into) {
+        Group& to = groups_[into];
+        for (int w = 0; w < groups_[from].witnesses && to.witnesses < WITNESSES; ++w)
+            to.witness[to.witnesses++] = groups_[from].witness[w];
+        groups_.erase(groups_.begin() + from);
+        for (int& g : group_) {
+            if (g == from)
+                g = into;
+            else if (g > from)
+                --g;
+        }
+    }
+
+    [[nodiscard]] bool sees(int k, const Group& group) const {
+        return std::any_of(group.witness.begin(), group.witness.begin() + group.witnesses,
+                           [&](int witness) { return is_free(member_[k], member_[witness]); });
+    }
+
+    [[nodiscard]] bool is_free(int i, int j) const {
+        for (std::size_t s = 0; s < screens_.size(); ++s) {
+            const int side = side_[s * n_ + i];
+            const bool is_same_side = side != 0 && side == side_[s * n_ + j];
+            if (!is_same_side && screens_[s].blocks(x_[i], x_[j])) return false;
+        }
+        return true;
+    }
+
+    /// Rows by group; within a group they keep their order.
+    void write(std::size_t groups, std::span<Index> rows, std::uint8_t* begins) {
+        next_.assign(groups + 1, 0);
+        for (const int k : class_) ++next_[group_[k] + 1];
+        for (std::size_t g = 0; g < groups; ++g) {
+            begins[next_[g]] = 1;
+            next_[g + 1] += next_[g];
+        }
+        old_.assign(rows.begin(), rows.end());
+        of_row_.resize(n_);
+        for (std::size_t i = 0; i < n_; ++i) of_row_[place_[i]] = group_[class_[i]];
+        for (std::size_t i = 0; i < n_; ++i) rows[next_[of_row_[i]]++] = old_[i];
+    }
+
+    const FabricInCells& fabric_;
+    const Particles& particles_;
+    double reach_;
+
+    std::size_t n_ = 0;
+    std::vector<Vec3> x_;             ///< by id
+    std::vector<Index> place_, old_;  ///< place_: where in rows is the i-th by id
+    std::vector<Screen> screens_;
+    std::vector<std::int8_t> side_;  ///< screens × particles
+    std::vector<int> class_, split_, member_, group_, next_, of_row_;
+    std::vector<Group> groups_;
+};
+
+}  // namespace
+
+void Groups::find(CellSort& sorted, const FabricInCells& fabric, const Particles& particles,
+                  double reach) {
+    const Lists cells = sorted.cells();
+    order_ = sorted.order();
+    begins_.assign(order_.size(), 0);
+    count_.assign(parallel::chunk_count(cells.size(), CELLS_A_CHUNK), 0);
+    parallel::for_chunks(
+        cells.size(),
+        [&](std::size_t first, std::size_t last, std::size_t chunk) {
+            Divider divider(fabric, particles, reach);
+            for (std::size_t c = first; c < last; ++c) {
+                const auto begin = static_cast<std::size_t>(cells.start[c]);
+                const auto end = static_cast<std::size_t>(cells.start[c + 1]);
+                if (begin == end) continue;
+                begins_[begin] = 1;
+                if (!fabric.lists || fabric.lists->is_empty(c)) continue;
+                const auto rows = order_.subspan(begin, end - begin);
+                if (divider.divide(c, rows, begins_.data() + begin) > 1) ++count_[chunk];
+            }
+        },
+        CELLS_A_CHUNK);
+    divided_cells_ = 0;
+    for (const std::size_t n : count_) divided_cells_ += n;
+    number_groups();
+}
+
+/// Starts of groups from the marks: counted by chunk, then written where each chunk's belong.
+void Groups::number_groups() {
+    const std::size_t n = order_.size();
+    count_.assign(parallel::chunk_count(n) + 1, 0);
+    parallel::for_chunks(n, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        count_[chunk + 1] = static_cast<std::size_t>(
+            std::count(begins_.begin() + static_cast<std::ptrdiff_t>(begin),
+                       begins_.begin() + static_cast<std::ptrdiff_t>(end), 1));
+    });
+    for (std::size_t c = 1; c < count_.size(); ++c) count_[c] += count_[c - 1];
+    start_.resize(count_.back() + 1);
+    parallel::for_chunks(n, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        std::size_t group = count_[chunk];
+        for (std::size_t k = begin; k < end; ++k)
+            if (begins_[k]) start_[group++] = static_cast<Index>(k);
+    });
+    start_[count_.back()] = static_cast<Index>(n);
+}
+
+}  // namespace corpuscle::gas

@@ -1,0 +1,22 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "gas/collisions/collide.hpp"
+#include "gas/collisions/swarm.hpp"
+
+namespace corpuscle::gas {
+
+/// Uniform on SO(3), from a uniform unit quaternion [Shoemake 1992].
+Mat3 random_rotation(Random& draw);
+
+/// Where all motion is in common there is none to be scaled: heat goes to the internal energy, and
+/// motion stays as it is.
+bool heat_rigid(const CollisionStep& step, double translational, Swarm& swarm, Random& draw);
+
+/// LIN for a group too small, or too flat, for a velocity gradient: c is turned round at random,
+/// and angular momentum is kept by the rotation that is lent to it for that and taken out again. Of
+/// two particles only the velocity along their line can turn round.
+bool collide_few(const CollisionStep& step, Swarm& swarm, Random& draw);
+
+}  // namespace corpuscle::gas

@@ -1,0 +1,82 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "gas/collisions/relax.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle::gas {
+
+double thermal_energy(const Lists& groups, const Mixture& mixture, const Particles& particles) {
+    constexpr std::size_t GROUPS_A_CHUNK = 64;
+    return parallel::sum(
+        groups.size(), 0.0,
+        [&](std::size_t g) {
+            thread_local Swarm swarm;
+            swarm.gather(groups[g], mixture, particles);
+            return swarm.translational() + swarm.internal();
+        },
+        GROUPS_A_CHUNK);
+}
+
+double equilibrium_temperature(double energy, double freedom, double half_heat,
+                               const EnergyPolynomial& internal) {
+    EnergyPolynomial content = internal;
+    content.a += freedom * half_heat;
+    const double guess = energy / content.a;  // exact for constant heat capacities
+    return content.temperature(energy, guess > 0.0 && guess < 5000.0 ? guess : 300.0);
+}
+
+bool is_rigid(const Swarm& swarm, double translational) {
+    return translational <= RIGID * 0.5 * swarm.mass * swarm.U.squaredNorm();
+}
+
+std::optional<double> share(double energy, double freedom, const Mixture& mixture, Swarm& swarm,
+                            Random& draw) {
+    const double chance = nearly_normal(draw);
+    const EnergyPolynomial& internal_at = swarm.internal_at();
+    const double T = equilibrium_temperature(energy, freedom, mixture.half_heat(), internal_at);
+    if (!(T > 0.0)) return std::nullopt;
+    const double internal = swarm.set_internal(T, mixture, MEMORY);
+
+    const double C_t = freedom * mixture.half_heat(), C_i = internal_at.slope(T);
+    const double least = std::min(internal, energy - internal);
+    if (!(C_i > 0.0 && least > 0.0)) return energy - internal;  // a monatomic gas
+    const double spread = T * std::sqrt(2.0 * mixture.half_heat() * C_t * C_i / (C_t + C_i));
+    const double scatter = T / (C_t + C_i);  // squared: var(T) / (k C_t)
+    const double less =
+        SCATTER * mixture.half_heat() * C_t * internal_at.curvature(T) * scatter * scatter;
+    // In groups of two or three the tails are cut, evenly, so that no part is used up.
+    const double more = std::clamp(spread * chance - less, -MOST_NOISE * least, MOST_NOISE * least);
+    swarm.scale_internal(1.0 + more / internal);
+    return energy - swarm.internal();
+}
+
+bool relax(double heat, const Mixture& mixture, Swarm& swarm, Random& draw) {
+    const double translational = swarm.translational();
+    const double energy = heat * (translational + swarm.internal());
+    if (is_rigid(swarm, translational)) {
+        swarm.scale_internal(heat);
+        return true;
+    }
+    const double freedom = 3.0 * (static_cast<double>(swarm.size()) - 1.0);
+    const std::optional<double> left = share(energy, freedom, mixture, swarm, draw);
+    if (left) {
+        swarm.scale(std::sqrt(*left / translational));
+    } else {
+        swarm.scale(std::sqrt(heat));
+        swarm.scale_internal(heat);
+    }
+    return left.has_value();
+}
+
+double nearly_normal(Random& draw) {
+    const std::uint32_t a = draw.bits(), b = draw.bits();
+    const std::uint32_t sum = (a & 0xffffU) + (a >> 16) + (b & 0xffffU) + (b >> 16);
+    return std::numbers::sqrt3 * ((sum + 2.0) * 0x1p-16 - 2.0);
+}
+
+}  // namespace corpuscle::gas

@@ -1,0 +1,60 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "gas/collisions/groups.hpp"
+#include "gas/collisions/swarm.hpp"
+
+namespace corpuscle::gas {
+
+/// Energy of all motion relative to the groups' mean velocities, and all internal energy.      [J]
+double thermal_energy(const Lists& groups, const Mixture& mixture, const Particles& particles);
+
+/// Temperature T at which (freedom/2) k T + sum e_s(T) = energy, for any heat capacity; k T/2
+/// stands for `half_heat` T. NaN when there is none. [K]
+/// @param freedom  3 for each particle, less those of the motion in common
+double equilibrium_temperature(double energy, double freedom, double half_heat,
+                               const EnergyPolynomial& internal);
+
+/// What a particle keeps of its e's deviation from the mean in a group of one species. At 0 every
+/// collision step would conduct heat across the whole cell and smear contacts (Sod's tube at 10^5
+/// particles: L1 of density .0118, here .0105).
+inline constexpr double MEMORY = 0.95;
+inline constexpr double MOST_NOISE =
+    0.8;  ///< share of the smaller part that fluctuation may take away
+
+/// Where heat capacities rise with temperature, n e(T) of groups whose temperatures scatter is on
+/// average C_i' var(T) / 2 above that of the gas as a whole; so much less is given to e.
+/// Translation alone makes var(T) = k T² C_t / C². Of that groups show this share, for they trade e
+/// with their neighbours: measured, 20 particles a group that cross a quarter of a cell between
+/// collisions.
+inline constexpr double SCATTER = 0.64;
+
+/// Of the energy of a swarm's common motion: (the rounding of c = v - U, some 1e-16 v, times 1000)²
+inline constexpr double RIGID = 1e-26;
+
+/// Is c nothing but rounding? A lone particle and a cold jet have no thermal motion to be scaled.
+bool is_rigid(const Swarm& swarm, double translational);
+
+/// Shares `energy` between translation and internal energy as at equilibrium (eq. 18-21): sets e
+/// and returns what is left for translation, exactly. None, and nothing done, when no temperature
+/// holds it.
+///
+/// At a given energy the shares fluctuate, with variance k T² C_t C_i / (C_t + C_i) (C: the two
+/// parts' heat capacities), and so they do here. Without this the groups' common motion, that
+/// compression and relaxation damp, would be colder than the gas.
+std::optional<double> share(double energy, double freedom, const Mixture& mixture, Swarm& swarm,
+                            Random& draw);
+
+/// Shares out a swarm's thermal energy times `heat`: one factor on c, a new e each. Exact in energy
+/// and momentum. The heat of a rigid swarm goes to its internal energy. Where no temperature holds
+/// the energy both parts are multiplied by `heat`, and false is returned.
+bool relax(double heat, const Mixture& mixture, Swarm& swarm, Random& draw);
+
+/// Close to standard normal, never beyond 3.5: the sum of four uniform numbers. Noise needs no
+/// tails.
+double nearly_normal(Random& draw);
+
+}  // namespace corpuscle::gas

@@ -1,0 +1,199 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "gas/collisions/swarm.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+#include <utility>
+
+namespace corpuscle::gas {
+
+namespace {
+
+/// Four numbers at once, on every processor: sums are the same everywhere.
+using Four = double __attribute__((vector_size(32)));
+
+Four load(const std::vector<double>& from, std::size_t i) {
+    Four out;
+    std::memcpy(&out, from.data() + i, sizeof(out));
+    return out;
+}
+
+double total(const Four& a) {
+    return (a[0] + a[1]) + (a[2] + a[3]);
+}
+
+}  // namespace
+
+void Swarm::gather(std::span<const Index> rows, const Mixture& mixture,
+                   const Particles& particles) {
+    n_ = rows.size();
+    padded_ = (n_ + 3) / 4 * 4;
+    c.resize(padded_);
+    m_.resize(padded_);
+    e.resize(padded_);
+    species_.resize(n_);
+
+    const std::int32_t first = particles.species[rows[0]];
+    is_mixed_ = false;
+    for (std::size_t i = 0; i < n_; ++i) {
+        const Index row = rows[i];
+        species_[i] = particles.species[row];
+        is_mixed_ |= species_[i] != first;
+        c.set(i, particles.v[row]);
+        e[i] = particles.e[row];
+        m_[i] = mixture.particle_mass(species_[i]);
+    }
+    for (std::size_t i = n_; i < padded_; ++i) {
+        c.set(i, Vec3::Zero());
+        e[i] = m_[i] = 0.0;
+    }
+    internal_at_ = {};
+    if (is_mixed_)
+        for (const std::int32_t s : species_) internal_at_ += mixture.particle_internal(s);
+    else
+        internal_at_ = static_cast<double>(n_) * mixture.particle_internal(first);
+
+    mass = std::accumulate(m_.begin(), m_.begin() + static_cast<std::ptrdiff_t>(n_), 0.0);
+    // Twice: what rounding left in the first mean would weigh in a jet much faster than it is hot.
+    Vec3 rest;
+    centre(c, U);
+    centre(c, rest);
+    U += rest;
+}
+
+void Swarm::gather_places(std::span<const Index> rows, const Particles& particles) {
+    dx.resize(padded_);
+    const Vec3 near = particles.x[rows[0]];
+    for (std::size_t i = 0; i < n_; ++i) dx.set(i, particles.x[rows[i]] - near);
+    for (std::size_t i = n_; i < padded_; ++i) dx.set(i, Vec3::Zero());
+    Vec3 mean;
+    centre(dx, mean);
+}
+
+/// Subtracts the mean by mass. The padding takes part in the subtraction but weighs nothing.
+void Swarm::centre(Columns& a, Vec3& mean) const {
+    for (int k = 0; k < 3; ++k) {
+        std::vector<double>& column = a.along[k];
+        Four sum{};
+        for (std::size_t i = 0; i < padded_; i += 4) sum += load(m_, i) * load(column, i);
+        mean[k] = total(sum) / mass;
+        for (std::size_t i = 0; i < padded_; ++i) column[i] -= mean[k];
+    }
+}
+
+void Swarm::scatter(std::span<const Index> rows, Particles& particles) const {
+    for (std::size_t i = 0; i < n_; ++i) {
+        particles.v[rows[i]] = U + c[i];
+        particles.e[rows[i]] = e[i];
+    }
+}
+
+double Swarm::translational() const {
+    Four sum{};
+    for (std::size_t i = 0; i < padded_; i += 4) {
+        const Four x = load(c.along[0], i), y = load(c.along[1], i), z = load(c.along[2], i);
+        sum += load(m_, i) * (x * x + y * y + z * z);
+    }
+    return 0.5 * total(sum);
+}
+
+double Swarm::least_mass() const {
+    return *std::min_element(m_.begin(), m_.begin() + static_cast<std::ptrdiff_t>(n_));
+}
+
+double Swarm::internal() const {
+    return std::accumulate(e.begin(), e.begin() + static_cast<std::ptrdiff_t>(n_), 0.0);
+}
+
+Mat3 Swarm::moment(const Columns& a, const Columns& b) const {
+    std::array<std::array<Four, 3>, 3> sum{};
+    for (std::size_t i = 0; i < padded_; i += 4) {
+        const Four m = load(m_, i);
+        const std::array<Four, 3> right = {load(b.along[0], i), load(b.along[1], i),
+                                           load(b.along[2], i)};
+        for (int j = 0; j < 3; ++j) {
+            const Four left = m * load(a.along[j], i);
+            for (int k = 0; k < 3; ++k) sum[j][k] += left * right[k];
+        }
+    }
+    Mat3 out;
+    for (int j = 0; j < 3; ++j)
+        for (int k = 0; k < 3; ++k) out(j, k) = total(sum[j][k]);
+    return out;
+}
+
+double Swarm::set_internal(double T, const Mixture& mixture, double memory) {
+    if (!is_mixed_) {
+        const double all = internal_at_(T), before = internal();
+        if (!(before > 0.0)) memory = 0.0;
+        const double each = (1.0 - memory) * all / static_cast<double>(n_);
+        const double kept = memory > 0.0 ? memory * all / before : 0.0;
+        for (std::size_t i = 0; i < n_; ++i) e[i] = each + kept * e[i];
+        return internal();
+    }
+    for (std::size_t i = 0; i < n_; ++i) e[i] = mixture.particle_internal(species_[i])(T);
+    return internal();
+}
+
+void Swarm::scale(double factor) {
+    for (auto& column : c.along)
+        for (double& ci : column) ci *= factor;
+}
+
+void Swarm::scale_internal(double factor) {
+    for (double& ei : e) ei *= factor;
+}
+
+void Swarm::transform(const Mat3& A) {
+    double* const x = c.along[0].data();
+    double* const y = c.along[1].data();
+    double* const z = c.along[2].data();
+    for (std::size_t i = 0; i < padded_; ++i) {
+        const double u = x[i], v = y[i], w = z[i];
+        x[i] = A(0, 0) * u + A(0, 1) * v + A(0, 2) * w;
+        y[i] = A(1, 0) * u + A(1, 1) * v + A(1, 2) * w;
+        z[i] = A(2, 0) * u + A(2, 1) * v + A(2, 2) * w;
+    }
+}
+
+void Swarm::add_gradient(const Mat3& G) {
+    for (int k = 0; k < 3; ++k) {
+        double* const to = c.along[k].data();
+        const double *x = dx.along[0].data(), *y = dx.along[1].data(), *z = dx.along[2].data();
+        for (std::size_t i = 0; i < padded_; ++i)
+            to[i] += G(k, 0) * x[i] + G(k, 1) * y[i] + G(k, 2) * z[i];
+    }
+}
+
+void Swarm::collide_pairs(Random& draw) {
+    const auto n = static_cast<std::uint32_t>(n_);
+    shuffled_.resize(n);
+    std::iota(shuffled_.begin(), shuffled_.end(), 0);
+    for (std::uint32_t i = 0; i + 1 < n; i += 2) {
+        std::swap(shuffled_[i], shuffled_[i + draw.below(n - i)]);
+        std::swap(shuffled_[i + 1], shuffled_[i + 1 + draw.below(n - i - 1)]);
+        const auto p = static_cast<std::size_t>(shuffled_[i]);
+        const auto q = static_cast<std::size_t>(shuffled_[i + 1]);
+        collide_pair(p, q, draw);
+    }
+}
+
+void Swarm::collide_pair(std::size_t p, std::size_t q, Random& draw) {
+    const double share = m_[q] / (m_[p] + m_[q]);
+    const Vec3 apart = c[p] - c[q];
+    const Vec3 centre = c[q] + (1.0 - share) * apart;
+    const Vec3 turned = apart.norm() * draw.direction();
+    c.set(p, centre + share * turned);
+    c.set(q, centre - (1.0 - share) * turned);
+}
+
+void Swarm::bounce(std::size_t p, std::size_t q, const Vec3& n) {
+    const double share = m_[q] / (m_[p] + m_[q]);
+    const Vec3 change = 2.0 * (c[q] - c[p]).dot(n) * n;
+    c.set(p, c[p] + share * change);
+    c.set(q, c[q] - (1.0 - share) * change);
+}
+
+}  // namespace corpuscle::gas

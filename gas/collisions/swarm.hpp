@@ -1,0 +1,96 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "gas/particles.hpp"
+#include "gas/thermo/species.hpp"
+#include "solver/base/random.hpp"
+
+namespace corpuscle::gas {
+
+/// Vectors by component. Filled up with zeros to a multiple of four, so that sums need no
+/// remainder.
+struct Columns {
+    std::array<std::vector<double>, 3> along;
+
+    [[nodiscard]] Vec3 operator[](std::size_t i) const {
+        return {along[0][i], along[1][i], along[2][i]};
+    }
+    void set(std::size_t i, const Vec3& a) {
+        for (int k = 0; k < 3; ++k) along[k][i] = a[k];
+    }
+    void resize(std::size_t n) {
+        for (auto& column : along) column.resize(n);
+    }
+};
+
+/// The particles of one group, gathered, and seen from their common centre: what collision models
+/// work on. Keeps its memory from group to group.
+class Swarm {
+public:
+    /// Everything but places.
+    void gather(std::span<const Index> rows, const Mixture& mixture, const Particles& particles);
+
+    /// dx. After gather().
+    void gather_places(std::span<const Index> rows, const Particles& particles);
+
+    /// Writes v = U + c and e back.
+    void scatter(std::span<const Index> rows, Particles& particles) const;
+
+    [[nodiscard]] std::size_t size() const { return n_; }
+    [[nodiscard]] bool is_mixed() const { return is_mixed_; }
+
+    [[nodiscard]] double least_mass() const;  ///< of a particle                        [kg]
+
+    /// Sum of m c² / 2.                                                                    [J]
+    [[nodiscard]] double translational() const;
+    /// Sum of e.                                                                            [J]
+    [[nodiscard]] double internal() const;
+    /// Sum of m a bᵀ, over all particles.
+    [[nodiscard]] Mat3 moment(const Columns& a, const Columns& b) const;
+
+    /// Internal energy at equilibrium, as it grows with temperature.
+    [[nodiscard]] const EnergyPolynomial& internal_at() const { return internal_at_; }
+    /// Sets the sum of e to its equilibrium at T, and returns it. Each e comes closer to its own:
+    ///     e_i' = e(T) (1 - memory + memory e_i / mean e).                                  [J]
+    double set_internal(double T, const Mixture& mixture, double memory = 0.0);
+
+    void scale(double factor);           ///< c *= factor
+    void scale_internal(double factor);  ///< e *= factor
+    void transform(const Mat3& A);       ///< c = A c
+    void add_gradient(const Mat3& G);    ///< c += G dx
+
+    /// Every particle collides with one other: pairs are drawn at random and leave in a random
+    /// direction.
+    ///     c1' = C + m2/(m1+m2) g n,  c2' = C - m1/(m1+m2) g n,  g = |c1 - c2|, n even on the
+    ///     sphere
+    void collide_pairs(Random& draw);
+
+    /// Two particles leave in a random direction, as above.
+    void collide_pair(std::size_t p, std::size_t q, Random& draw);
+    /// Two spheres that touch along the unit vector n: what they have towards each other turns
+    /// round.
+    void bounce(std::size_t p, std::size_t q, const Vec3& n);
+
+    Vec3 U;                 ///< mean velocity, by mass                                   [m/s]
+    double mass = 0.0;      ///< of all                                                   [kg]
+    Columns c;              ///< v - U, or less where a model takes out more              [m/s]
+    Columns dx;             ///< place from the centre of mass                            [m]
+    std::vector<double> e;  ///< [J]
+
+private:
+    void centre(Columns& a, Vec3& mean) const;
+
+    std::size_t n_ = 0, padded_ = 0;
+    std::vector<double> m_;  ///< [kg]
+    std::vector<std::int32_t> species_;
+    bool is_mixed_ = false;
+    EnergyPolynomial internal_at_;
+    std::vector<Index> shuffled_;
+};
+
+}  // namespace corpuscle::gas

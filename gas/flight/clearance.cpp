@@ -1,0 +1,130 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "gas/flight/clearance.hpp"
+
+#include <cmath>
+
+#include "contact/patches.hpp"
+#include "gas/flight/each_block.hpp"
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle::gas {
+namespace {
+
+constexpr std::size_t MOST_CELLS = 1'000'000;
+
+/// Of a cell's edge: nearer than this to its faces, single precision may be wrong about the cell.
+constexpr double ON_THE_FACE = 1e-4;
+
+/// Of the grid's size: heights and ways in single precision may be wrong by less.
+constexpr double ROUNDING = 2e-6;
+
+/// Cells to the next with facets, from which on it is not worth knowing how many.
+constexpr std::uint8_t FAR = 5;
+
+/// A little more, so that normals sum up to no more than one.
+float sum_of_components(const std::array<float, 3>& a) {
+    return (std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2])) * (1.0F + 1e-6F);
+}
+
+}  // namespace
+
+void Clearance::build(std::span<const Triangle> triangles, std::span<const Vec3> x,
+                      const Grid& within, double edge, double reach) {
+    row_.clear();
+    if (!(reach > 0.0)) return;
+    const Vec3 size = within.edge * Vec3(within.count[0], within.count[1], within.count[2]);
+    grid_ = Grid::over(within.low, within.low + size, edge, MOST_CELLS);
+    per_edge_ = static_cast<float>(grid_.per_edge);
+    const double rounding =
+        ROUNDING * grid_.edge * *std::max_element(grid_.count.begin(), grid_.count.end());
+    reach_ = static_cast<float>(reach - rounding);
+
+    sort_by_block(triangles, x);
+    const std::size_t blocks = start_.size() - 1;
+    off_.assign(grid_.size(), FAR);
+    for_each_block(blocks, [&](std::size_t b, BlockOfCells& block) {
+        enter(b, block);
+        for (const int cell : block.cells()) off_[block.row(cell)] = 0;
+    });
+    number_cells();
+    free_.clear();
+    for (int k = 0; k < FAR; ++k)
+        free_.push_back(reach_ + static_cast<float>((1.0 - ON_THE_FACE) * k * grid_.edge));
+    for_each_block(blocks, [&](std::size_t b, BlockOfCells& block) {
+        enter(b, block);
+        block.sort();
+        block.take_corners(triangles, x, x);
+        for (const int cell : block.cells()) {
+            Slab& slab = slab_[row_[block.row(cell)]];
+            static_cast<Planes&>(slab) = block.planes(cell, sum_of_components);
+            slab.low -= static_cast<float>(rounding);
+            slab.high += static_cast<float>(rounding);
+        }
+    });
+}
+
+/// Each facet into the blocks that its box overlaps, by `reach` larger. In the order of facets.
+void Clearance::sort_by_block(std::span<const Triangle> triangles, std::span<const Vec3> x) {
+    const double around = reach_ * (1.0 + 1e-6) + ON_THE_FACE * grid_.edge;
+    range_.resize(triangles.size());
+    parallel::for_each(
+        triangles.size(),
+        [&](std::size_t f) {
+            range_[f] = CellRange::of(grid_, contact::triangle_box(triangles[f], x, x, around));
+        },
+        parallel::CHUNK);
+    const Grid blocks = BlockOfCells::blocks_of(grid_);
+    const auto for_each_block = [&](const CellRange& range, auto&& visit) {
+        constexpr int EDGE = BlockOfCells::EDGE;
+        for (int k = range.from[2] / EDGE; k <= range.to[2] / EDGE; ++k)
+            for (int j = range.from[1] / EDGE; j <= range.to[1] / EDGE; ++j)
+                for (int i = range.from[0] / EDGE; i <= range.to[0] / EDGE; ++i)
+                    visit(blocks.row(i, j, k));
+    };
+    // Counted one place too far on: while facets are written each start grows to where it belongs.
+    start_.assign(blocks.size() + 2, 0);
+    for (const CellRange& range : range_)
+        for_each_block(range, [&](std::size_t block) { ++start_[block + 2]; });
+    for (std::size_t b = 2; b < start_.size(); ++b) start_[b] += start_[b - 1];
+    facet_.resize(static_cast<std::size_t>(start_.back()));
+    for (std::size_t f = 0; f < range_.size(); ++f)
+        for_each_block(range_[f], [&](std::size_t block) {
+            facet_[start_[block + 1]++] = static_cast<Index>(f);
+        });
+    start_.pop_back();
+}
+
+void Clearance::enter(std::size_t block, BlockOfCells& cells) const {
+    cells.begin(grid_, block);
+    for (Index k = start_[block]; k < start_[block + 1]; ++k)
+        cells.enter(facet_[k], range_[facet_[k]]);
+}
+
+/// A cell whose nearest cell with facets is k cells off, counted along the axis where it is
+/// farthest, is free for (k - 1) edges and the reach.
+void Clearance::number_cells() {
+    const std::array<std::size_t, 3> stride{
+        1, static_cast<std::size_t>(grid_.count[0]),
+        static_cast<std::size_t>(grid_.count[0]) * static_cast<std::size_t>(grid_.count[1])};
+    for (int a = 0; a < 3; ++a) {
+        off_before_ = off_;
+        parallel::for_each(grid_.size(), [&](std::size_t cell) {
+            const int here = static_cast<int>(cell / stride[a]) % grid_.count[a];
+            for (int off = 1; off < off_[cell]; ++off) {
+                const std::size_t far = static_cast<std::size_t>(off) * stride[a];
+                std::uint8_t least = FAR;
+                if (here >= off) least = off_before_[cell - far];
+                if (here + off < grid_.count[a]) least = std::min(least, off_before_[cell + far]);
+                off_[cell] = std::min(off_[cell], std::max<std::uint8_t>(least, off));
+            }
+        });
+    }
+    row_.resize(grid_.size());
+    Index slabs = 0;
+    for (std::size_t cell = 0; cell < grid_.size(); ++cell)
+        row_[cell] = off_[cell] == 0 ? slabs++ : -static_cast<Index>(off_[cell]);
+    slab_.assign(static_cast<std::size_t>(slabs), {});
+}
+
+}  // namespace corpuscle::gas

@@ -1,0 +1,103 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+#include "gas/flight/facet_lists.hpp"
+#include "solver/base/lanes.hpp"
+#include "gas/particles.hpp"
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle::gas {
+
+/// How far each particle may fly before fabric can be in its way: most need not ask.
+///
+/// The way that is free at a particle's place (Clearance) is used up by its flight, and looked up
+/// again when it no longer suffices. It stays with the particle (Particles::clear) when rows move.
+/// What is not known is zero, so nothing here belongs in a checkpoint: who streams arrives where,
+/// to the bit, who is asked arrives.
+class FreeWays {
+public:
+    static constexpr std::size_t BLOCK = 32;  ///< rows; parallel::CHUNK is a multiple
+
+    /// Before a flight among facets that move from x_0 to x_1; the lists may have been built anew.
+    void begin_flight(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec3> x_1,
+                      Particles& gas) {
+        is_on_ = !lists.clearance().is_empty();
+        if (!is_on_) return;
+        if (lists.builds() != builds_) {
+            const bool is_next = lists.builds() == builds_ + 1;
+            const float since = is_next ? round_up(lists.moved_between_builds()) : INFINITY;
+            parallel::for_each(gas.size(), [&](std::size_t i) {
+                gas.clear[i] = std::max(0.0F, gas.clear[i] - since);
+            });
+            builds_ = lists.builds();
+        }
+        moved_ = round_up(lists.displacement(x_0, x_1));
+    }
+
+    /// Which of up to BLOCK rows may meet fabric in dt, a bit each. The others' ways are used up.
+    std::uint32_t ask(const FacetLists& lists, std::size_t begin, std::size_t count, double dt,
+                      Particles& gas) const {
+        const std::uint32_t all = static_cast<std::uint32_t>((std::uint64_t{1} << count) - 1);
+        if (!is_on_) return all;
+        float* const left = gas.clear.data() + begin;
+        const auto way = ways(gas.v[begin].data(), count, dt);
+        std::uint32_t unclear = 0;
+        for (std::size_t i = 0; i < count; ++i)
+            unclear |= static_cast<std::uint32_t>(!(left[i] - way[i] > moved_)) << i;
+        for (std::uint32_t rest = unclear; rest != 0; rest &= rest - 1) {
+            const int i = std::countr_zero(rest);
+            const Vec3& x = gas.x[begin + i];
+            left[i] = lists.clearance().at(x);
+            const bool is_short = way[i] + moved_ < lists.clearance().reach();
+            if (left[i] - way[i] > moved_ ||
+                (is_short && lists.clearance().is_free(x, x + dt * gas.v[begin + i], moved_)))
+                unclear &= ~(1U << i);
+        }
+        for (std::size_t i = 0; i < count; ++i) left[i] = (left[i] - way[i]) * (1.0F - ROUNDING);
+        for (std::uint32_t rest = unclear; rest != 0; rest &= rest - 1)
+            left[std::countr_zero(rest)] = 0.0F;
+        return unclear;
+    }
+
+private:
+    static constexpr float ROUNDING = 1e-6F;
+
+    /// Largest component of each particle's way, rounded up. Three fours hold four velocities.
+    static std::array<float, BLOCK> ways(const double* v, std::size_t count, double dt) {
+        using lanes::Four;
+        std::array<float, BLOCK> out;
+        const auto longest = [&](double x, double y, double z) {
+            return std::max(std::max(std::abs(x), std::abs(y)), std::abs(z));
+        };
+        const double factor = dt * (1.0 + ROUNDING);
+        std::size_t i = 0;
+        for (; i + lanes::LANES <= count; i += lanes::LANES) {
+            const auto size = [&](int k) {
+                const Four a = lanes::load(v + 3 * i + lanes::LANES * k);
+                return a < 0.0 ? -a : a;
+            };
+            const auto [x, y, z] = lanes::columns(size(0), size(1), size(2));
+            const Four xy = x > y ? x : y, most = factor * (xy > z ? xy : z);
+            for (int l = 0; l < lanes::LANES; ++l) out[i + l] = static_cast<float>(most[l]);
+        }
+        for (; i < count; ++i)
+            out[i] = static_cast<float>(factor * longest(v[3 * i], v[3 * i + 1], v[3 * i + 2]));
+        return out;
+    }
+
+    static float round_up(double way) { return static_cast<float>(way) * (1.0F + ROUNDING); }
+
+    std::size_t builds_ = 0;
+    float moved_ = 0.0F;  ///< farthest along an axis that a node has, since then        [m]
+    bool is_on_ = false;
+};
+
+}  // namespace corpuscle::gas

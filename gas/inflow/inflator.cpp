@@ -1,0 +1,326 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "gas/inflow/inflator.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include "solver/base/error.hpp"
+#include "solver/base/random.hpp"
+
+namespace corpuscle::gas {
+
+namespace {
+
+/// Particles that enter in a step and whose memory is kept for the next: a burst's is given back.
+constexpr std::size_t MOST_KEPT = 10'000;
+
+constexpr double COLDEST = 50.0;  ///< gas that expands from anything warmer may get this cold   [K]
+constexpr double HOTTER = 1.2;    ///< head room over the hottest gas that comes in: a shock heats
+
+using Faults = std::vector<std::string>;
+
+/// Least and greatest value of a curve from `begins` to `ends`.
+std::pair<double, double> range(const Curve& curve, double begins, double ends) {
+    double low = std::min(curve(begins), curve(ends)), high = std::max(curve(begins), curve(ends));
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        if (curve.x[i] < begins || curve.x[i] > ends) continue;
+        low = std::min(low, curve.y[i]);
+        high = std::max(high, curve.y[i]);
+    }
+    return {low, high};
+}
+
+const Curve* find(std::span<const Curve> curves, Index row, const std::string& use,
+                  Faults& faults) {
+    if (row >= 0 && static_cast<std::size_t>(row) < curves.size() && !curves[row].empty())
+        return &curves[row];
+    faults.push_back(use + ": no curve is given");
+    return nullptr;
+}
+
+/// Areas of an inflator's orifices as shares of 1; other inflators' orifices get 0.
+std::vector<double> shares(const std::vector<OrificeCard>& orifices, int inflator,
+                           const std::string& name, Faults& faults) {
+    std::vector<double> share(orifices.size(), 0.0);
+    bool has_orifice = false;
+    for (std::size_t o = 0; o < orifices.size(); ++o) {
+        if (orifices[o].inflator != inflator) continue;
+        has_orifice = true;
+        share[o] = orifices[o].weight;
+        if (!(share[o] >= 0.0))
+            faults.push_back(
+                fmt::format("orifice {}: area AN = {:g}, expected >= 0", o + 1, share[o]));
+    }
+    const double sum = std::accumulate(share.begin(), share.end(), 0.0);
+    if (!has_orifice)
+        faults.push_back(
+            fmt::format("{}: inflator {} has no orifice to enter through", name, inflator));
+    else if (!(sum > 0.0))
+        faults.push_back(
+            fmt::format("{}: the orifices of inflator {} have no area", name, inflator));
+    for (double& s : share) s /= sum;
+    return share;
+}
+
+/// NP, and NPAIR beside it; a bag that nothing flows into has NPAIR alone.
+std::size_t particles_of(const BagCard& card) {
+    const std::size_t air = card.air && card.air->is_particles ? card.air->particles : 0;
+    return air > 0 && card.inflow.empty() ? air : card.particles + air;
+}
+
+/// Air that is no particles goes through the same temperatures as the gases that heat it.
+void check_uniform_air(const BagCard& card, double low, double high, Faults& faults) {
+    const InitialAirCard& air = *card.air;
+    try {
+        const Species species(air.species, card.gas_constant,
+                              fmt::format("initial air of bag {}", card.id));
+        std::string fault = species.fault_between(std::min(low, air.temperature),
+                                                  std::max(high, HOTTER * air.temperature));
+        if (!fault.empty()) faults.push_back(std::move(fault));
+    } catch (const InputError& e) {
+        faults.insert(faults.end(), e.faults.begin(), e.faults.end());
+    }
+}
+
+}  // namespace
+
+Inflators::Inflators(const BagCard& card, std::span<const Curve> curves, std::uint64_t seed,
+                     double volume)
+    : seed_(seed),
+      gas_constant_(card.gas_constant),
+      low_(COLDEST),
+      high_(COLDEST),
+      given_(card.inflow.size() * card.orifices.size(), 0) {
+    Faults faults;
+    for (std::size_t o = 0; o < card.orifices.size(); ++o) {
+        const OrificeCard& orifice = card.orifices[o];
+        const bool is_jet = orifice.direction.has_value() || orifice.shell >= 0;
+        if (is_jet && !(orifice.cone >= 0.0 && orifice.cone <= std::numbers::pi))
+            faults.push_back(
+                fmt::format("orifice {}: half angle of the cone = {:g} rad, expected "
+                            "0 to pi",
+                            o + 1, orifice.cone));
+        cone_.push_back(orifice.cone);
+    }
+    for (std::size_t g = 0; g < card.inflow.size(); ++g)
+        add_gas(card, card.inflow[g], fmt::format("gas {} of bag {}", g + 1, card.id), curves,
+                faults);
+    const bool has_air = card.air && card.air->is_particles;
+    if (has_air) add_air(card, volume, faults);
+    if (card.air && !has_air) check_uniform_air(card, low_, high_, faults);
+
+    // A gas is met at any temperature that any of them has, once they are mixed.
+    for (const Species& s : species_)
+        if (std::string fault = s.fault_between(low_, high_); !fault.empty())
+            faults.push_back(std::move(fault));
+    if (faults.empty() && !species_.empty()) share_particles(particles_of(card), faults);
+    if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+void Inflators::add_gas(const BagCard& card, const InflowCard& inflow, const std::string& name,
+                        std::span<const Curve> curves, Faults& faults) {
+    const std::size_t known = faults.size();
+    const Curve* rate = find(curves, inflow.mass_rate, name + ", mass flow", faults);
+    const Curve* T = find(curves, inflow.temperature, name + ", temperature", faults);
+    std::vector<double> share = shares(card.orifices, inflow.inflator, name, faults);
+    try {
+        species_.emplace_back(inflow.species, card.gas_constant, name);
+    } catch (const InputError& e) {
+        faults.insert(faults.end(), e.faults.begin(), e.faults.end());
+    }
+    if (faults.size() > known) return;
+
+    FlowCurve flow(*rate, card.all_in);
+    const auto [rate_low, rate_high] = range(*rate, flow.begins(), flow.ends());
+    const auto [T_low, T_high] = range(*T, flow.begins(), flow.ends());
+    if (!(rate_low >= 0.0))
+        faults.push_back(fmt::format("{}: mass-flow curve {} falls to {:g}, expected >= 0", name,
+                                     rate->id, rate_low));
+    else if (!(flow.total() > 0.0))
+        faults.push_back(fmt::format("{}: mass-flow curve {} brings nothing in until {:g}", name,
+                                     rate->id, card.all_in));
+    if (!(T_low > 0.0)) {
+        faults.push_back(fmt::format("{}: temperature curve {} falls to {:g}, expected > 0 K", name,
+                                     T->id, T_low));
+        return;
+    }
+    const double T_stag = species_.back().stagnation_temperature(T_high);
+    if (!(T_stag > 0.0))
+        faults.push_back(
+            fmt::format("{}: no temperature holds the enthalpy at {:g} K; Cv turns "
+                        "negative above",
+                        name, T_high));
+    else
+        high_ = std::max(high_, HOTTER * T_stag);
+    low_ = std::min(low_, T_low);
+    gases_.push_back({std::move(flow), *T, std::move(share), 0});
+}
+
+/// The initial air as one more gas of particles: n = p V / (R T).
+void Inflators::add_air(const BagCard& card, double volume, Faults& faults) {
+    const InitialAirCard& air = *card.air;
+    try {
+        species_.emplace_back(air.species, card.gas_constant,
+                              fmt::format("initial air of bag {}", card.id));
+    } catch (const InputError& e) {
+        faults.insert(faults.end(), e.faults.begin(), e.faults.end());
+        return;
+    }
+    resident_moles_ = air.pressure * volume / (card.gas_constant * air.temperature);
+    low_ = std::min(low_, air.temperature);
+    high_ = std::max(high_, HOTTER * air.temperature);
+}
+
+/// Particles of each gas in proportion to its moles, by largest remainder, so that all sum up to
+/// NP.
+void Inflators::share_particles(std::size_t particles, Faults& faults) {
+    std::vector<double> moles;
+    for (std::size_t g = 0; g < gases_.size(); ++g)
+        moles.push_back(gases_[g].flow.total() / species_[g].molar_mass());
+    if (species_.size() > gases_.size()) moles.push_back(resident_moles_);
+    if (particles == 0) {
+        faults.push_back("NP = 0 particles, expected > 0");
+        return;
+    }
+    moles_each_ = std::accumulate(moles.begin(), moles.end(), 0.0) / static_cast<double>(particles);
+
+    std::vector<double> remainder(moles.size());
+    std::vector<std::size_t> count(moles.size());
+    std::size_t left = particles;
+    for (std::size_t g = 0; g < moles.size(); ++g) {
+        const double exact = moles[g] / moles_each_;
+        count[g] = std::min(left, static_cast<std::size_t>(exact));
+        remainder[g] = exact - static_cast<double>(count[g]);
+        left -= count[g];
+    }
+    for (; left > 0; --left) {
+        const auto most = std::max_element(remainder.begin(), remainder.end()) - remainder.begin();
+        ++count[most];
+        remainder[most] -= 1.0;
+    }
+    for (std::size_t g = 0; g < moles.size(); ++g)
+        if (count[g] == 0)
+            faults.push_back(
+                fmt::format("{}: NP = {} particles are too few to hold any of this gas",
+                            species_[g].name(), particles));
+    for (std::size_t g = 0; g < gases_.size(); ++g) gases_[g].particles = count[g];
+    if (moles.size() > gases_.size()) resident_ = count.back();
+}
+
+std::size_t Inflators::particles() const {
+    std::size_t sum = 0;
+    for (const Gas& gas : gases_) sum += gas.particles;
+    return sum;
+}
+
+double Inflators::ends() const {
+    double last = 0.0;
+    for (const Gas& gas : gases_) last = std::max(last, gas.flow.ends());
+    return last;
+}
+
+std::int64_t Inflators::entered(std::size_t inflow) const {
+    const auto row = given_.begin() + static_cast<std::ptrdiff_t>(inflow * cone_.size());
+    return std::accumulate(row, row + static_cast<std::ptrdiff_t>(cone_.size()), std::int64_t{0});
+}
+
+void Inflators::restore(std::vector<std::int64_t> state) {
+    assert(state.size() == given_.size());
+    given_ = std::move(state);
+}
+
+/// When k + 1/2 particle masses are in; the last one may be rounded up and then ends the flow.
+double Inflators::entry_time(std::size_t inflow, std::int64_t k) const {
+    const FlowCurve& flow = gases_[inflow].flow;
+    const double mass = moles_each_ * species_[inflow].molar_mass();
+    return flow.time_of(std::min(flow.total(), (static_cast<double>(k) + 0.5) * mass));
+}
+
+/// The orifice of a gas's next particle: among those that are behind their share, the one that
+/// would fall one particle behind first. Unit jobs by earliest deadline, so no orifice ever strays
+/// from its share by a particle [Tijdeman 1980; Baruah et al. 1996].
+std::int32_t Inflators::next_orifice(std::size_t inflow) const {
+    const std::vector<double>& share = gases_[inflow].share;
+    const std::int64_t* given = given_.data() + inflow * share.size();
+    const auto k = static_cast<double>(entered(inflow));
+    std::int32_t best = -1;
+    double least = INF;
+    for (std::size_t o = 0; o < share.size(); ++o) {
+        if (!(share[o] > 0.0) || static_cast<double>(given[o]) >= share[o] * (k + 1.0)) continue;
+        const double deadline = (static_cast<double>(given[o]) + 1.0) / share[o];
+        if (deadline < least) {
+            least = deadline;
+            best = static_cast<std::int32_t>(o);
+        }
+    }
+    assert(best >= 0 && "shares sum to 1, so someone is behind");
+    return best;
+}
+
+void Inflators::entering(double t_1, std::span<const Vec3> axis, std::vector<Entry>& out) {
+    assert(axis.size() == cone_.size());
+    due_.clear();
+    std::int64_t born = 0;
+    for (std::size_t g = 0; g < gases_.size(); ++g) {
+        const auto all = static_cast<std::int64_t>(gases_[g].particles);
+        const std::int64_t before = entered(g);
+        born += before;
+        for (std::int64_t k = before; k < all; ++k) {
+            const double time = entry_time(g, k);
+            if (time > t_1) break;
+            const std::int32_t orifice = next_orifice(g);
+            ++given_[g * cone_.size() + static_cast<std::size_t>(orifice)];
+            due_.push_back({time, static_cast<std::int32_t>(g), orifice});
+        }
+    }
+    std::stable_sort(due_.begin(), due_.end(),
+                     [](const Due& p, const Due& q) { return p.time < q.time; });
+    for (const Due& due : due_)
+        out.push_back(make(due, axis[due.orifice], static_cast<std::int32_t>(born++)));
+    due_.clear();
+    if (due_.capacity() > MOST_KEPT) due_.shrink_to_fit();
+}
+
+Entry Inflators::make(const Due& due, const Vec3& axis, std::int32_t id) const {
+    const Species& gas = species_[due.inflow];
+    const double T = gas.stagnation_temperature(gases_[due.inflow].temperature(due.time));
+    const double mass = moles_each_ * gas.molar_mass();
+    const double speed = std::sqrt(3.0 * gas_constant_ * T / gas.molar_mass());
+    return {due.time,
+            speed * draw_direction(axis, cone_[due.orifice], id),
+            mass * gas.internal(T),
+            mass * gas.u(T),
+            due.inflow,
+            due.orifice,
+            id};
+}
+
+Vec3 Inflators::jet(std::size_t inflow, std::size_t orifice, double t, const Vec3& axis) const {
+    if (axis.isZero()) return Vec3::Zero();  // into every direction
+    const Species& gas = species_[inflow];
+    const double T = gas.stagnation_temperature(gases_[inflow].temperature(t));
+    const double speed = std::sqrt(3.0 * gas_constant_ * T / gas.molar_mass());
+    return 0.5 * (1.0 + std::cos(cone_[orifice])) * speed * axis.normalized();
+}
+
+Vec3 Inflators::draw_direction(const Vec3& axis, double cone, std::int32_t id) const {
+    Random draw(seed_, Stream::INFLOW, 0, static_cast<std::uint64_t>(id));
+    const double length = axis.norm();
+    if (length == 0.0) return draw.direction();
+
+    const Vec3 along = axis / length;
+    const Vec3 aside = along.unitOrthogonal();
+    const double cosine = 1.0 - draw.uniform() * (1.0 - std::cos(cone));
+    const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));  // rounding at the axis
+    const double phi = 2.0 * std::numbers::pi * draw.uniform();
+    const Vec3 direction =
+        cosine * along + sine * (std::cos(phi) * aside + std::sin(phi) * along.cross(aside));
+    return direction.normalized();
+}
+
+}  // namespace corpuscle::gas

@@ -1,0 +1,128 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "gas/inflow/orifices.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gas/flight/crossing.hpp"
+
+namespace corpuscle::gas {
+namespace {
+
+constexpr double OFF_THE_WALL =
+    1e-3;  ///< of the facets' size: inside, yet at the wall for any purpose
+
+/// The orifice's own node, or the corners of its shell.
+std::vector<Index> nodes_of(const OrificeCard& card, const auto& facets) {
+    if (card.shell < 0) return {card.node};
+    std::vector<Index> nodes;
+    for (const auto& facet : facets)
+        for (const Index node : facet.outward)
+            if (std::find(nodes.begin(), nodes.end(), node) == nodes.end()) nodes.push_back(node);
+    return nodes;
+}
+
+}  // namespace
+
+Orifices::Orifices(const std::vector<OrificeCard>& cards, const std::vector<Triangle>& outward,
+                   const std::vector<Triangle>& given, const std::vector<Index>& shell,
+                   const std::array<Index, 3>& frame, std::span<const Vec3> x)
+    : cards_(cards), on_(cards.size()), pushed_(cards.size()), frame_(frame) {
+    for (std::size_t o = 0; o < cards_.size(); ++o) {
+        for (std::size_t t = 0; t < outward.size(); ++t) {
+            const Triangle& c = outward[t];
+            const bool touches = cards_[o].shell >= 0
+                                     ? shell[t] == cards_[o].shell
+                                     : std::find(c.begin(), c.end(), cards_[o].node) != c.end();
+            if (touches) on_[o].push_back({c, given[t]});
+        }
+        if (cards_[o].pushes) pushed_[o] = nodes_of(cards_[o], on_[o]);
+    }
+    if (frame_[0] >= 0) frame_0_ = axes_of_frame(x);
+}
+
+Vec3 Orifices::place(std::size_t orifice, std::span<const Vec3> x) const {
+    const OrificeCard& card = cards_[orifice];
+    if (on_[orifice].empty()) return x[card.node];
+    Vec3 centre = Vec3::Zero(), out = Vec3::Zero();
+    double area = 0.0;
+    for (const Facet& facet : on_[orifice]) {
+        const auto& [a, b, c] = facet.outward;
+        const Vec3 part = vector_area(x[a], x[b], x[c]);
+        centre += part.norm() / 3.0 * (x[a] + x[b] + x[c]);
+        area += part.norm();
+        out += part;
+    }
+    if (card.offset != 0.0) return centre / area + card.offset * normal(orifice, x);
+    const Vec3 at = card.shell >= 0 ? Vec3(centre / area) : x[card.node];
+    return at - OFF_THE_WALL * std::sqrt(area) * out.normalized();
+}
+
+/// The way the gas of a shell's orifice flows, unit.
+Vec3 Orifices::normal(std::size_t orifice, std::span<const Vec3> x) const {
+    Vec3 normal = Vec3::Zero();
+    for (const Facet& facet : on_[orifice])
+        normal += vector_area(x[facet.given[0]], x[facet.given[1]], x[facet.given[2]]);
+    return cards_[orifice].normal_sign * normal.normalized();
+}
+
+/// x from the first node to the second, z at right angles to all three.
+Mat3 Orifices::axes_of_frame(std::span<const Vec3> x) const {
+    const Vec3 along = (x[frame_[1]] - x[frame_[0]]).normalized();
+    const Vec3 up = along.cross(x[frame_[2]] - x[frame_[0]]).normalized();
+    Mat3 axes;
+    axes << along, up.cross(along), up;
+    return axes;
+}
+
+void Orifices::axes(std::span<const Vec3> x, std::vector<Vec3>& out) const {
+    out.resize(size());
+    Mat3 turn = Mat3::Identity();
+    if (frame_[0] >= 0) turn = axes_of_frame(x) * frame_0_.transpose();
+    for (std::size_t o = 0; o < size(); ++o)
+        out[o] = cards_[o].shell >= 0 ? normal(o, x)
+                                      : Vec3(turn * cards_[o].direction.value_or(Vec3::Zero()));
+}
+
+namespace {
+
+/// Does the box of what the facet sweeps overlap with the path's?
+bool is_near(const Path& path, const Triangle& facet, std::span<const Vec3> x_0,
+             std::span<const Vec3> x_1) {
+    for (int a = 0; a < 3; ++a) {
+        const auto [i, j, k] = facet;
+        const double low = std::min(
+                         {x_0[i][a], x_0[j][a], x_0[k][a], x_1[i][a], x_1[j][a], x_1[k][a]}),
+                     high = std::max(
+                         {x_0[i][a], x_0[j][a], x_0[k][a], x_1[i][a], x_1[j][a], x_1[k][a]});
+        if (low > std::max(path.at_0[a], path.at_1[a]) ||
+            high < std::min(path.at_0[a], path.at_1[a]))
+            return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+int Orifices::passed_by_fabric(const FacetLists& lists, std::span<const Vec3> x_0,
+                               std::span<const Vec3> x_1) const {
+    for (std::size_t o = 0; o < size(); ++o) {
+        if (!on_[o].empty() && cards_[o].offset == 0.0) continue;
+        const Path path{place(o, x_0), place(o, x_1)};
+        const auto is_crossed_by = [&](const Triangle& facet) {
+            return is_near(path, facet, x_0, x_1) && cross(path, facet, x_0.data(), x_1.data());
+        };
+        if (lists.any_slab(path.at_0, path.at_1, [&](const Slab& slab, double, double) {
+                bool is_passed = false;
+                lists.for_each_in(slab, [&](Index facet) {
+                    is_passed = is_passed || is_crossed_by(lists.triangles()[facet]);
+                });
+                return is_passed;
+            }))
+            return static_cast<int>(o);
+    }
+    return -1;
+}
+
+}  // namespace corpuscle::gas

@@ -1,0 +1,189 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gas/cards/bag.hpp"
+#include "gas/enclosure/bag_walls.hpp"
+#include "gas/flight/flight.hpp"
+#include "gas/flight/gates.hpp"
+#include "gas/thermo/species.hpp"
+#include "solver/base/curve.hpp"
+#include "solver/base/surface.hpp"
+
+namespace corpuscle::gas {
+
+/// Mean state of the gas in a bag, as its openings see it.
+struct Inside {
+    double pressure = 0.0;        ///< absolute                                          [Pa]
+    double temperature = 0.0;     ///< at which the gas at rest would hold its energy    [K]
+    double molar_mass = 0.0;      ///< of all gas                                        [kg/mol]
+    double gamma = 0.0;           ///< of all gas                                        [-]
+    double heat_capacity = 0.0;   ///< of all gas, at constant volume                    [J/K]
+    std::vector<double> density;  ///< partial, of the particles' gases                  [kg/m^3]
+    double air_density = 0.0;     ///< of the air that is no particles                   [kg/m^3]
+    double air_molar_mass = 1.0;  ///< [kg/mol]
+    bool is_uniform = false;      ///< after TSW: all gas leaves as the air does
+
+    [[nodiscard]] bool holds_gas() const { return pressure > 0.0 && temperature > 0.0; }
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(pressure, temperature, molar_mass, gamma, heat_capacity, density, air_density,
+                air_molar_mass, is_uniform);
+    }
+};
+
+/// One way out of the bag, or between its rooms.
+struct Opening {
+    enum class Law {
+        PLAIN,       ///< a share of those that arrive passes
+        ISENTROPIC,  ///< Wang-Nefske flow through an area
+        SEEPAGE      ///< density · area · velocity
+    };
+    Law law = Law::PLAIN;
+    bool is_internal = false;
+    Index vent = -1, leak = -1;  ///< row of its card, of one kind or the other
+    std::vector<Index> facets;
+    std::vector<Index> collar;  ///< closed facets round a vent
+    double first_area = 0.0;    ///< A0 of a leak: at the start, or of the reference shape [m^2]
+    bool has_opened = false;    ///< PPOP has been passed
+
+    // This step's
+    double area = 0.0;          ///< of all facets                                        [m^2]
+    double free = 1.0;          ///< share of it that contact leaves                      [-]
+    double flow = 0.0;          ///< wanted of the particles, ISENTROPIC                  [kg/s]
+    double air_flow = 0.0;      ///< of the air that is no particles                      [kg/s]
+    double intake = 0.0;        ///< of ambient air, IAIR = -1                            [kg/s]
+    std::vector<double> share;  ///< of what arrives of each gas, SEEPAGE                 [-]
+    double air_heat = 1.0;      ///< share of R T by which each mole of it carries more than u [-]
+
+    // Carried from step to step
+    double due = 0.0;              ///< wanted and not passed yet                     [kg]
+    std::vector<double> due_of;    ///< the same of each gas, SEEPAGE                 [kg]
+    double arriving = 0.0;         ///< flow that arrives, smoothed, by weight        [kg/s]
+    double collar_arriving = 0.0;  ///< the same on the collar                        [kg/s]
+    double memory = 0.0;           ///< time over which it is smoothed                [s]
+    double short_of = 0.0;         ///< SEEPAGE: beyond what all arrivals could give  [kg]
+    double mass_out = 0.0;         ///< so far                                        [kg]
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(has_opened, area, free, flow, air_flow, intake, share, air_heat, due, due_of,
+                arriving, collar_arriving, memory, short_of, mass_out);
+    }
+};
+
+/// Vents and porous fabric of one bag: sets the gates for flight and keeps the books of who passed.
+///
+/// An isentropic opening follows the Wang-Nefske flow of the bag's mean state: the chance to pass
+/// is the wanted flow over the flow that arrives, as measured at the opening, and what has passed
+/// too little or too much is made good in the next steps. Chances go with sqrt(M), as molecules
+/// effuse with 1 / sqrt(M), so gas leaves as it is mixed at the opening. Where all that arrive are
+/// too few (gas at rest effuses 0.58 of the choked flow), the collar, closed fabric round the vent,
+/// lets out what is missing; its fabric is pushed as if nobody left there.
+class Openings {
+public:
+    /// Errors: InputError for an opening that has no facets in the bag.
+    /// @param triangles  of the walls, the closing ones turned outward
+    Openings(const BagCard& card, const BagWalls& walls, std::span<const Curve> curves,
+             std::span<const Species> species, std::span<const double> particle_mass,
+             std::span<const Vec3> x, std::uint64_t seed);
+
+    [[nodiscard]] bool empty() const { return openings_.empty(); }
+    [[nodiscard]] const Gates* gates() const { return empty() ? nullptr : &gates_; }
+    [[nodiscard]] const std::vector<Opening>& all() const { return openings_; }
+
+    /// Takes what touches out of the open area, and of external vents where BLOCK says so only
+    /// what contact presses harder than the gas.                                      N × 1
+    void block(std::span<const std::uint8_t> touching, std::span<const std::uint8_t> pressed);
+
+    /// Chances for a flight over dt from t, in the bag's state at t.
+    void set_gates(double t, double dt, std::span<const Vec3> x, const Inside& inside);
+    /// The same for one opening, with the state of the room that it leads out of.
+    void set_gate(std::size_t row, double t, double dt, std::span<const Vec3> x,
+                  const Inside& inside);
+    /// Flow through an internal opening from gas of one state to where there is p_out, no particles
+    /// on either side.                                                                  [kg/s]
+    [[nodiscard]] double flow_between(std::size_t row, double t, const Inside& from, double p_out);
+    void book(std::size_t row, double mass);  ///< that has left without particles         [kg]
+
+    /// What the last flight let out.
+    struct Passed {
+        double energy = 0.0;            ///< that the particles carried with them            [J]
+        double still_owed = 0.0;        ///< enthalpy that they should have, less that       [J]
+        std::vector<std::size_t> rows;  ///< of the particles, ascending
+    };
+    const Passed& count(const FlightResult& flight, double dt, const Inside& inside,
+                        std::span<const std::int32_t> species);
+
+    /// Mass of air that wants to leave in dt, and the factor k in its energy u + k R T / M.
+    struct Air {
+        double mass = 0.0, heat = 1.0;
+    };
+    [[nodiscard]] Air air_leaving(double dt) const;
+    [[nodiscard]] double intake() const;  ///< ambient air that comes in               [kg/s]
+    void book_air(double mass);  ///< that has left, shared as air_leaving() had it          [kg]
+
+    [[nodiscard]] double mass_out(bool through_vents) const;  ///< else through fabric        [kg]
+    [[nodiscard]] std::span<const double> part_mass_out() const { return part_mass_out_; }
+    [[nodiscard]] std::size_t particles_out() const { return particles_out_; }
+    [[nodiscard]] std::vector<std::string> shortages() const;  ///< in the user's words
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(openings_, gates_.step, part_mass_out_, particles_out_);
+    }
+
+private:
+    void add_vent(const BagWalls& walls, const VentCard& vent, Index row);
+    void add_leak(const BagWalls& walls, const LeakCard& leak, Index row, std::span<const Vec3> x);
+    void add_collar(Opening& opening, Index row, double wanted, std::size_t closing,
+                    std::span<const Vec3> x);
+    [[nodiscard]] double most(const VentCard& vent) const;
+
+    [[nodiscard]] double area_of(std::span<const Index> facets, std::span<const Vec3> x) const;
+    [[nodiscard]] double curve_or(Index curve, double at, double otherwise) const;
+    [[nodiscard]] double vent_factor(Opening& opening, double t, const Inside& inside) const;
+    [[nodiscard]] double steered(const Opening& opening, std::size_t species, double dt,
+                                 const Inside& inside) const;
+    [[nodiscard]] double leak_share(const Opening& opening, double t) const;
+    [[nodiscard]] double leak_area(const Opening& opening, const Inside& inside) const;
+    void measure(Opening& opening, std::span<const Vec3> x) const;
+    void close(Index row);
+    void set_plain(Index row, double share, std::span<const Vec3> x, const Inside& inside);
+    void set_isentropic(Index row, double area, double dt, const Inside& inside);
+    void set_intake(Index row, double t, double area, const Inside& inside);
+    void set_seepage(Index row, double t, double dt, const Inside& inside);
+    void expect_arrivals(Opening& opening, double dt, const Inside& inside) const;
+
+    std::string name_;  ///< of the bag
+    std::vector<VentCard> vents_;
+    std::vector<LeakCard> leaks_;
+    std::vector<Curve> curves_;
+    std::vector<Species> species_;
+    std::vector<double> mass_;    ///< of one particle, by species                       [kg]
+    std::vector<double> weight_;  ///< sqrt(M / heaviest M), by species                   [-]
+    std::vector<Triangle> triangles_;
+    std::vector<Index> part_, shell_;  ///< by facet
+    BlockCard block_;
+    std::vector<int> part_ids_;
+    double p_atm_, T_atm_, gas_constant_;
+    std::optional<Species> ambient_;  ///< comes in where the bag's pressure is lower
+
+    std::vector<Opening> openings_;
+    Gates gates_;
+    Passed passed_;
+    std::vector<double> came_, came_to_collar_;  ///< by opening, in one flight          [kg]
+    std::vector<double> part_mass_out_;          ///< [kg]
+    std::size_t particles_out_ = 0;
+};
+
+}  // namespace corpuscle::gas

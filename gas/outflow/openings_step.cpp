@@ -1,0 +1,251 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// What the openings of a bag let through in one step.
+
+#include <algorithm>
+#include <cmath>
+
+#include "gas/outflow/openings.hpp"
+#include "gas/thermo/orifice_flow.hpp"
+
+namespace corpuscle::gas {
+namespace {
+
+/// Arrivals at an opening over which their flow is averaged. More: steadier chances that answer
+/// later to a change.
+constexpr double ARRIVALS_KEPT = 50.0;
+
+/// Least steps of the same.
+constexpr double STEPS_KEPT = 4.0;
+
+}  // namespace
+
+void Openings::set_gates(double t, double dt, std::span<const Vec3> x, const Inside& inside) {
+    ++gates_.step;
+    for (std::size_t o = 0; o < openings_.size(); ++o) set_gate(o, t, dt, x, inside);
+}
+
+void Openings::set_gate(std::size_t o, double t, double dt, std::span<const Vec3> x,
+                        const Inside& inside) {
+    const auto row = static_cast<Index>(o);
+    Opening& opening = openings_[o];
+    close(row);
+    measure(opening, x);
+    if (!inside.holds_gas()) return;
+    if (opening.leak >= 0) {
+        const double area =
+            opening.law == Opening::Law::ISENTROPIC ? leak_area(opening, inside) : 0.0;
+        if (opening.law == Opening::Law::ISENTROPIC)
+            set_isentropic(row, area, dt, inside);
+        else
+            set_seepage(row, t, dt, inside);
+        set_intake(row, t, area, inside);
+        return;
+    }
+    const double factor = vent_factor(opening, t, inside);
+    set_intake(row, t, factor * opening.free * opening.area, inside);
+    if (opening.law == Opening::Law::ISENTROPIC || inside.is_uniform)
+        set_isentropic(row, factor * opening.free * opening.area, dt, inside);
+    else
+        set_plain(row, factor, x, inside);
+}
+
+double Openings::flow_between(std::size_t row, double t, const Inside& from, double p_out) {
+    Opening& opening = openings_[row];
+    const double area = opening.free * opening.area;
+    if (opening.vent >= 0)
+        return vent_factor(opening, t, from) * area *
+               orifice_flow(from.pressure, p_out, from.temperature, from.gamma,
+                            gas_constant_ / from.molar_mass);
+    const LeakCard& leak = leaks_[opening.leak];
+    const double density = from.pressure * from.molar_mass / (gas_constant_ * from.temperature);
+    return density * area * leak_share(opening, t) *
+           curve_or(leak.velocity_curve, from.pressure, leak.velocity);
+}
+
+void Openings::close(Index row) {
+    Opening& opening = openings_[row];
+    opening.flow = opening.air_flow = opening.intake = 0.0;
+    Gates::Gate& gate = gates_.all[row];
+    std::fill(gate.chance.begin(), gate.chance.end(), 0.0);
+    std::fill(gate.collar_chance.begin(), gate.collar_chance.end(), 0.0);
+    std::fill(opening.share.begin(), opening.share.end(), 0.0);
+}
+
+/// Area, and the share of it that is free.
+void Openings::measure(Opening& opening, std::span<const Vec3> x) const {
+    double free = 0.0;
+    opening.area = 0.0;
+    for (const Index f : opening.facets) {
+        const auto& [a, b, c] = triangles_[f];
+        const double area = vector_area(x[a], x[b], x[c]).norm();
+        opening.area += area;
+        free += gates_.open[f] * area;
+    }
+    opening.free = opening.area > 0.0 ? free / opening.area : 0.0;
+}
+
+double Openings::curve_or(Index curve, double at, double otherwise) const {
+    return curve >= 0 ? curves_[curve](at) : otherwise;
+}
+
+/// C23 with its curves; 0 until the gauge pressure has passed PPOP.
+double Openings::vent_factor(Opening& opening, double t, const Inside& inside) const {
+    const VentCard& vent = vents_[opening.vent];
+    opening.has_opened |= inside.pressure - p_atm_ >= vent.opens_at || vent.opens_at == 0.0;
+    if (!opening.has_opened) return 0.0;
+    return vent.coefficient * (inside.is_uniform ? vent.uniform_factor : 1.0) *
+           curve_or(vent.time_curve, t, 1.0) * curve_or(vent.pressure_curve, inside.pressure, 1.0);
+}
+
+/// A0 (X0 + X1 rs + X2 rp + X3 rs rp), rs = A / A0, rp = p_atm / p, as far as it is free.
+double Openings::leak_area(const Opening& opening, const Inside& inside) const {
+    const std::array<double, 4>& X = *leaks_[opening.leak].growth;
+    const double rs = opening.area / opening.first_area, rp = p_atm_ / inside.pressure;
+    const double area = opening.first_area * (X[0] + X[1] * rs + X[2] * rp + X[3] * rs * rp);
+    return std::max(0.0, area) * opening.free;
+}
+
+/// `share` of all that arrive pass; a share above 1 opens the collar, too.
+void Openings::set_plain(Index row, double share, std::span<const Vec3> x, const Inside& inside) {
+    Opening& opening = openings_[row];
+    Gates::Gate& gate = gates_.all[row];
+    const double own = std::min(1.0, share);
+    std::fill(gate.chance.begin(), gate.chance.end(), own);
+    if (opening.is_internal) return;
+    gate.push = std::min(1.0, p_atm_ / inside.pressure);
+    if (share > 1.0 && !opening.collar.empty())
+        std::fill(gate.collar_chance.begin(), gate.collar_chance.end(),
+                  std::min(1.0, (share - 1.0) * opening.free * opening.area /
+                                    area_of(opening.collar, x)));
+    opening.air_flow = share * opening.free * opening.area * inside.air_density *
+                       effusion_speed(inside.temperature, gas_constant_, inside.air_molar_mass);
+    opening.air_heat = 0.5;  // effusing molecules carry u + R T / 2
+}
+
+/// Wang-Nefske flow of the mean state through `area`.
+void Openings::set_isentropic(Index row, double area, double dt, const Inside& inside) {
+    Opening& opening = openings_[row];
+    Gates::Gate& gate = gates_.all[row];
+    if (opening.is_internal) return;  // the same gas on both sides, after TSW
+    const double flow = area * orifice_flow(inside.pressure, p_atm_, inside.temperature,
+                                            inside.gamma, gas_constant_ / inside.molar_mass);
+    if (inside.is_uniform) {
+        opening.air_flow = flow;
+        opening.air_heat = 1.0;
+        return;
+    }
+    if (opening.vent >= 0) gate.push = std::min(1.0, p_atm_ / inside.pressure);
+    expect_arrivals(opening, dt, inside);
+    if (flow <= 0.0) return;
+    double density = inside.air_density;
+    for (const double of_species : inside.density) density += of_species;
+    opening.air_flow = flow * inside.air_density / density;
+    opening.air_heat = 1.0;  // enthalpy
+    opening.flow = flow - opening.air_flow;
+
+    const double wanted = opening.flow + opening.due / opening.memory;
+    if (wanted <= 0.0) return;
+    const double chance = opening.arriving > 0.0 ? std::min(1.0, wanted / opening.arriving) : 1.0;
+    const double rest = wanted - chance * opening.arriving;
+    const double collar = rest > 0.0 && opening.collar_arriving > 0.0
+                              ? std::min(1.0, rest / opening.collar_arriving)
+                              : 0.0;
+    for (std::size_t s = 0; s < species_.size(); ++s) {
+        gate.chance[s] = chance * weight_[s];
+        gate.collar_chance[s] = collar * weight_[s];
+    }
+}
+
+/// Ambient air comes in where the bag's pressure is lower: isentropic through `area`, or through
+/// fabric as fast as gas would leave at as much gauge pressure.
+void Openings::set_intake(Index row, double t, double area, const Inside& inside) {
+    Opening& opening = openings_[row];
+    if (!ambient_ || opening.is_internal || inside.pressure >= p_atm_) return;
+    if (opening.law != Opening::Law::SEEPAGE) {
+        opening.intake =
+            area * orifice_flow(p_atm_, inside.pressure, T_atm_, ambient_->gamma(T_atm_),
+                                gas_constant_ / ambient_->molar_mass());
+        return;
+    }
+    const LeakCard& leak = leaks_[opening.leak];
+    const double density = p_atm_ * ambient_->molar_mass() / (gas_constant_ * T_atm_);
+    opening.intake = density * opening.area * opening.free * leak_share(opening, t) *
+                     curve_or(leak.velocity_curve, 2.0 * p_atm_ - inside.pressure, leak.velocity);
+}
+
+/// FLC, for the area that counts.
+double Openings::leak_share(const Opening& opening, double t) const {
+    const LeakCard& leak = leaks_[opening.leak];
+    const double share = curve_or(leak.area_curve, t, leak.area);
+    return leak.from_reference && opening.area > 0.0 ? share * opening.first_area / opening.area
+                                                     : share;
+}
+
+/// What effuses from gas at rest sets the memory, and is the first guess of what arrives.
+void Openings::expect_arrivals(Opening& opening, double dt, const Inside& inside) const {
+    double count = 0.0, mass = 0.0;
+    for (std::size_t s = 0; s < species_.size(); ++s) {
+        const double flux = inside.density[s] * effusion_speed(inside.temperature, gas_constant_,
+                                                               species_[s].molar_mass());
+        count += flux * opening.area * opening.free / mass_[s];
+        mass += flux * opening.area * opening.free * weight_[s];
+    }
+    const bool is_first = opening.memory == 0.0 || opening.arriving == 0.0;
+    opening.memory = STEPS_KEPT * dt + (count > 0.0 ? ARRIVALS_KEPT / count : 0.0);
+    if (!is_first) return;
+    opening.arriving = mass;
+    opening.collar_arriving = opening.collar.empty() ? 0.0 : mass;
+}
+
+/// The share of a gas that is to pass, corrected by what has passed too little or too much before:
+/// chance alone would scatter the mass by the square root of the number that has passed.
+double Openings::steered(const Opening& opening, std::size_t s, double dt,
+                         const Inside& inside) const {
+    const double arriving =
+        inside.density[s] * opening.area * opening.free *
+        effusion_speed(inside.temperature, gas_constant_, species_[s].molar_mass());
+    const double passing = opening.share[s] * arriving;
+    if (!(passing > 0.0) || opening.is_internal) return opening.share[s];
+    const double memory = STEPS_KEPT * dt + ARRIVALS_KEPT * mass_[s] / passing;
+    return std::clamp(opening.share[s] + opening.due_of[s] / (memory * arriving), 0.0, 1.0);
+}
+
+/// density · area · FLC · FAC of each gas; those that arrive are density · effusion speed · area.
+void Openings::set_seepage(Index row, double t, double dt, const Inside& inside) {
+    Opening& opening = openings_[row];
+    const LeakCard& leak = leaks_[opening.leak];
+    if (!opening.is_internal && inside.pressure <= p_atm_) return;
+    const double share = leak_share(opening, t);
+    const auto velocity = [&](double density, double molar_mass) {
+        const double component =
+            density * gas_constant_ * inside.temperature / molar_mass;  // its own pressure
+        return share * curve_or(leak.velocity_curve,
+                                leak.by_component ? component : inside.pressure, leak.velocity);
+    };
+    const double area = opening.area * opening.free;
+    opening.air_flow =
+        opening.is_internal
+            ? 0.0
+            : inside.air_density * area * velocity(inside.air_density, inside.air_molar_mass);
+    opening.air_heat = 1.0;
+    if (inside.is_uniform) {
+        for (std::size_t s = 0; s < species_.size() && !opening.is_internal; ++s)
+            opening.air_flow +=
+                inside.density[s] * area * velocity(inside.density[s], species_[s].molar_mass());
+        return;
+    }
+    for (std::size_t s = 0; s < species_.size(); ++s) {
+        const double M = species_[s].molar_mass();
+        const double chance =
+            velocity(inside.density[s], M) / effusion_speed(inside.temperature, gas_constant_, M);
+        opening.share[s] = std::clamp(chance, 0.0, 1.0);
+        gates_.all[row].chance[s] = steered(opening, s, dt, inside);
+        if (chance > 1.0 && !opening.is_internal)
+            opening.short_of += (1.0 - 1.0 / chance) * velocity(inside.density[s], M) * area *
+                                inside.density[s] * dt;
+    }
+}
+
+}  // namespace corpuscle::gas

@@ -1,0 +1,80 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cassert>
+#include <span>
+#include <vector>
+
+#include "gas/thermo/species.hpp"
+
+namespace corpuscle::gas {
+
+/// A mixture at one pressure and one temperature in a volume that moves.
+///
+///     p V = sum n_s R T,   dE = sum h_s dm_s - p dV
+///
+/// Works in step with the leapfrog: pressure is wanted at t, while the work of a kick is that from
+/// t - dt/2 to t + dt/2. settle() finds the state at t; work() books the kick's.
+class ControlVolume {
+public:
+    explicit ControlVolume(std::vector<Species> species)
+        : species_(std::move(species)), moles_(species_.size(), 0.0) {
+        assert(!species_.empty());
+    }
+
+    /// Gas of one species with all that it carries.                                 [mol], [J]
+    void add(std::size_t species, double moles, double energy) {
+        moles_[species] += moles;
+        energy_ += energy;
+    }
+    void add_heat(double energy) { energy_ += energy; }  ///< [J]
+
+    /// Gas that flows out as it is, with its enthalpy: a share of every species. Returns the energy
+    /// that goes with it.                                                                    [J]
+    double remove(double mass);
+
+    /// Finds T and p at t, when the gas fills `volume`. False when there is no such state: no
+    /// volume, or an energy that belongs to no temperature.
+    [[nodiscard]] bool settle(double volume);
+
+    /// The walls have moved by `swept` under the pressure of settle(); returns -dE.  [m^3] -> [J]
+    double work(double swept) {
+        energy_ -= pressure_ * swept;
+        return pressure_ * swept;
+    }
+
+    // At t, as settle() found it
+    [[nodiscard]] double pressure() const { return pressure_; }        ///< [Pa]
+    [[nodiscard]] double temperature() const { return temperature_; }  ///< [K]
+    [[nodiscard]] double volume() const { return volume_; }            ///< [m^3]
+    [[nodiscard]] double energy() const { return energy_at_t_; }       ///< [J]
+
+    [[nodiscard]] const std::vector<Species>& species() const { return species_; }
+    [[nodiscard]] double moles(std::size_t species) const { return moles_[species]; }
+    [[nodiscard]] double moles() const;
+    [[nodiscard]] double mass(std::size_t s) const { return moles_[s] * species_[s].molar_mass(); }
+    [[nodiscard]] double mass() const;      ///< [kg]
+    [[nodiscard]] double gamma() const;     ///< Cp / Cv of the mixture at T              [-]
+    [[nodiscard]] double enthalpy() const;  ///< at T                                   [J/kg]
+    /// R / M of the mixture.                                                       [J/(kg K)]
+    [[nodiscard]] double gas_constant() const { return R() * moles() / mass(); }
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(moles_, energy_, energy_at_t_, volume_, temperature_, pressure_);
+    }
+
+private:
+    [[nodiscard]] double R() const { return species_[0].gas_constant(); }
+    [[nodiscard]] EnergyPolynomial content() const;
+
+    std::vector<Species> species_;
+    std::vector<double> moles_;
+    double energy_ = 0.0;       ///< half a step after t once work() is booked            [J]
+    double energy_at_t_ = 0.0;  ///< [J]
+    double volume_ = NaN, temperature_ = 300.0, pressure_ = NaN;
+};
+
+}  // namespace corpuscle::gas
