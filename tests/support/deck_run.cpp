@@ -1,0 +1,58 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "tests/support/deck_run.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+
+#include "io/hdf5.hpp"
+#include "solver/base/curve.hpp"
+
+namespace corpuscle::test {
+
+DeckRun::DeckRun(const std::string& name, const std::string& deck, const std::string& options) {
+    if (const char* kept = std::getenv("CORPUSCLE_DECKS")) {
+        stays_ = true;
+        directory_ = std::filesystem::path(kept) / name;
+        std::filesystem::create_directories(directory_);
+    } else {
+        std::string pattern = std::filesystem::temp_directory_path() / (name + ".XXXXXX");
+        if (!mkdtemp(pattern.data())) throw std::runtime_error("no directory " + pattern);
+        directory_ = pattern;
+    }
+    const std::string path = (directory_ / "deck.k").string();
+    std::ofstream(path) << deck;
+    const std::string log = (directory_ / "log").string();
+    const std::string command = CORPUSCLE_PROGRAM " run '" + path + "' -o '" + directory_.string() +
+                                "' -j 1 " + options + " >'" + log + "' 2>&1";
+    const int ended = std::system(command.c_str());
+    status_ = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
+    if (status_ != 0) std::system(("cat '" + log + "'").c_str());
+}
+
+DeckRun::~DeckRun() {
+    if (stays_) return;
+    std::error_code ignored;  // a directory left behind harms nobody
+    std::filesystem::remove_all(directory_, ignored);
+}
+
+bool DeckRun::has(const std::string& path) const {
+    return io::Hdf5Reader(results()).has(path);
+}
+
+std::vector<double> DeckRun::read(const std::string& path) const {
+    return io::Hdf5Reader(results()).read<double>(path);
+}
+
+double DeckRun::at(const std::string& path, double time) const {
+    Curve curve;
+    curve.x = this->time();
+    curve.y = read(path);
+    return curve(time);
+}
+
+}  // namespace corpuscle::test
