@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "solver/base/constants.hpp"
+#include "tests/support/air.hpp"
 #include "tests/support/box_deck.hpp"
 #include "tests/support/stirred_tank.hpp"
 
@@ -15,26 +15,19 @@
 /// air: A from x = 0, with a vent of 11.1 cm² in the middle of its far wall.
 namespace corpuscle::test::rooms {
 
-constexpr double MOLAR_MASS = 0.028, MOLAR_CP = 28.0;  ///< air: gamma = 1.422
-constexpr double GAMMA = MOLAR_CP / (MOLAR_CP - GAS_CONSTANT);
-constexpr double P_ATM = 101325.0, T_ATM = 300.0;
+using namespace air;
+
+constexpr double T_ATM = 300.0;
 constexpr double ROOM = 5e-4;          ///< volume of a room                           [m^3]
 constexpr double VENT = 0.01 / 9.0;    ///< its area                                   [m^2]
 constexpr double WALLS = 0.03 - VENT;  ///< A's hull without vent and membrane         [m^2]
 constexpr double FULL = 1e-3;          ///< all gas is in                              [s]
 enum Part { WALL_A = 1, WALL_B = 2, MEMBRANE = 3, HOLE = 4 };
 
-inline double density(double p, double T) {
-    return p * MOLAR_MASS / (GAS_CONSTANT * T);
-}
-inline double specific_energy(double T) {
-    return (MOLAR_CP - GAS_CONSTANT) / MOLAR_MASS * T;
-}
-
 /// A room's gas as an oracle's tank.
 inline oracle::StirredTank tank(double p, double T) {
     const double mass = density(p, T) * ROOM;
-    return {{{MOLAR_MASS, MOLAR_CP, mass}}, mass * specific_energy(T), ROOM};
+    return {{{MOLAR_MASS, MOLAR_CP, mass}}, mass * energy(T), ROOM};
 }
 
 /// kg/s through the vent of a tank.
