@@ -4,14 +4,17 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "tests/support/air.hpp"
+#include "tests/support/euler_1d.hpp"
 #include "tests/support/heavy_sheet.hpp"
 
 /// Decks of a shock tube 1 x 0.1 x 0.1 m: gas at rest on both sides of a membrane at x = 0.5 m that
 /// passes all gas from OPENS on. SI units.
 namespace corpuscle::test::shock_tube {
 
-constexpr double FULL = 1e-3, OPENS = 6e-3;  ///< all gas is in; the valve opens             [s]
+constexpr double FULL = 1e-3, OPENS = 3e-3;  ///< all gas is in; the valve opens             [s]
 enum Part { WALL = 1, MEMBRANE = 2, SHEET = 3 };
 
 struct Tube {
@@ -35,6 +38,12 @@ inline BoxDeck box(bool has_sheet) {
     };
     if (has_sheet) made.is_free = sheet::is_free(made.size, 0.5);
     return made;
+}
+
+/// Both gases as a Riemann problem has them.
+inline std::pair<oracle::Gas1D, oracle::Gas1D> gases(const Tube& tube) {
+    return {{air::density(tube.p_left, tube.T_left), 0.0, tube.p_left},
+            {air::density(tube.p_right, tube.T_right), 0.0, tube.p_right}};
 }
 
 /// The right gas fills the tube as initial air; what the left has more comes in evenly from 15 x 3
