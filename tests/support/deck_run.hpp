@@ -23,6 +23,7 @@ public:
 
     [[nodiscard]] int status() const { return status_; }  ///< the program's exit status
     [[nodiscard]] std::filesystem::path results() const { return directory_ / "results.h5"; }
+    [[nodiscard]] std::filesystem::path deck() const { return directory_ / "deck.k"; }
     /// Whether results.h5 has a dataset.
     [[nodiscard]] bool has(const std::string& path) const;
 
