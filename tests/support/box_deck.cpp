@@ -110,7 +110,7 @@ std::string box_deck(const std::string& title, const BoxDeck& box, const std::st
                      double end, double sample) {
     return "*KEYWORD\n*TITLE\n" + title + "\n" +
            box.mesh().cards([&](const Vec3& x) { return box.is_held(x); }) + cards +
-           fmt::format("*CONTROL_TERMINATION\n{:.10g}\n*DATABASE_ABSTAT\n{:.10g}\n*END\n", end,
+           fmt::format("*CONTROL_TERMINATION\n{:.12g},\n*DATABASE_ABSTAT\n{:.10g},\n*END\n", end,
                        sample);
 }
 

@@ -25,6 +25,7 @@ struct Tube {
     double p_outside = air::P_ATM;
     bool shows_particles = false;
     double frames = 1e-4;  ///< time between them; 0: start and end only
+    double sample = 1e-4;  ///< time between rows of histories
 };
 
 /// @param has_sheet  the wall at z = 0.1 m is a heavy free sheet
@@ -82,8 +83,8 @@ inline std::string deck(const Tube& tube, const BoxDeck& box) {
         static_cast<int>(MEMBRANE), tube.particles, tube.shows_particles ? 1 : 3, tube.p_outside,
         count, tube.p_right, tube.T_right, M, cp, M, cp);
     cards += nozzles;
-    if (tube.frames > 0.0) cards += fmt::format("*DATABASE_BINARY_D3PLOT\n{:.10g}\n", tube.frames);
-    return box_deck("shock tube", box, cards, OPENS + tube.lasts, 1e-4);
+    if (tube.frames > 0.0) cards += fmt::format("*DATABASE_BINARY_D3PLOT\n{:.10g},\n", tube.frames);
+    return box_deck("shock tube", box, cards, OPENS + tube.lasts, tube.sample);
 }
 
 }  // namespace corpuscle::test::shock_tube

@@ -1,0 +1,46 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// Claim: Sod's tube, run through decks with default settings, is as near the exact solution as the
+// collision model's bench (verify_gas "[.sod]").
+#include <catch2/catch.hpp>
+
+#include "tests/support/case_report.hpp"
+#include "tests/support/sod_deck.hpp"
+
+using namespace corpuscle;
+using namespace corpuscle::test;
+
+namespace {
+
+constexpr double DENSITY = 0.011, PRESSURE = 0.0075;  ///< at 10^5 particles and 40 runs
+constexpr double DENSITY_NOISE = 0.0020, PRESSURE_NOISE = 0.0025;  ///< in them, .0016 sqrt(64/40)
+
+/// A bound for fewer runs: noise adds to each slab's error as squares do.
+double bound(double of_40, double noise_of_40, double noise) {
+    return std::sqrt(of_40 * of_40 - noise_of_40 * noise_of_40 + noise * noise);
+}
+
+void check(const std::string& name, int runs) {
+    const SodDeckError error = sod_deck_error(100000, runs);
+    const double density = bound(DENSITY, DENSITY_NOISE, error.density_noise),
+                 pressure = bound(PRESSURE, PRESSURE_NOISE, error.pressure_noise);
+    report(name + fmt::format(": L1 of density (noise {:.4f}, bound {:.4f})", error.density_noise,
+                              density),
+           0.0, error.density);
+    report(name + fmt::format(": L1 of pressure (noise {:.4f}, bound {:.4f})", error.pressure_noise,
+                              pressure),
+           0.0, error.pressure);
+    CHECK(error.density < density);
+    CHECK(error.pressure < pressure);
+}
+
+}  // namespace
+
+TEST_CASE("Sod's tube through decks, four seeds", "[sod]") {
+    check("sod, 4 seeds", 4);
+}
+
+TEST_CASE("Sod's tube through decks, forty seeds", "[.full][sod]") {
+    check("sod, 40 seeds", 40);
+}
