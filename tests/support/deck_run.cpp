@@ -27,8 +27,8 @@ DeckRun::DeckRun(const std::string& name, const std::string& deck, const std::st
     const std::string path = (directory_ / "deck.k").string();
     std::ofstream(path) << deck;
     const std::string log = (directory_ / "log").string();
-    const std::string command = CORPUSCLE_PROGRAM " run '" + path + "' -o '" + directory_.string() +
-                                "' -j 1 " + options + " >'" + log + "' 2>&1";
+    const std::string command = "timeout 900 " CORPUSCLE_PROGRAM " run '" + path + "' -o '" +
+                                directory_.string() + "' -j 1 " + options + " >'" + log + "' 2>&1";
     const int ended = std::system(command.c_str());
     status_ = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
     if (status_ != 0) std::system(("cat '" + log + "'").c_str());

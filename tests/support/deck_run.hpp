@@ -21,7 +21,9 @@ public:
     DeckRun(const DeckRun&) = delete;
     DeckRun& operator=(const DeckRun&) = delete;
 
-    [[nodiscard]] int status() const { return status_; }  ///< the program's exit status
+    [[nodiscard]] int status() const {
+        return status_;
+    }  ///< the program's exit status; 124: it has not come to its end in 15 minutes
     [[nodiscard]] std::filesystem::path results() const { return directory_ / "results.h5"; }
     [[nodiscard]] std::filesystem::path deck() const { return directory_ / "deck.k"; }
     /// Whether results.h5 has a dataset.
