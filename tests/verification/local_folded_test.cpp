@@ -1,0 +1,119 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// Claim: the pressure with which a jet opens the first pleat of a folded bag is the gas's, not that
+// of the number of particles.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "io/hdf5.hpp"
+#include "solver/base/vec.hpp"
+#include "tests/support/case_report.hpp"
+#include "tests/support/model_run.hpp"
+
+using namespace corpuscle;
+using namespace corpuscle::test;
+
+namespace {
+
+constexpr double DISH = 30.0, FRONT_PANEL = 1.0;  ///< its radius [mm]; part
+constexpr double END = 4.0, FRAME = 0.2;          ///< [ms]
+
+/// Rows and areas of the front panel's shells that lie lowest over the inflator's dish, within half
+/// the 0.7 mm from one layer to the next.
+struct Pleat {
+    std::vector<std::size_t> shells;
+    std::vector<double> area;
+};
+Pleat first_pleat(const io::Hdf5Reader& results) {
+    const auto x = results.read<double>("/mesh/coordinates"),
+               part = results.read<double>("/mesh/shell_part");
+    const auto nodes = results.read<std::int64_t>("/mesh/shell_nodes");
+    const auto at = [&](std::size_t shell, int k) {
+        const auto row = static_cast<std::size_t>(3 * nodes[4 * shell + k]);
+        return Vec3(x[row], x[row + 1], x[row + 2]);
+    };
+    const auto centre = [&](std::size_t shell) {
+        return Vec3(0.25 * (at(shell, 0) + at(shell, 1) + at(shell, 2) + at(shell, 3)));
+    };
+    const auto is_over_dish = [&](std::size_t shell) {
+        return part[shell] == FRONT_PANEL && centre(shell).head<2>().norm() < DISH;
+    };
+    double lowest = 1e30;
+    for (std::size_t s = 0; s < part.size(); ++s)
+        if (is_over_dish(s)) lowest = std::min(lowest, centre(s).z());
+    Pleat pleat;
+    for (std::size_t s = 0; s < part.size(); ++s)
+        if (is_over_dish(s) && centre(s).z() < lowest + 0.35) {
+            pleat.shells.push_back(s);
+            pleat.area.push_back(0.5 * (at(s, 2) - at(s, 0)).cross(at(s, 3) - at(s, 1)).norm());
+        }
+    return pleat;
+}
+
+/// Gauge pressure on the first pleat, the mean over each interval between frames.       [GPa]
+std::vector<double> pleat_pressure(int particles, int seed) {
+    const ModelRun run(
+        "driver_bag_folded_coarse",
+        fmt::format("-j 1 -D NP={} -D DTPLOT={} --until {} --seed {}", particles, FRAME, END, seed),
+        "driver_bag_folded");
+    REQUIRE(run.status() == 0);
+    const io::Hdf5Reader results(run.results());
+    const Pleat pleat = first_pleat(results);
+    REQUIRE(pleat.shells.size() > 3);
+    const std::size_t frames = results.read<double>("/frames/time").size();
+    std::vector<double> curve;
+    for (std::size_t f = 1; f < frames; ++f) {
+        const auto p = results.read<double>(fmt::format("/frames/{:05d}/shell_pressure", f));
+        double force = 0.0, area = 0.0;
+        for (std::size_t k = 0; k < pleat.shells.size(); ++k) {
+            force += pleat.area[k] * p[pleat.shells[k]];
+            area += pleat.area[k];
+        }
+        curve.push_back(force / area);
+    }
+    return curve;
+}
+
+/// RMS difference of two curves over the RMS of the second.
+double difference(const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0.0, scale = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        sum += std::pow(a[i] - b[i], 2);
+        scale += b[i] * b[i];
+    }
+    return std::sqrt(sum / scale);
+}
+
+/// Curves of ever more particles, printed in kPa.
+std::vector<std::vector<double>> curves(const std::vector<int>& particles) {
+    std::vector<std::vector<double>> all;
+    for (const int n : particles) all.push_back(pleat_pressure(n, 1));
+    for (std::size_t f = 0; f < all[0].size(); ++f)
+        for (std::size_t k = 0; k + 1 < all.size(); ++k)
+            report(fmt::format("folded: first pleat at {:.1f} ms, {} for {} [kPa]",
+                               FRAME * (f + 0.5), particles[k], particles.back()),
+                   1e6 * all.back()[f], 1e6 * all[k][f]);
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("pressure on the first pleat, 20 000 and 100 000 particles", "[folded]") {
+    const auto all = curves({20000, 100000});
+    const double off = difference(all[0], all[1]);
+    report("folded: curve of 20 000 off that of 100 000, RMS", 0.0, off);
+    CHECK(off < 0.1);
+}
+
+TEST_CASE("pressure on the first pleat converges with particles", "[.full][folded]") {
+    const auto all = curves({20000, 100000, 500000});
+    const double coarse = difference(all[0], all[2]), fine = difference(all[1], all[2]);
+    report("folded: curve of 20 000 off that of 500 000, RMS", 0.0, coarse);
+    report("folded: curve of 100 000 off that of 500 000, RMS", 0.0, fine);
+    CHECK(fine < coarse);
+    CHECK(fine < 0.05);
+}
