@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
 #include <utility>
 
 #include "tests/support/air.hpp"
@@ -47,6 +48,25 @@ inline std::pair<oracle::Gas1D, oracle::Gas1D> gases(const Tube& tube) {
             {air::density(tube.p_right, tube.T_right), 0.0, tube.p_right}};
 }
 
+/// Sensors 1, 2, ... of the gas in slabs of one element's length, right of the membrane in order.
+inline std::string sensor_cards(const BoxDeck& box) {
+    const DeckMesh mesh = box.mesh();
+    const auto id = [&](const Vec3& x) {
+        for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
+            if ((mesh.nodes[n] - x).norm() < 1e-9) return n + 1;
+        throw std::logic_error("the sheet has no such node");
+    };
+    std::string segments = "*SET_SEGMENT\n1\n";
+    const double edge = box.size.x() / box.cells[0], across = box.size.y() / box.cells[1];
+    for (int i = box.cells[0] / 2; i < box.cells[0]; ++i) {
+        const double x = edge * i, y = across, end = box.size.y() - across, z = box.size.z();
+        segments += fmt::format("{}, {}, {}, {}\n", id({x, y, z}), id({x + edge, y, z}),
+                                id({x + edge, end, z}), id({x, end, z}));
+    }
+    return segments + fmt::format("*DATABASE_CPM_SENSOR\n0,\n1, {}, {:.9g}, {}, {}\n",
+                                  -0.5 * box.size.z(), edge, box.size.y(), box.size.z());
+}
+
 /// The right gas fills the tube as initial air; what the left has more comes in evenly from 15 x 3
 /// x 3 orifices on the left, and has come to rest when the valve opens.
 inline std::string deck(const Tube& tube, const BoxDeck& box) {
@@ -83,6 +103,7 @@ inline std::string deck(const Tube& tube, const BoxDeck& box) {
         static_cast<int>(MEMBRANE), tube.particles, tube.shows_particles ? 1 : 3, tube.p_outside,
         count, tube.p_right, tube.T_right, M, cp, M, cp);
     cards += nozzles;
+    if (has_sheet) cards += sensor_cards(box);
     if (tube.frames > 0.0) cards += fmt::format("*DATABASE_BINARY_D3PLOT\n{:.10g},\n", tube.frames);
     return box_deck("shock tube", box, cards, OPENS + tube.lasts, tube.sample);
 }
