@@ -4,10 +4,7 @@
 // What forces have done, and what there is at t.
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 
-#include "solver/base/error.hpp"
 #include "solver/simulation.hpp"
 
 namespace corpuscle {
@@ -91,57 +88,6 @@ void Simulation::book_impulses(double span) {
         contact_impulses_.give(c, span * contacts_[0].force(static_cast<int>(c)));
 }
 
-/// Stops when the step has become too long for the fabric.
-void Simulation::watch_growth(double span) {
-    if (fabric_.empty()) return;
-    if (const Index node = growth_.zigzag(fabric_force_.f, nodes_.mass, span); node >= 0)
-        throw PhysicsError(clock_.t, growing_shell(node) +
-                                         " swings further in every step: the step is too "
-                                         "long for it, the fabric became unstable");
-    const GrowthMonitor::Instant now{
-        fabric_.front().strain_energy() + fabric_.front().lost_energy(),
-        fabric_force_.work(v_mid_, span), fabric_force_.work(v_before_, span)};
-    if (!growth_.gains(now, nodes_.mass, v_before_, nodes_.v)) return;
-    // Of fabric at rest, energies are the rounding of places
-    constexpr double ROUNDING = 1e-12;
-    double size = 0.0, mass = 0.0;
-    for (std::size_t n = 0; n < nodes_.size(); ++n) {
-        size = std::max(size, nodes_.x[n].norm());
-        mass += nodes_.mass[n];
-    }
-    const double speed = ROUNDING * size / span;
-    if (growth_.gained() < mass * speed * speed) return;
-    throw PhysicsError(
-        clock_.t, fmt::format("the fabric has gained {:.4g} of energy from nowhere, {:.3g} times "
-                              "what it was given; worst is {}: the step is too long for it, the "
-                              "fabric became unstable",
-                              growth_.gained(), growth_.gained() / growth_.scale(),
-                              growing_shell(growth_.most_kicked(nodes_.mass))));
-}
-
-/// Of the strained shells at a node, the one whose nodes' kicks hold most energy.
-std::string Simulation::growing_shell(Index node) const {
-    double most = -1.0;
-    std::size_t who = 0;
-    for (std::size_t s = 0; s < model_.shells.size(); ++s) {
-        const auto& nodes = model_.shells[s].nodes;
-        if (!active_[s] || std::find(nodes.begin(), nodes.end(), node) == nodes.end()) continue;
-        double energy = 0.0;
-        for (const Index n : nodes) energy += nodes_.mass[n] * growth_.kick(n).squaredNorm();
-        if (energy > most || most < 0.0) {  // whatever it is, NaN too, there is one
-            most = energy;
-            who = s;
-        }
-    }
-    const Vec3& at = nodes_.x[node];
-    if (most < 0.0)
-        return fmt::format("node {} near ({:.6g}, {:.6g}, {:.6g})", model_.node_id[node], at[0],
-                           at[1], at[2]);
-    const Shell& shell = model_.shells[who];
-    return fmt::format("shell {} of part {} near ({:.6g}, {:.6g}, {:.6g})", shell.id,
-                       model_.parts[shell.part].id, at[0], at[1], at[2]);
-}
-
 EnergyBooks Simulation::books() const {
     EnergyBooks instant;
     for (const fabric::Membranes& fabric : fabric_) {
@@ -195,34 +141,6 @@ Vec3 Simulation::contact_and_gas_force(Index node) const {
 
 Vec3 Simulation::velocity(Index node) const {
     return (1.0 - ledger_.weight) * v_before_[node] + ledger_.weight * nodes_.v[node];
-}
-
-void Simulation::stop_for(Index broken_shell) const {
-    const Shell& shell = model_.shells[broken_shell];
-    const Vec3& at = nodes_.x[shell.nodes[0]];
-    throw PhysicsError(
-        clock_.t, fmt::format("shell {} of part {} near ({:.6g}, {:.6g}, {:.6g}) has no finite "
-                              "strain: the fabric became unstable",
-                              shell.id, model_.parts[shell.part].id, at[0], at[1], at[2]));
-}
-
-void Simulation::check_finite() const {
-    if (std::isfinite(ledger_.after.kinetic)) return;
-    std::size_t fastest = 0;
-    double most = -1.0;
-    for (std::size_t n = 0; n < nodes_.size(); ++n) {
-        if (!nodes_.v[n].allFinite())
-            throw PhysicsError(
-                clock_.t, fmt::format("{}: node {} has no finite velocity: the "
-                                      "fabric became unstable",
-                                      growing_shell(static_cast<Index>(n)), model_.node_id[n]));
-        if (const double speed = nodes_.v[n].cwiseAbs().maxCoeff(); speed > most) {
-            most = speed;
-            fastest = n;
-        }
-    }
-    throw PhysicsError(clock_.t, growing_shell(static_cast<Index>(fastest)) +
-                                     ": the kinetic energy overflows: the fabric became unstable");
 }
 
 }  // namespace corpuscle

@@ -40,7 +40,7 @@ bool GrowthMonitor::gains(const Instant& now, const std::vector<double>& mass, c
             return Vec3(0.5 * mass[nodes_[i]] * Vec3(a.squaredNorm(), a.dot(b), b.squaredNorm()));
         });
     if (!is_open_) {
-        // The start's velocities live at t and its kick k is half of one: E* with v_0 - k before it
+        // The start's velocities live at t and its kick k is half of one: as if v_0 - k came before
         start_ = 2.0 * kinetic[1] - kinetic[2] + now.strain;
         given_ = 2.0 * (kinetic[2] - kinetic[1]) - 2.0 * now.inner_work + now.inner_early;
         scale_ = kinetic[0] + now.strain;
@@ -51,13 +51,15 @@ bool GrowthMonitor::gains(const Instant& now, const std::vector<double>& mass, c
     }
     given_ += kinetic[0] - kinetic_;  // by walls and touching fabric since the last kick
     kinetic_ = kinetic[2];
-    // The others' work on the way to t is Σ g·v_0 span/2
-    const double given = given_ + kinetic[1] - kinetic[0] - 0.5 * now.inner_early;
+    scale_ = std::max(scale_, open_ + std::max(0.0, given_));
+    gained_ = kinetic[0] + 0.5 * now.inner_early + now.strain - start_ - given_;
     given_ += kinetic[2] - kinetic[0] - now.inner_work;
-    scale_ = std::max(scale_, open_ + std::max(0.0, given));
-    gained_ = kinetic[1] + now.strain - start_ - given;
-    const double swing = 0.25 * (kinetic[0] + kinetic[2]) - 0.5 * kinetic[1];
-    return gained_ > MOST * scale_ || gained_ + swing > MOST_WITH_SWING * scale_;
+    const double swing = 0.125 * parallel::sum(nodes_.size(), 0.0, [&](std::size_t i) {
+                             return mass[nodes_[i]] * kick_[nodes_[i]].squaredNorm();
+                         });
+    const bool is_grown = gained_ > MOST * scale_;
+    spurious_ = is_grown ? gained_ : gained_ + swing;
+    return is_grown || spurious_ > MOST_WITH_SWING * scale_;
 }
 
 Index GrowthMonitor::most_kicked(const std::vector<double>& mass) const {

@@ -19,15 +19,27 @@ namespace corpuscle {
 /// shells' size, is part of an unstable mode. Contacts that come and go from step to step shake
 /// fabric in the same way, by far less.
 ///
-/// *Energy.* Where fabric goes slack within a step nothing grows by a law; but the fabric then
-/// holds energy that nothing has given to it. Of a linear mode leapfrog keeps, stable or not,
+/// *Energy.* Fabric that goes slack and taut within a step grows by no law; but it then holds
+/// energy that nothing has given to it. With v_0 the velocity before the kick, k what the fabric's
+/// own forces f make of it in the kick, and W the strain energy, all of it at t,
 ///
-///     E* = Σ m v(t - dt/2)·v(t + dt/2)/2 + W(t)
+///     E° = Σ m v_0·(v_0 + k)/2 + W,    k = f span/m
+///     E° - E°(0) = G,                  G: work of all other forces, up to the kick before
 ///
-/// and more than E*(0) + work of all but the fabric's own forces has come from nowhere. A run stops
-/// when that is as much as the fabric was ever given (E*(0) and the greatest net work so far), or
-/// when with the swing Σ m |v(t + dt/2) - v(t - dt/2)|²/8 it is five times as much: a mode of at
-/// most 0.9 of its limit swings up to 0.9²/(1 - 0.9²) = 4.3 of its E*.
+/// exactly, for linear elements in steps of one length, stable or not, whatever the others do:
+/// gas, contact, supports and loads enter E° with the next v_0, with all the work that they did.
+/// What E° has gained beyond G has come from nowhere. Of a mode at θ = ω dt/2 of its limit
+///
+///     E° = Σ m |v_0 + k/2|²/2 + (1 - θ²) W,    S = Σ m k²/8 = θ² W <= θ²/(1 - θ²) (E°(0) + G)
+///
+/// so its swing S is at most 4.3 times what it was given at θ = 0.9, and has no bound at θ = 1.
+/// Only the fabric's kick k counts in S: a hit of the gas on cloth at rest gives v_0, not k.
+///
+/// The fabric is unstable when it has gained MOST times as much as it was ever given (E°(0) and the
+/// greatest G so far), or with the swing MOST_WITH_SWING times, and that is no trifle. The caller
+/// says what is: an element that goes from slack to taut in a step of θ <= 0.9 may end with five
+/// times its energy, before another loses as much; and rounding moves places by 1e-16 of them,
+/// which is all that fabric at rest has.
 class GrowthMonitor {
 public:
     static constexpr int TURNS = 24;
@@ -57,8 +69,8 @@ public:
         double inner_work;   ///< of the fabric's forces in this kick, on all nodes      [J]
         double inner_early;  ///< the same if nothing had been kicked: span Σ f·v_0     [J]
     };
-    /// Takes the energies of this step.
-    /// @returns  has the fabric gained too much from nowhere?
+    /// Takes the energies of this step; k is that of the last zigzag().
+    /// @returns  has the fabric gained too much from nowhere, if spurious() is no trifle?
     [[nodiscard]] bool gains(const Instant& now, const std::vector<double>& mass, const Points& v_0,
                              const Points& v_1);
     /// Energy that came otherwise: a reference shape that begins to count.               [J]
@@ -68,8 +80,9 @@ public:
     [[nodiscard]] const Vec3& kick(Index node) const { return kick_[node]; }
     /// The node whose last kick holds most energy.
     [[nodiscard]] Index most_kicked(const std::vector<double>& mass) const;
-    [[nodiscard]] double gained() const { return gained_; }  ///< [J]
-    [[nodiscard]] double scale() const { return scale_; }    ///< what it is compared with [J]
+    [[nodiscard]] double gained() const { return gained_; }      ///< E° - E°(0) - G       [J]
+    [[nodiscard]] double spurious() const { return spurious_; }  ///< what gains() has found [J]
+    [[nodiscard]] double scale() const { return scale_; }        ///< most it was given      [J]
 
     /// All of it, for a checkpoint.
     template <class Archive>
@@ -96,9 +109,9 @@ private:
     std::vector<double> size_;  ///< of the shells at each node                  N [m]
     Points kick_, change_;      ///< by the fabric, and from that before         N × 3 [m/s]
     std::vector<Trace> trace_;  ///< N
-    double start_ = 0.0;        ///< E* at the start
+    double start_ = 0.0;        ///< E° at the start, with half the others' work in its kick
     double open_ = 0.0;         ///< K + W at the start
-    double given_ = 0.0, scale_ = 0.0, gained_ = 0.0;  ///< [J]
+    double given_ = 0.0, scale_ = 0.0, gained_ = 0.0, spurious_ = 0.0;  ///< [J]
     double kinetic_ = 0.0;  ///< after the last kick                                   [J]
     bool is_open_ = false;
 };

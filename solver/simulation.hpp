@@ -124,6 +124,7 @@ private:
     void book_forces(double span);
     void book_impulses(double span);
     void watch_growth(double span);
+    [[nodiscard]] double negligible_energy(double span) const;
     void find_touching(double span);
     void find_contact_pressure(std::vector<float>& pressure);
     void find_contact_push(double span);

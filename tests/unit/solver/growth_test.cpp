@@ -62,17 +62,45 @@ Model sphere(const fabric::MaterialCard& card) {
     return model;
 }
 
-/// What stops a scene within `time`; empty when nothing does.
-std::string stop(Model model, double factor, double time) {
+/// A cube of light cloth at rest, its floor held, air inside and out; hot helium begins to flow at
+/// 0.1 ms. So fine that the cloth sets the step.
+Model bag(double density, std::size_t particles) {
+    auto card = woven();
+    std::get<fabric::FabricCard>(card).density = density;
+    Model model = scenes::of(shapes::box(Vec3(0.1, 0.1, 0.1), 7), card, 2e-4);
+    for (std::size_t n = 0; n < model.x.size(); ++n)
+        if (model.x[n].z() == 0.0) model.supports.push_back({static_cast<Index>(n), 7U});
+    scenes::fill(model, scenes::helium(), 1e-4, 1e-3, 600.0, Vec3(0.05, 0.05, 0.02), particles);
+    for (double& t : model.curves[0].x) t += 1e-4;
+    gas::InitialAirCard air;
+    air.species = scenes::air();
+    air.pressure = model.bags[0].p_atm = ATMOSPHERE_PRESSURE;
+    air.temperature = ATMOSPHERE_TEMPERATURE;
+    air.is_particles = true;
+    model.bags[0].air = air;
+    return model;
+}
+
+struct Stop {
+    std::string why;  ///< empty: nothing stopped it
+    double time;      ///< [s]
+    std::int64_t steps;
+};
+Stop stop_of(Model model, double factor, double time, std::uint64_t seed = 1) {
     model.step_factor = factor;
     model.end_time = time;
-    Simulation simulation(std::move(model));
+    Simulation simulation(std::move(model), seed);
     try {
         while (!simulation.is_over()) simulation.step([](Simulation&) {});
     } catch (const PhysicsError& error) {
-        return error.what();
+        return {error.what(), simulation.time(), simulation.steps()};
     }
-    return {};
+    return {{}, simulation.time(), simulation.steps()};
+}
+
+/// What stops a scene within `time`; empty when nothing does.
+std::string stop(Model model, double factor, double time) {
+    return stop_of(std::move(model), factor, time).why;
 }
 
 }  // namespace
@@ -181,6 +209,85 @@ TEST_CASE("an oscillator below its limit gains nothing, one that is fed is not b
     }
 }
 
+namespace {
+
+/// x'' = -ω² x + hits by others, one node at rest: steps until its energy is noticed, or -1.
+struct Hit {
+    int step;
+    double speed;
+};
+int noticed(double limit, const std::vector<Hit>& hits, int steps, double& worst) {
+    GrowthMonitor monitor({0}, {1.0});
+    const std::vector<double> mass{1.0};
+    const double k = 4.0 * limit * limit;
+    Points v(1, Vec3::Zero());
+    double x = 0.0;
+    worst = 0.0;
+    for (int i = 0; i < steps; ++i) {
+        const Points before = v, f(1, Vec3(-k * x, 0.0, 0.0));
+        static_cast<void>(monitor.zigzag(f, mass, 1.0));
+        v[0] += (i == 0 ? 0.5 : 1.0) * f[0];
+        for (const Hit& hit : hits)
+            if (hit.step == i) v[0].x() += hit.speed;
+        const double inner = (i == 0 ? 0.5 : 1.0) * f[0].x();
+        const double mean = 0.5 * (before[0].x() + v[0].x());
+        if (monitor.gains({0.5 * k * x * x, inner * mean, inner * before[0].x()}, mass, before, v))
+            return i;
+        worst = std::max(worst, std::abs(monitor.gained()) / monitor.scale());
+        x += v[0].x();
+    }
+    return -1;
+}
+
+}  // namespace
+
+TEST_CASE("hits on an oscillator at rest are no growth, however strong", "[solver][growth]") {
+    // 1e-6 and then 1 m/s: the second's energy is 1e12 times what was given before
+    const double limit = GENERATE(0.1, 0.5, 0.9);
+    const int second = GENERATE(5, 6, 7, 8);
+    const double speed = GENERATE(1.0, -1.0);
+    double worst = 0.0;
+    CAPTURE(limit, second, speed);
+    CHECK(noticed(limit, {{5, 1e-6}, {second, speed}}, 1000, worst) == -1);
+    CHECK(noticed(limit, {{0, 1e-6}, {second, speed}, {50, 1e3 * speed}}, 1000, worst) == -1);
+    CHECK(worst < 1e-9);
+}
+
+TEST_CASE("an oscillator beyond its limit is noticed within a few steps of its first hit",
+          "[solver][growth]") {
+    // S = θ² W over E° grows by e²ˣ, cosh x = 2 θ² - 1: for 1.01 by 1.76, for 1.05 by 3.5 a step
+    const auto [limit, steps] = GENERATE(std::pair(1.01, 6), std::pair(1.05, 4), std::pair(1.5, 2));
+    double worst = 0.0;
+    CAPTURE(limit);
+    const int at = noticed(limit, {{5, 1e-6}}, 1000, worst);
+    CHECK(at > 5);
+    CHECK(at <= 5 + steps);
+}
+
+TEST_CASE("first hits of the gas on light cloth at rest stop no run", "[solver][growth]") {
+    const double factor = GENERATE(0.2, 0.5, 0.9);
+    const double density = GENERATE(70.0, 700.0);
+    const auto particles = GENERATE(std::size_t{20}, std::size_t{500});
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        const Stop stop = stop_of(bag(density, particles), factor, 0.3e-3, seed);
+        CAPTURE(factor, density, particles, seed, stop.why);
+        CHECK(stop.why.empty());
+    }
+}
+
+TEST_CASE("cloth that gas sets in motion beyond its limit is noticed within few steps",
+          "[solver][growth]") {
+    // This mesh bears 1.55 of the bound
+    const double density = GENERATE(20.0, 700.0);
+    const double factor = GENERATE(1.7, 3.0);
+    CHECK(stop_of(bag(density, 500), 0.9, 0.5e-3).why.empty());
+    const Stop stop = stop_of(bag(density, 500), factor, 0.5e-3);
+    CAPTURE(density, factor, stop.why, stop.time);
+    CHECK(stop.why.find("shell ") != std::string::npos);
+    CHECK(stop.why.find("became unstable") != std::string::npos);
+    CHECK(stop.steps < 20);
+}
+
 TEST_CASE("energy from nowhere is noticed", "[solver][growth]") {
     GrowthMonitor monitor({0}, {1.0});
     const std::vector<double> mass{2.0};
@@ -192,4 +299,18 @@ TEST_CASE("energy from nowhere is noticed", "[solver][growth]") {
     CHECK(monitor.gains({3.5, 0.0, 0.0}, mass, v, v));
     CHECK(monitor.gained() == Approx(2.5));
     CHECK(monitor.scale() == Approx(2.0));
+}
+
+TEST_CASE("the first force that is not finite is named with its node", "[solver]") {
+    Model loaded = sheet(scenes::cloth(), 4, false);
+    loaded.pressure_loads[0].scale = INF;
+    const std::string of_loads = stop(std::move(loaded), 0.9, 1e-3);
+    CAPTURE(of_loads);
+    CHECK(of_loads.find("the force of loads on node ") != std::string::npos);
+
+    Model filled = bag(700.0, 20);
+    filled.bags[0].p_atm = INF;
+    const std::string of_gas = stop(std::move(filled), 0.9, 1e-3);
+    CAPTURE(of_gas);
+    CHECK(of_gas.find("the force of the gas of *AIRBAG_PARTICLE 1 on node ") != std::string::npos);
 }
