@@ -1,7 +1,7 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 //
-// A bag's gas chamber by chamber.
+// A bag's gas chamber by chamber, and room by room.
 
 #include <algorithm>
 
@@ -9,44 +9,46 @@
 
 namespace corpuscle::gas {
 
-std::vector<Index> BagGas::rooms_of(std::span<const Vec3> points, const Points& x) const {
-    return chambers_.empty() ? std::vector<Index>(points.size(), 0) : chambers_.of(points, x);
-}
-
-/// With particles: those in it, and its share of the initial air by volume.
+/// What the rooms of each chamber hold together: most often one.
 std::vector<ChamberState> BagGas::chamber_states(const Points& x) const {
     std::vector<ChamberState> all(chambers_.size());
-    if (uniform_) {
-        for (std::size_t c = 0; c < all.size(); ++c) {
-            const ControlVolume& gas = (*uniform_)[c];
-            all[c] = {gas.volume(), gas.pressure(), gas.temperature(), gas.mass(), gas.energy()};
-        }
-        return all;
-    }
     if (all.empty()) return all;
+    std::vector<double> volume;
+    surface_->volumes(x, volume);
+    const std::size_t kinds = mass_.size();
+    std::vector<Holding> holds;
+    if (!uniform_) holds = holdings();
     std::vector<EnergyPolynomial> content(all.size());
-    std::vector<double> translational(all.size(), 0.0);
-    const double volume = enclosure_.volume(x);
-    for (std::size_t c = 0; c < all.size(); ++c) {
-        all[c].volume = chambers_.surface(c).volume(x);
-        if (!air_) continue;
-        const double share = all[c].volume / volume;
-        content[c] += share * air_->content();
-        all[c].mass = share * air_->mass();
-        all[c].energy = share * air_->energy();
-        translational[c] = share * air_->translational();
+    std::vector<double> pV(all.size(), 0.0);
+    for (std::size_t r = 0; r < surface_->rooms(); ++r) {
+        const auto c = static_cast<std::size_t>(chamber_of_room_[r]);
+        ChamberState& now = all[c];
+        now.volume += volume[r];
+        if (uniform_) {
+            const ControlVolume& gas = (*uniform_)[r];
+            now.mass += gas.mass();
+            now.energy += gas.energy();
+            pV[c] += gas.pressure() * volume[r];
+            for (std::size_t s = 0; s < gas.species().size(); ++s)
+                content[c] += gas.moles(s) * gas.species()[s].molar_energy();
+            continue;
+        }
+        for (std::size_t s = 0; s < kinds; ++s) {
+            const Holding& own = holds[r * kinds + s];
+            now.mass += own.count * mass_[s];
+            now.energy += own.all();
+            pV[c] += 2.0 / 3.0 * own.translational;
+            content[c] +=
+                own.count * inflators_.moles_each() * inflators_.species()[s].molar_energy();
+        }
+        if (air_.empty()) continue;
+        now.mass += air_[r].mass();
+        now.energy += air_[r].energy();
+        pV[c] += 2.0 / 3.0 * air_[r].translational();
+        content[c] += air_[r].content();
     }
-    const std::vector<Index> room = chambers_.of(particles_.x, x);
-    for (std::size_t i = 0; i < room.size(); ++i) {
-        const std::int32_t s = particles_.species[i];
-        const double kinetic = 0.5 * mass_[s] * particles_.v[i].squaredNorm();
-        all[room[i]].mass += mass_[s];
-        all[room[i]].energy += kinetic + particles_.e[i];
-        translational[room[i]] += kinetic;
-        content[room[i]] += inflators_.moles_each() * inflators_.species()[s].molar_energy();
-    }
     for (std::size_t c = 0; c < all.size(); ++c) {
-        all[c].pressure = 2.0 / 3.0 * translational[c] / all[c].volume;
+        all[c].pressure = pV[c] / all[c].volume;
         all[c].temperature = all[c].mass > 0.0 ? content[c].temperature(all[c].energy) : 0.0;
     }
     return all;
@@ -55,19 +57,15 @@ std::vector<ChamberState> BagGas::chamber_states(const Points& x) const {
 /// Books the pressure that no particles bring, for the means of parts and shells.
 void BagGas::note_air(double span) {
     for (std::size_t r = 0; r < part_air_.size(); ++r) {
-        const double pressure = uniform_ ? (*uniform_)[r].pressure() : air_pressure();
-        part_air_[r] += pressure * span;
-        triangle_air_[r] += pressure * span;
+        part_air_[r] += air_pressure(r) * span;
+        triangle_air_[r] += air_pressure(r) * span;
     }
 }
 
 double BagGas::air_on(std::size_t facet, std::span<const double> of_room) const {
-    const bool closes = facet < walls_.closing;
-    if (chambers_.empty()) return closes ? of_room[0] : 0.0;
-    const auto [behind, ahead] = chambers_.beside(facet);
-    const double push = (behind >= 0 ? of_room[behind] : 0.0);
-    const double against = (ahead >= 0 ? of_room[ahead] : 0.0);
-    return closes ? push + against : push - against;
+    const double push = of_room[surface_->room(surface_->side(facet, false))];
+    if (facet < walls_.closing) return push;
+    return push - of_room[surface_->room(surface_->side(facet, true))];
 }
 
 }  // namespace corpuscle::gas

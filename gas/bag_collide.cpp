@@ -13,17 +13,18 @@ namespace corpuscle::gas {
 namespace {
 
 /// Particles wanted in an occupied cell. Fewer: noisy temperatures; more: blurred waves.
-constexpr double PARTICLES_PER_CELL = 20.0;
+constexpr double PARTICLES_PER_CELL = 40.0;
 
 /// Share of a cell that a particle of thermal speed crosses between collisions. More: blurred
 /// waves.
-constexpr double COLLISION_SHARE = 0.25;
+constexpr double COLLISION_SHARE = 0.2;
 
 /// Share of a cell that fabric may move before the lists of facets by cell are made anew.
 constexpr double SIDE_MARGIN = 0.15;
 
-/// Least share of the particles' thermal energy that the smoothing account leaves them in one step.
-constexpr double LEFT_BY_ACCOUNT = 0.7;
+/// Share of the particles' thermal energy that they trade with the initial air in one collision
+/// step at most; the rest follows in the next ones.
+constexpr double MOST_EXCHANGED = 0.3;
 
 /// Collision steps after which particles are put in the order of cells again. Until then most have
 /// crossed one cell: more would scatter what is read together, fewer move 64 bytes more often.
@@ -31,9 +32,6 @@ constexpr std::uint64_t MOVE_ROWS_EVERY = 4;
 
 /// Collision steps after which the thermal speed is measured again: one pass over the particles.
 constexpr std::uint64_t MEASURE_EVERY = 4;
-
-/// Share of the particles that may come or go between two counts of their thermal energy.
-constexpr double MOST_CHANGE = 0.01;
 
 std::size_t occupied(const Lists& cells) {
     std::size_t count = 0;
@@ -49,13 +47,10 @@ void BagGas::collide(double dt, const Points& x) {
         return;
 
     find_groups(x);
-    expect_thermal();
-    const Heat wanted = thermal_ > 0.0 ? wanted_heat() : Heat{};
-    const double factor = thermal_ > 0.0 ? 1.0 + wanted.all() / thermal_ : 1.0;
+    std::vector<double> factor;
+    if (!air_.empty()) exchange_heat_with_air(factor);
     const CollisionReport report =
         collider_.collide(collisions_, since_collision_, factor, particles_);
-    if (thermal_ > 0.0) settle(wanted, report.thermal / thermal_);
-    thermal_ = factor * report.thermal;
     unrelaxed_ += report.unrelaxed;
     if (collisions_ % MEASURE_EVERY == 0) measure_speed();
     ++collisions_;
@@ -63,15 +58,20 @@ void BagGas::collide(double dt, const Points& x) {
     fit_cells(occupied(collider_.cells()));
 }
 
-/// Thermal energy before these collisions: that after the last ones, as long as few have entered or
-/// left; else it is added up, one more pass over the particles.
-void BagGas::expect_thermal() {
-    const auto now = static_cast<double>(particles_.size()), then = static_cast<double>(counted_);
-    if (std::abs(now - then) > MOST_CHANGE * then)
-        thermal_ = collider_.thermal_energy(particles_);
-    else
-        thermal_ *= now / then;
-    counted_ = particles_.size();
+/// Internal facets that let through whoever comes hide nothing.
+void BagGas::find_open_facets() {
+    is_open_.clear();
+    const Gates* const gates = openings_.gates();
+    if (gates == nullptr) return;
+    const auto lets_all_through = [](const Gates::Gate& gate) {
+        return gate.is_internal && std::all_of(gate.chance.begin(), gate.chance.end(),
+                                               [](double chance) { return chance >= 1.0; });
+    };
+    if (std::none_of(gates->all.begin(), gates->all.end(), lets_all_through)) return;
+    is_open_.assign(walls_.triangles.size(), 0);
+    for (std::size_t f = walls_.closing; f < is_open_.size(); ++f)
+        is_open_[f] = gates->of_facet[f] >= 0 && gates->open[f] >= 1.0 &&
+                      lets_all_through(gates->all[gates->of_facet[f]]);
 }
 
 /// In cells of about the wanted size, made anew when fabric has moved too far.
@@ -81,60 +81,49 @@ void BagGas::find_groups(const Points& x) {
     if (!fits || !side_lists_.hold_for(x))
         build(side_lists_, wanted_cell_, SIDE_MARGIN * wanted_cell_, 0.0, x, x);
     cell_ = side_lists_.grid().edge;
-    collider_.find_groups(side_lists_.grid(), {&side_lists_, x}, particles_,
+    find_open_facets();
+    collider_.find_groups(side_lists_.grid(), {&side_lists_, x, is_open_}, particles_,
                           collisions_ % MOVE_ROWS_EVERY == 0);
 }
 
-/// Heat that the particles are to get, were their thermal energy as expected.
-BagGas::Heat BagGas::wanted_heat() const {
-    Heat heat{heat_from_air(thermal_), heat_from_smoothing(thermal_), 0.0};
-    const double spare = std::max(0.0, heat.all() + (1.0 - LEFT_BY_ACCOUNT) * thermal_);
-    heat.to_outflow = std::min(owed_to_outflow_, spare);
-    return heat;
-}
-
-/// Takes from the accounts what the particles did get: `ratio` times what was wanted.
-void BagGas::settle(const Heat& wanted, double ratio) {
-    if (air_) air_->add(-ratio * wanted.from_air);
-    taken_ -= ratio * wanted.from_smoothing;
-    owed_to_outflow_ -= ratio * wanted.to_outflow;
-    lost_energy_ += ratio * wanted.to_outflow;
-}
-
-/// What brings the initial air to the particles' mean temperature; the air loses it. [J]
+/// Brings the initial air of each room to the mean temperature of its particles: finds the factor
+/// on the thermal energy of the room's groups, and takes the energy from the air.
 ///
 ///     E_air(T) + E_particles(T) = E_air + E_thermal
 ///
 /// A group's mean motion is no heat, so N particles in G groups hold 3/2 (N - G) R T of
 /// translation.
-double BagGas::heat_from_air(double thermal) const {
-    if (!air_) return 0.0;
+void BagGas::exchange_heat_with_air(std::vector<double>& factor) {
+    const std::size_t rooms = air_.size(), kinds = mass_.size();
+    std::vector<double> thermal(rooms, 0.0), groups(rooms, 0.0);
+    collider_.thermal_energy(particles_, thermal, groups);
+    const std::vector<Holding> holds = holdings();
+    factor.assign(rooms, 1.0);
     const double moles = inflators_.moles_each();
-    const auto free = static_cast<double>(particles_.size() - collider_.groups().lists().size());
-    EnergyPolynomial content = air_->content();
-    content.a += 1.5 * card_.gas_constant * moles * free;
-    for (std::size_t s = 0; s < mass_.size(); ++s)
-        content +=
-            static_cast<double>(std::count(particles_.species.begin(), particles_.species.end(),
-                                           static_cast<std::int32_t>(s))) *
-            moles * inflators_.species()[s].molar_internal();
-    const double T = content.temperature(air_->energy() + thermal, air_->temperature());
-    return air_->energy() - air_->content()(T);
-}
-
-/// Pays back what hits took from the particles and release has not given to the fabric (or the
-/// other way round), as fast as impulse is released. [J]
-double BagGas::heat_from_smoothing(double thermal) const {
-    const double account = taken_ - given_;
-    const double share = -std::expm1(-since_collision_ / store_.time());
-    return std::max(account * share, -(1.0 - LEFT_BY_ACCOUNT) * thermal);
+    for (std::size_t r = 0; r < rooms; ++r) {
+        if (!(thermal[r] > 0.0)) continue;
+        EnergyPolynomial content = air_[r].content();
+        double count = 0.0;
+        for (std::size_t s = 0; s < kinds; ++s) {
+            content += holds[r * kinds + s].count * moles * inflators_.species()[s].molar_internal();
+            count += holds[r * kinds + s].count;
+        }
+        content.a += 1.5 * card_.gas_constant * moles * (count - groups[r]);
+        const double T =
+            content.temperature(air_[r].energy() + thermal[r], air_[r].temperature());
+        const double wanted = air_[r].energy() - air_[r].content()(T);
+        const double heat =
+            std::clamp(wanted, -MOST_EXCHANGED * thermal[r], MOST_EXCHANGED * thermal[r]);
+        factor[r] = 1.0 + heat / thermal[r];
+        air_[r].add(-heat);
+    }
 }
 
 /// Adapts the cells that the next facet lists will have to how many particles the occupied ones
 /// hold.
 void BagGas::fit_cells(std::size_t occupied_cells) {
     const double mean =
-        static_cast<double>(particles_.size()) / static_cast<double>(occupied_cells);
+        static_cast<double>(particles_.size()) / static_cast<double>(std::max<std::size_t>(1, occupied_cells));
     wanted_cell_ = cell_ * std::clamp(std::cbrt(PARTICLES_PER_CELL / mean), 0.7, 1.4);
 }
 
@@ -154,6 +143,12 @@ void BagGas::measure_speed() {
         return Sum{m, m * particles_.v[i].squaredNorm()};
     });
     speed_ = std::sqrt(all.twice_kinetic / (3.0 * all.mass));
+}
+
+/// The step in which a particle of thermal speed crosses the share of a cell that it may between
+/// collisions.
+double BagGas::stable_step() const {
+    return uniform_ ? INF : COLLISION_SHARE * cell_ / speed_;
 }
 
 }  // namespace corpuscle::gas

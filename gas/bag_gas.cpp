@@ -1,5 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
+#include "gas/thermo/orifice_flow.hpp"
 #include "gas/bag_gas.hpp"
 
 #include <algorithm>
@@ -16,13 +17,10 @@ namespace {
 constexpr double RELEASE_TIME = 50e-6;
 
 /// Particles in a cell of the full bag that the first cells are meant for.
-constexpr double FIRST_PARTICLES_PER_CELL = 20.0;
+constexpr double FIRST_PARTICLES_PER_CELL = 40.0;
 
 /// Share of a cell that fabric may move before facet lists are made anew.
 constexpr double MARGIN = 0.15;
-
-/// Share of a cell that a particle of thermal speed crosses in a step that the gas limits.
-constexpr double FLIGHT_SHARE = 0.5;
 
 /// Cells of the flight's facet lists, in facet edges. Smaller: fewer candidates a particle, more
 /// cells.
@@ -34,6 +32,12 @@ constexpr double REACH = 3.5;
 
 /// The same where layers lie closer than that reach: there no way is free.
 constexpr double THIN_CELL = 1.5;
+
+/// Time over which the pressure is averaged that a part's roughness goes with.       [s]
+constexpr double ROUGHNESS_MEMORY = 2e-3;
+
+/// Longest time over which the state of the gas at an opening is averaged.           [s]
+constexpr double LONGEST_MEMORY = 200e-6;
 
 constexpr std::size_t MOST_CELLS = 2'000'000;
 
@@ -87,9 +91,9 @@ std::vector<double> particle_masses(const Inflators& inflators) {
     return mass;
 }
 
-/// All nodes of the walls, and those that the jets push.
-std::vector<Index> loaded_nodes(const FacetLists& lists, const Orifices& orifices) {
-    std::vector<Index> nodes(lists.nodes().begin(), lists.nodes().end());
+/// Nodes that the jets push.
+std::vector<Index> jet_nodes(const Orifices& orifices) {
+    std::vector<Index> nodes;
     for (std::size_t o = 0; o < orifices.size(); ++o)
         nodes.insert(nodes.end(), orifices.pushed(o).begin(), orifices.pushed(o).end());
     std::sort(nodes.begin(), nodes.end());
@@ -118,24 +122,40 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
       lists_(turned(enclosure_, walls_), x, FacetLists::Of::EIGHTS),
       side_lists_(lists_.triangles(), x, FacetLists::Of::FACETS),
       orifices_(card.orifices, lists_.triangles(), walls_.triangles, walls_.shell, card.frame, x),
-      store_(x.size(), loaded_nodes(lists_, orifices_), enclosure_, held,
-             RELEASE_TIME * card.second * card.smoothing),
+      surface_(std::make_shared<WettedSurface>(lists_.triangles(), walls_.closing, x)),
+      load_(surface_, held, jet_nodes(orifices_), RELEASE_TIME * card.second * card.smoothing,
+            card.normal_damping),
       collider_(collider_of(card, inflators_, seed)),
-      openings_(card, walls_, curves, inflators_.species(), mass_, x, seed),
-      heat_loss_(card, walls_, curves),
-      roughness_(card, walls_, curves,
-                 ImpulseStore::PATIENCE * RELEASE_TIME * card.second * card.smoothing),
+      samples_(card.vents.empty() && walls_.leaks.empty() && card.heat.empty()
+                   ? WallSamples()
+                   : WallSamples(surface_, walls_, inflators_.species(), mass_, card.gas_constant,
+                                 LONGEST_MEMORY * card.second, passing_facets(), x)),
+      openings_(card, walls_, curves, inflators_.species(), mass_, *surface_, samples_, x, seed),
+      heat_loss_(card, walls_, *surface_, samples_, curves),
+      roughness_(card, walls_, curves, ROUGHNESS_MEMORY * card.second * card.smoothing),
       area_(x.size(), Vec3::Zero()),
       part_impulse_(walls_.part_ids.size(), 0.0),
       triangle_impulse_(walls_.triangles.size(), 0.0),
-      part_air_(std::max<std::size_t>(1, chambers_.size()), 0.0),
+      part_air_(surface_->rooms(), 0.0),
       triangle_air_(part_air_) {
-    volume_ = enclosure_.volume(x);
-    if (!(volume_ > 0.0))
+    surface_->volumes(x, volumes_);
+    const double volume = enclosure_.volume(x);
+    if (!(volume > 0.0))
         throw InputError(name_of(card) +
                          ", SID1: the bag encloses no volume at the start, expected some: "
                          "particles have no place to enter");
-    if (card.air && !card.air->is_particles) air_.emplace(*card.air, card.gas_constant, volume_);
+    if (card.air && !card.air->is_particles)
+        for (const double room : volumes_) air_.emplace_back(*card.air, card.gas_constant, room);
+    rooms_.resize(surface_->rooms());
+    if (!chambers_.empty()) {
+        chamber_of_room_.assign(surface_->rooms(), 0);
+        for (std::size_t f = 0; f < walls_.closing; ++f) {
+            const auto [a, b] = chambers_.beside(f);
+            chamber_of_room_[surface_->room(surface_->side(f, false))] = std::max(a, b);
+        }
+    }
+    owed_to_outflow_.assign(surface_->rooms(), 0.0);
+    at_opening_.resize(openings_.all().size());
     particles_.reserve(std::min(inflators_.particles() + inflators_.resident(), MOST_RESERVED));
     if (inflators_.resident() > 0) fill_with_air(x, seed);
     if (enclosure_.turned() > 0)
@@ -149,10 +169,6 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
             faults.push_back(fmt::format(
                 "{}, NID of orifice {}: ({:g}, {:g}, {:g}) lies outside the bag, expected inside",
                 name_of(card), o + 1, at[0], at[1], at[2]));
-    if (!chambers_.empty() && !card.heat.empty() && card.switch_at < card.all_in)
-        faults.push_back(name_of(card) +
-                         ": HCONV of a bag with chambers (CHM) that goes over to uniform pressure "
-                         "(TSW), expected one of the three to be left out");
     if (!faults.empty()) throw InputError(std::move(faults));
 
     facet_size_ = std::sqrt(2.0 * enclosure_.area(x) / static_cast<double>(walls_.closing));
@@ -161,7 +177,28 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
     for (const Species& species : inflators_.species())
         lightest = std::min(lightest, species.molar_mass());
     speed_ = std::sqrt(card.gas_constant * inflators_.highest_temperature() / lightest);
-    cell_ = wanted_cell_ = cell_edge(volume_, card.particles, FIRST_PARTICLES_PER_CELL);
+    cell_ = wanted_cell_ = cell_edge(volume, card.particles, FIRST_PARTICLES_PER_CELL);
+    std::vector<Vec3> nozzles;
+    for (std::size_t o = 0; o < orifices_.size(); ++o) nozzles.push_back(orifices_.place(o, x));
+    orifice_room_ = surface_->rooms_of(nozzles, x);
+}
+
+/// By facet: 1 where particles may pass without a full bounce, vents and what is internal.
+std::vector<char> BagGas::passing_facets() const {
+    std::vector<char> passes(walls_.triangles.size(), 0);
+    for (std::size_t f = 0; f < passes.size(); ++f) {
+        const Index part = walls_.part_rows[walls_.part[f]];
+        const bool leaks =
+            f >= walls_.closing &&
+            std::any_of(walls_.leaks.begin(), walls_.leaks.end(),
+                        [&](const LeakCard& leak) { return leak.part == part; });
+        const bool is_vent =
+            std::any_of(card_.vents.begin(), card_.vents.end(), [&](const VentCard& vent) {
+                return std::find(vent.parts.begin(), vent.parts.end(), part) != vent.parts.end();
+            });
+        passes[f] = leaks || is_vent;
+    }
+    return passes;
 }
 
 /// Initial air as particles. The fabric feels it from the start.
@@ -177,35 +214,74 @@ void BagGas::fill_with_air(const Points& x, std::uint64_t seed) {
             "{} particles instead of NPAIR = {}",
             name_of(card_), inflators_.resident(), inflators_.resident() + inflators_.particles(),
             asked));
-    enclosure_.node_areas(x, area_);
-    store_.begin_with(card_.air->pressure, area_);
+    if (surface_->rooms() > 1)
+        for (const Index room : surface_->rooms_of(particles_.x, x))
+            particles_.room.push_back(static_cast<std::int16_t>(room));
+    const InitialAirCard& air = *card_.air;
+    const double M = air.species.molar_mass;
+    const double density = air.pressure * M / (card_.gas_constant * air.temperature);
+    load_.begin_with(air.pressure,
+                     density * effusion_speed(air.temperature, card_.gas_constant, M), x);
 }
 
 // ---- the load on the fabric
 // -----------------------------------------------------------------------
 
-void BagGas::add_load(const Points& x, double span, Points& f) {
-    volume_ = enclosure_.volume(x);
+void BagGas::add_load(const Points& x, const Points& v, std::span<const double> mass, double span,
+                      Points& f) {
+    surface_->volumes(x, volumes_);
     enclosure_.node_areas(x, area_);
-    store_.release(span, area_, f);
+    load_.release(span, x, v, mass, f);
     if (uniform_) settle(x);
-    if (uniform_) uniform_->add_force(f);
-    const double gauge = (uniform_ ? 0.0 : air_pressure()) - card_.p_atm;
-    for (const Index n : enclosure_.nodes()) f[n] += gauge * area_[n];
+    if (uniform_)
+        uniform_->add_force(f);
+    else if (!air_.empty())
+        press_with_air(f);
+    for (const Index n : enclosure_.nodes()) f[n] -= card_.p_atm * area_[n];
+}
+
+void BagGas::press_with_air(Points& f) {
+    air_force_.resize(f.size(), Vec3::Zero());
+    const WettedSurface& wall = *surface_;
+    for (std::size_t p = 0; p < wall.points(); ++p) air_force_[wall.node(p)].setZero();
+    for (std::size_t p = 0; p < wall.points(); ++p)
+        air_force_[wall.node(p)] +=
+            air_pressure(static_cast<std::size_t>(wall.room_of_point(p))) * load_.area()[p];
+    for (const Index n : lists_.nodes()) f[n] += air_force_[n];
+}
+
+double BagGas::air_pressure() const {
+    if (uniform_) return uniform_->pressure();
+    if (air_.empty()) return 0.0;
+    double pV = 0.0, V = 0.0;
+    for (std::size_t r = 0; r < air_.size(); ++r) {
+        pV += air_pressure(r) * volumes_[r];
+        V += volumes_[r];
+    }
+    return pV / V;
 }
 
 void BagGas::book_load(const Points& v_mid, double span) {
-    given_ += store_.work(v_mid, span);
+    given_ += load_.book(v_mid, span);
     const auto nodes = enclosure_.nodes();
     const double swept = span * parallel::sum(nodes.size(), 0.0, [&](std::size_t i) {
                              return area_[nodes[i]].dot(v_mid[nodes[i]]);
                          });
     ambient_work_ += card_.p_atm * swept;
     note_air(span);
-    if (uniform_)
+    if (uniform_) {
         uniform_->work(v_mid, span);
-    else if (air_)
-        air_->add(-air_pressure() * swept);
+        return;
+    }
+    const WettedSurface& wall = *surface_;
+    for (std::size_t r = 0; r < air_.size(); ++r) {
+        const double opened = span * parallel::sum(wall.points(), 0.0, [&](std::size_t p) {
+                                  return wall.room_of_point(p) == static_cast<Index>(r)
+                                             ? load_.area()[p].dot(v_mid[wall.node(p)])
+                                             : 0.0;
+                              });
+        air_[r].add(-air_pressure(r) * opened);
+    }
 }
 
 // ---- the gas itself
@@ -213,15 +289,13 @@ void BagGas::book_load(const Points& v_mid, double span) {
 
 void BagGas::prepare(double dt, const Points& x_0, const Points& x_1) {
     if (uniform_) return;
-    if (card_.normal_damping > 0.0)
-        store_.feel_motion(x_0, x_1, dt, area_, card_.normal_damping / speed_);
     if (lists_.hold_for(x_1)) return;
     if (const double far = ways_of_size(lists_, x_0, x_1); !(far < FARTHEST))
         throw PhysicsError(time_, fmt::format("{}: its fabric goes {:.3g} times the bag's size in "
                                               "one step: it is too light for its load",
                                               name_of(card_), far));
     const double reach = REACH * speed_ * dt;
-    const bool is_thin = 2.0 * volume_ < reach * enclosure_.area(x_0);
+    const bool is_thin = 2.0 * enclosure_.volume(x_0) < reach * enclosure_.area(x_0);
     const double cell = (is_thin ? THIN_CELL : FLIGHT_CELL) * facet_size_;
     build(lists_, cell, MARGIN * cell, is_thin ? 0.0 : reach, x_0, x_1);
 }
@@ -260,9 +334,14 @@ void BagGas::inject(double t, double dt, const Points& x_0, const Points& x_1) {
         const Vec3 v = entry.velocity + (to - from) / dt;
         const double mass = mass_[entry.inflow];
         born_.push_back(share);
-        particles_.add(from + share * (to - from), v, entry.internal, entry.inflow, entry.id);
+        // The first takes along what jets took beyond the work of their push.
+        const double paid = &entry == entries_.data() ? load_.pay_jets() : 0.0;
+        particles_.add(from + share * (to - from), v, entry.internal + paid, entry.inflow,
+                       entry.id);
+        if (surface_->rooms() > 1)
+            particles_.room.push_back(static_cast<std::int16_t>(orifice_room_[orifice]));
         inflow_energy_ += 0.5 * mass * v.squaredNorm() + entry.internal;
-        push_back(orifice, mass * entry.velocity, (to - from) / dt);
+        push_back(orifice, from, mass * entry.velocity, (to - from) / dt);
         mass_in_ += mass;
     }
 }
@@ -270,30 +349,36 @@ void BagGas::inject(double t, double dt, const Points& x_0, const Points& x_1) {
 /// IMOM = 1: the orifice's nodes are owed the impulse that the jet takes from them. What it does on
 /// nodes that move comes from the inflator: gas that is thrown forward brings m v·w more than at
 /// rest, and pushes back with m v·w less.
-void BagGas::push_back(std::size_t orifice, const Vec3& impulse, const Vec3& moving) {
+void BagGas::push_back(std::size_t orifice, const Vec3& at, const Vec3& impulse,
+                       const Vec3& moving) {
     const auto nodes = orifices_.pushed(orifice);
     if (nodes.empty()) return;
-    for (const Index node : nodes) store_.owe(node, -impulse / static_cast<double>(nodes.size()));
+    const auto count = static_cast<double>(nodes.size());
     const double work = -impulse.dot(moving);
+    for (const Index node : nodes) load_.owe_jet(node, at, -impulse / count, work / count);
     inflow_energy_ += work;
-    taken_ += work;
 }
 
 void BagGas::fly(double t, double dt, const Points& x_0, const Points& x_1) {
     if (uniform_) return;
-    const bool loses = !openings_.empty() || !heat_loss_.empty();
-    if (loses && (collisions_ != looked_at_ || collisions_ == 0)) look_inside(x_0);
-    if (!openings_.empty()) openings_.set_gates(t, dt, x_0, inside_);
+    if (loses() && (collisions_ != looked_at_ || collisions_ == 0)) look_inside(x_0);
+    if (!openings_.empty()) {
+        look_at_openings();
+        openings_.set_gates(t, dt, x_0, at_opening_);
+    }
     gas::fly(lists_, x_0, x_1, dt, mass_, born_, particles_, flight_, openings_.gates(),
              roughness_.now());
     flights_ += particles_.size();
-    store_.receive(flight_, lists_.triangles());
+    load_.find_sides(flight_, x_0, x_1);
+    samples_.receive(flight_, load_.sides(), dt, x_1, rooms_, particles_);
+    load_.receive(flight_, mass_, particles_);
     roughness_.receive(flight_, dt, air_pressure(), x_1);
     record_hits(x_1);
     gone_.clear();
     if (!flight_.lost.empty()) book_lost(t);
+    if (!particles_.room.empty()) pass_on();
     if (!openings_.empty()) let_out(dt);
-    if (!heat_loss_.empty()) cool(t, dt, x_0);
+    if (!heat_loss_.empty()) cool(t, dt);
     std::sort(gone_.begin(), gone_.end());
     particles_.erase(gone_);
 }
@@ -310,7 +395,6 @@ void BagGas::record_hits(const Points& x_1) {
                        : hit.impulse.dot(vector_area(x_1[a], x_1[b], x_1[c]).normalized());
             triangle_impulse_[hit.facet] += push;
             part_impulse_[walls_.part[hit.facet]] += push;
-            taken_ += hit.energy;
             ++hits_;
         }
 }
@@ -328,10 +412,6 @@ void BagGas::book_lost(double t) {
                         name_of(card_), particles_.id[i], t, lost.at[0], lost.at[1], lost.at[2]));
     }
     lost_ += flight_.lost.size();
-}
-
-double BagGas::stable_step() const {
-    return uniform_ ? INF : FLIGHT_SHARE * cell_ / speed_;
 }
 
 }  // namespace corpuscle::gas

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,13 +13,15 @@
 #include "gas/enclosure/chambers.hpp"
 #include "gas/collisions/collide.hpp"
 #include "gas/enclosure/enclosure.hpp"
+#include "gas/enclosure/wetted_surface.hpp"
 #include "gas/flight/facet_lists.hpp"
 #include "gas/flight/flight.hpp"
 #include "gas/outflow/heat_loss.hpp"
-#include "gas/wall_load/impulse_store.hpp"
+#include "gas/wall_load/wall_load.hpp"
 #include "gas/inflow/inflator.hpp"
 #include "gas/thermo/initial_air.hpp"
 #include "gas/outflow/openings.hpp"
+#include "gas/outflow/wall_samples.hpp"
 #include "gas/inflow/orifices.hpp"
 #include "gas/particles.hpp"
 #include "gas/wall_load/roughness.hpp"
@@ -63,15 +66,18 @@ public:
            std::uint64_t seed);
 
     /// f += impulse released over `span`, air pressure inside, atmosphere outside, at t.
-    void add_load(const Points& x, double span, Points& f);
+    /// v: at the last half step [m/s]; mass: of the nodes [kg]
+    void add_load(const Points& x, const Points& v, std::span<const double> mass, double span,
+                  Points& f);
     /// Books the work that the load has just done on nodes that moved at v_mid.
     void book_load(const Points& v_mid, double span);
 
     /// All that the gas and the atmosphere do to a node at t.                                 [N]
     [[nodiscard]] Vec3 force(Index node) const {
-        const Vec3 push = store_.force(node) - card_.p_atm * area_[node];
-        return uniform_ ? Vec3(push + uniform_->force(node))
-                        : Vec3(push + air_pressure() * area_[node]);
+        Vec3 push = load_.force(node) - card_.p_atm * area_[node];
+        if (uniform_) return push + uniform_->force(node);
+        if (!air_force_.empty()) push += air_force_[node];
+        return push;
     }
 
     /// Does contact close holes of this bag?
@@ -100,9 +106,8 @@ public:
     [[nodiscard]] double energy() const;  ///< particles and initial air         [J]
     [[nodiscard]] double inflow_energy() const { return inflow_energy_; }
     [[nodiscard]] double lost_energy() const { return lost_energy_; }
-    [[nodiscard]] double smoothing_taken() const {
-        return taken_;
-    }  ///< by hits, less what came back
+    /// By hits and jets, less what came back and what the gas owes to others.                [J]
+    [[nodiscard]] double smoothing_taken() const { return load_.taken(); }
     [[nodiscard]] double smoothing_given() const { return given_; }  ///< to the fabric
     [[nodiscard]] double ambient_work() const { return ambient_work_; }
 
@@ -132,9 +137,7 @@ public:
     }
     [[nodiscard]] double moles_each() const { return inflators_.moles_each(); }  ///< [mol]
     /// Of air that is no particles (IAIR 1, -1).                                           [Pa]
-    [[nodiscard]] double initial_air_pressure() const {
-        return air_ ? air_->pressure(volume_) : 0.0;
-    }
+    [[nodiscard]] double initial_air_pressure() const { return uniform_ ? 0.0 : air_pressure(); }
     [[nodiscard]] std::size_t lost() const { return lost_; }
     /// Who was lost, when and where: the first few.
     [[nodiscard]] const std::vector<std::string>& losses() const { return losses_; }
@@ -144,7 +147,9 @@ public:
     [[nodiscard]] std::uint64_t collision_steps() const { return collisions_; }
     [[nodiscard]] std::size_t list_builds() const { return lists_.builds() + side_lists_.builds(); }
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
-    [[nodiscard]] Vec3 owed_impulse() const { return store_.owed(); }  ///< [N s]
+    /// What the gas has given up at walls and the fabric has not yet got, when it has got `done` of
+    /// the last load.
+    [[nodiscard]] Wrench owed(double done = 1.0) const { return load_.owed(done); }
     [[nodiscard]] double expected_share_in(double end_time) const;
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
@@ -152,113 +157,116 @@ public:
     void visit_state(Archive& archive) {
         bool is_uniform = uniform_.has_value();
         archive(is_uniform);
-        if (is_uniform && !uniform_) open_rooms(area_.size());
-        if (uniform_) archive(*uniform_, orifice_room_, room_inside_);
-        archive(inflators_, air_, lists_, side_lists_, store_, particles_, openings_, heat_loss_,
-                roughness_, pressed_, inside_, looked_at_, owed_to_outflow_, area_, volume_, cell_,
-                wanted_cell_, speed_, since_collision_, collisions_, thermal_, counted_, unrelaxed_,
+        if (is_uniform && !uniform_) open_rooms();
+        if (uniform_) archive(*uniform_);
+        archive(inflators_, air_, lists_, side_lists_, load_, particles_, samples_, openings_,
+                heat_loss_, roughness_, pressed_, rooms_, looked_at_, owed_to_outflow_, area_,
+                volumes_, cell_, wanted_cell_, speed_, since_collision_, collisions_, unrelaxed_,
                 time_);
-        archive(part_impulse_, triangle_impulse_, part_air_, triangle_air_, taken_, given_,
-                ambient_work_, inflow_energy_, lost_energy_, mass_in_, mass_in_seen_,
-                mass_out_seen_, lost_, hits_, flights_, losses_);
+        archive(part_impulse_, triangle_impulse_, part_air_, triangle_air_, given_, ambient_work_,
+                inflow_energy_, lost_energy_, mass_in_, mass_in_seen_, mass_out_seen_, lost_, hits_,
+                flights_, losses_);
     }
 
 private:
-    struct Holding;
-    [[nodiscard]] Holding holding(std::int32_t species) const;
+    /// What the particles of one gas hold in one room.
+    struct Holding {
+        double count = 0, translational = 0, internal = 0;  ///< [-], [J], [J]
+        [[nodiscard]] double all() const { return translational + internal; }
+    };
+    /// Rooms × species.
+    [[nodiscard]] std::vector<Holding> holdings() const;
     static void build(FacetLists& lists, double edge, double margin, double reach,
                       const Points& x_0, const Points& x_1);
     void find_groups(const Points& x);
-    struct Heat {  ///< for the particles, by where it comes from                        [J]
-        double from_air = 0.0, from_smoothing = 0.0, to_outflow = 0.0;
-        [[nodiscard]] double all() const { return from_air + from_smoothing - to_outflow; }
-    };
-    void expect_thermal();
-    [[nodiscard]] Heat wanted_heat() const;
-    void settle(const Heat& wanted, double ratio);
-    [[nodiscard]] double heat_from_air(double thermal) const;
-    [[nodiscard]] double heat_from_smoothing(double thermal) const;
-    double pay_outflow(double left);
+    void find_open_facets();
+    void exchange_heat_with_air(std::vector<double>& factor);
+    [[nodiscard]] bool loses() const { return !openings_.empty() || !heat_loss_.empty(); }
     void look_inside(const Points& x);
+    void look_at_openings();
+    void pass_on();
     void let_out(double dt);
-    void cool(double t, double dt, const Points& x);
+    void cool(double t, double dt);
     void fit_cells(std::size_t occupied_cells);
     void measure_speed();
     void fill_with_air(const Points& x, std::uint64_t seed);
-    void push_back(std::size_t orifice, const Vec3& impulse, const Vec3& moving);
+    void push_back(std::size_t orifice, const Vec3& at, const Vec3& impulse, const Vec3& moving);
     void record_hits(const Points& x_1);
     void book_lost(double t);
     /// Pressure that does not come from particles: that of the initial air, or after TSW of all.
-    [[nodiscard]] double air_pressure() const {
-        if (uniform_) return uniform_->pressure();  // chambers: their mean by volume
-        return air_ ? air_->pressure(volume_) : 0.0;
+    [[nodiscard]] double air_pressure(std::size_t room) const {
+        if (uniform_) return (*uniform_)[room].pressure();
+        return air_.empty() ? 0.0 : air_[room].pressure(volumes_[room]);
     }
+    [[nodiscard]] double air_pressure() const;  ///< mean over rooms by volume           [Pa]
+    void press_with_air(Points& f);
+    [[nodiscard]] std::vector<char> passing_facets() const;
 
     // After TSW (bag_uniform.cpp)
-    void open_rooms(std::size_t nodes);
-    void sum_up(const Points& x);
+    void open_rooms();
+    void sum_up();
     void settle(const Points& x);
     void flow_uniform(double t, double dt, const Points& x, const Points& x_1);
     void thrust(std::size_t inflow, double mass, double t, double dt, const Points& x_0,
                 const Points& x_1);
     void let_out_uniform(double t, double dt, const Points& x);
-    [[nodiscard]] std::vector<Index> rooms_of(std::span<const Vec3> points, const Points& x) const;
     [[nodiscard]] Inside inside_of(std::size_t room) const;
     void let_out_of_room(std::size_t room, double dt);
     void pass_between_rooms(double t, double dt);
-    [[nodiscard]] Index room_of(std::size_t opening) const;
     /// Pressure that no particles bring, on a facet's inside; and that across an internal one.
     [[nodiscard]] double air_on(std::size_t facet, std::span<const double> of_room) const;
     void note_air(double span);
     [[nodiscard]] GasState uniform_state(const Points& x) const;
-    [[nodiscard]] double energy_of(std::int32_t species) const;
 
     BagCard card_;
     BagWalls walls_;
     Enclosure enclosure_;
     Chambers chambers_;
+    std::vector<Index> chamber_of_room_;  ///< where there are chambers
     Inflators inflators_;
     std::vector<double> mass_;  ///< of one particle of each gas                 [kg]
-    std::optional<InitialAir> air_;
+    std::vector<InitialAir> air_;  ///< of each room, or none
     FacetLists lists_;         ///< for flight: cells of the facets' size
     FacetLists side_lists_;    ///< for collisions: cells that hold enough particles
     double facet_size_ = 0.0;  ///< mean edge of a facet                           [m]
     Orifices orifices_;
-    ImpulseStore store_;
+    std::vector<Index> orifice_room_;
+    std::shared_ptr<const WettedSurface> surface_;
+    WallLoad load_;
     Collider collider_;
 
+    std::vector<std::uint8_t> is_open_;  ///< by facet, or empty: none                  [-]
     Particles particles_;
     std::vector<Vec3> axes_;      ///< of the orifices
     std::vector<Entry> entries_;  ///< of this step
     std::vector<double> born_;    ///< shares of the step at which they enter
     FlightResult flight_;
     std::vector<std::size_t> gone_;  ///< rows that left in this step
+    WallSamples samples_;  ///< where there are openings or heat is lost
     Openings openings_;
     HeatLoss heat_loss_;
     Roughness roughness_;
     std::vector<std::uint8_t> pressed_;  ///< N: nodes that contact presses harder than the gas
-    Inside inside_;                      ///< at collision step looked_at_
+    std::vector<Inside> rooms_;          ///< mean states at collision step looked_at_
+    std::vector<Inside> at_opening_;     ///< in this step
     std::uint64_t looked_at_ = 0;
-    double owed_to_outflow_ = 0.0;           ///< by the gas inside: enthalpy and heat         [J]
+    std::vector<double> owed_to_outflow_;    ///< by rooms at uniform pressure: heat           [J]
     Points area_;                            ///< N × 3, node areas at t                      [m^2]
-    double volume_ = 0.0;                    ///< at t                                        [m^3]
+    Points air_force_;                       ///< N × 3, of initial air                       [N]
+    std::vector<double> volumes_;            ///< of rooms, at t                              [m^3]
     double cell_ = 0.0, wanted_cell_ = 0.0;  ///< edge of the cells of collisions    [m]
     double speed_ = 0.0;            ///< thermal, sqrt(R T / M) of the gas as a whole  [m/s]
     double since_collision_ = 0.0;  ///< [s]
     std::uint64_t collisions_ = 0;  ///< collision steps so far
-    double thermal_ = 0.0;          ///< of the particles, as expected at collisions   [J]
-    std::size_t counted_ = 0;       ///< particles that held it
     std::size_t unrelaxed_ = 0;     ///< groups whose energy belonged to no temperature
 
     std::optional<UniformGas> uniform_;  ///< after TSW; the initial air is its last species
-    std::vector<Index> orifice_room_;    ///< of each orifice, then
-    std::vector<Inside> room_inside_;    ///< of each room, in this step
     double time_ = 0.0;  ///< to which gas has come in                              [s]
 
     std::vector<double> part_impulse_, triangle_impulse_;  ///< since the last look   [N s]
     std::vector<double> part_air_, triangle_air_;  ///< by room, integral of air pressure [Pa s]
 
-    double taken_ = 0.0, given_ = 0.0;  ///< smoothing account                           [J]
+    double given_ = 0.0;                ///< work of what hits brought                   [J]
     double ambient_work_ = 0.0, inflow_energy_ = 0.0, lost_energy_ = 0.0;  ///<           [J]
     double mass_in_ = 0.0, mass_in_seen_ = 0.0, mass_out_seen_ = 0.0;      ///<           [kg]
     std::size_t lost_ = 0, hits_ = 0, flights_ = 0;

@@ -11,33 +11,36 @@
 
 namespace corpuscle::gas {
 
-/// Translational and internal energy of particles.                                             [J]
-struct BagGas::Holding {
-    double translational = 0, internal = 0;
-    Holding& operator+=(const Holding& o) {
-        translational += o.translational;
-        internal += o.internal;
-        return *this;
-    }
-    [[nodiscard]] double all() const { return translational + internal; }
-};
-
-/// What the particles of one gas hold, or those of all (-1).
-BagGas::Holding BagGas::holding(std::int32_t species) const {
-    return parallel::sum(particles_.size(), Holding{}, [&](std::size_t i) {
-        const std::int32_t s = particles_.species[i];
-        if (species >= 0 && s != species) return Holding{};
-        return Holding{0.5 * mass_[s] * particles_.v[i].squaredNorm(), particles_.e[i]};
+std::vector<BagGas::Holding> BagGas::holdings() const {
+    const std::size_t kinds = mass_.size(), rows = surface_->rooms() * kinds;
+    const std::size_t n = particles_.size();
+    std::vector<Holding> part(parallel::chunk_count(n) * rows);
+    parallel::for_chunks(n, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        Holding* const own = part.data() + chunk * rows;
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto s = static_cast<std::size_t>(particles_.species[i]);
+            Holding& holding = own[particles_.room_of(i) * kinds + s];
+            holding.count += 1.0;
+            holding.translational += 0.5 * mass_[s] * particles_.v[i].squaredNorm();
+            holding.internal += particles_.e[i];
+        }
     });
-}
-
-double BagGas::energy_of(std::int32_t species) const {
-    return holding(species).all();
+    std::vector<Holding> all(rows);
+    for (std::size_t k = 0; k < part.size(); ++k) {
+        Holding& sum = all[k % rows];
+        sum.count += part[k].count;
+        sum.translational += part[k].translational;
+        sum.internal += part[k].internal;
+    }
+    return all;
 }
 
 double BagGas::energy() const {
     if (uniform_) return uniform_->energy();
-    return holding(-1).all() + (air_ ? air_->energy() : 0.0);
+    double sum = 0.0;
+    for (const Holding& holding : holdings()) sum += holding.all();
+    for (const InitialAir& air : air_) sum += air.energy();
+    return sum;
 }
 
 GasState BagGas::state(const Points& x) const {
@@ -58,14 +61,27 @@ GasState BagGas::state(const Points& x) const {
         now.translational += translational;
         content += of_gas;
     };
-    if (air_) include(air_->mass(), air_->energy(), air_->translational(), air_->content());
+    if (!air_.empty()) {
+        double mass = 0.0, energy = 0.0, translational = 0.0;
+        EnergyPolynomial of_air;
+        for (const InitialAir& air : air_) {
+            mass += air.mass();
+            energy += air.energy();
+            translational += air.translational();
+            of_air += air.content();
+        }
+        include(mass, energy, translational, of_air);
+    }
+    const std::vector<Holding> holds = holdings();
     const auto include_particles = [&](std::size_t s) {
-        const auto kind = static_cast<std::int32_t>(s);
-        const auto count = static_cast<double>(
-            std::count(particles_.species.begin(), particles_.species.end(), kind));
-        const Holding holds = holding(kind);
-        include(count * mass_[s], holds.all(), holds.translational,
-                count * inflators_.moles_each() * inflators_.species()[s].molar_energy());
+        Holding sum;
+        for (std::size_t k = s; k < holds.size(); k += mass_.size()) {
+            sum.count += holds[k].count;
+            sum.translational += holds[k].translational;
+            sum.internal += holds[k].internal;
+        }
+        include(sum.count * mass_[s], sum.all(), sum.translational,
+                sum.count * inflators_.moles_each() * inflators_.species()[s].molar_energy());
     };
     if (mass_.size() > inflators_.inflows()) include_particles(inflators_.inflows());
     for (std::size_t s = 0; s < inflators_.inflows(); ++s) include_particles(s);
@@ -79,7 +95,8 @@ PartState BagGas::part_state(const Points& x, double since) {
                     std::vector<double>(part_impulse_.size(), 0.0),
                     {openings_.part_mass_out().begin(), openings_.part_mass_out().end()},
                     {heat_loss_.part_heat().begin(), heat_loss_.part_heat().end()}};
-    if (since == 0.0) part_air_.assign(part_air_.size(), air_pressure());
+    if (since == 0.0)
+        for (std::size_t r = 0; r < part_air_.size(); ++r) part_air_[r] = air_pressure(r);
     const double time = since > 0.0 ? since : 1.0;
     std::vector<double> air(part_impulse_.size(), 0.0);
     for (std::size_t t = 0; t < walls_.triangles.size(); ++t) {
@@ -112,7 +129,8 @@ double BagGas::mass_rate_out(double since) {
 
 void BagGas::add_shell_load(const Points& x, double since, std::span<double> force,
                             std::span<double> area) {
-    if (since == 0.0) triangle_air_.assign(triangle_air_.size(), air_pressure());
+    if (since == 0.0)
+        for (std::size_t r = 0; r < triangle_air_.size(); ++r) triangle_air_[r] = air_pressure(r);
     const double time = since > 0.0 ? since : 1.0;
     for (std::size_t t = 0; t < walls_.triangles.size(); ++t) {
         const auto& [a, b, c] = walls_.triangles[t];

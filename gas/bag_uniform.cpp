@@ -17,17 +17,20 @@ bool BagGas::switches(double t) const {
     return !uniform_ && t >= card_.switch_at * (1.0 - ROUNDING);
 }
 
-/// Mass, energy and so temperature stay as they are; motion becomes heat.
-/// Uniform pressure takes the place of that which hits made one expect; what they have brought
-/// beyond it is still released.
+/// Mass, energy and so temperature stay as they are, room by room; motion becomes heat.
+/// Uniform pressure takes the place of what hits gave on average; what they have brought beyond it
+/// is still released.
 void BagGas::become_uniform(const Points& x) {
-    if (inflators_.species().empty() && !air_) return;
-    open_rooms(x.size());
-    sum_up(x);
+    if (inflators_.species().empty() && air_.empty()) return;
+    surface_->volumes(x, volumes_);
+    open_rooms();
+    sum_up();
     settle(x);
-    std::vector<Vec3> nozzles;
-    for (std::size_t o = 0; o < orifices_.size(); ++o) nozzles.push_back(orifices_.place(o, x));
-    orifice_room_ = rooms_of(nozzles, x);
+    std::vector<double> pressure;
+    for (std::size_t r = 0; r < uniform_->size(); ++r)
+        pressure.push_back((*uniform_)[r].pressure() -
+                           (air_.empty() ? 0.0 : air_[r].pressure(volumes_[r])));
+    load_.end_of_hits(pressure, x);
     for (std::size_t i = 0; i < particles_.size(); ++i) {
         particles_.e[i] += 0.5 * mass_[particles_.species[i]] * particles_.v[i].squaredNorm();
         particles_.v[i].setZero();
@@ -35,37 +38,24 @@ void BagGas::become_uniform(const Points& x) {
 }
 
 /// Rooms at uniform pressure, empty as yet.
-void BagGas::open_rooms(std::size_t nodes) {
+void BagGas::open_rooms() {
     std::vector<Species> kinds = inflators_.species();
-    if (air_) kinds.push_back(air_->species());
-    std::vector<UniformGas::Room> rooms;
-    for (std::size_t r = 0; r < std::max<std::size_t>(1, chambers_.size()); ++r)
-        rooms.push_back(
-            {chambers_.empty() ? enclosure_ : chambers_.surface(r), ControlVolume(kinds)});
-    store_.end_of_hits();
-    uniform_.emplace(std::move(rooms), nodes);
+    if (!air_.empty()) kinds.push_back(air_[0].species());
+    uniform_.emplace(surface_, std::vector<ControlVolume>(surface_->rooms(), ControlVolume(kinds)),
+                     area_.size());
 }
 
-/// Puts what each room's particles hold, and its share of the initial air, into the room.
-void BagGas::sum_up(const Points& x) {
-    UniformGas& rooms = *uniform_;
-    const std::vector<Index> room = rooms_of(particles_.x, x);
+/// Puts what each room's particles and initial air hold into the room.
+void BagGas::sum_up() {
+    const std::vector<Holding> holds = holdings();
     const std::size_t kinds = mass_.size();
-    std::vector<double> count(rooms.size() * kinds, 0.0), energy(rooms.size() * kinds, 0.0);
-    for (std::size_t i = 0; i < room.size(); ++i) {
-        const std::int32_t s = particles_.species[i];
-        const std::size_t row =
-            static_cast<std::size_t>(room[i]) * kinds + static_cast<std::size_t>(s);
-        count[row] += 1.0;
-        energy[row] += 0.5 * mass_[s] * particles_.v[i].squaredNorm() + particles_.e[i];
-    }
-    const double volume = enclosure_.volume(x);
-    for (std::size_t r = 0; r < rooms.size(); ++r) {
-        ControlVolume& gas = rooms[r];
-        for (std::size_t s = 0; s < kinds; ++s)
-            gas.add(s, count[r * kinds + s] * inflators_.moles_each(), energy[r * kinds + s]);
-        const double share = rooms.surface(r).volume(x) / volume;
-        if (air_) gas.add(kinds, share * air_->moles(), share * air_->energy());
+    for (std::size_t r = 0; r < uniform_->size(); ++r) {
+        ControlVolume& gas = (*uniform_)[r];
+        for (std::size_t s = 0; s < kinds; ++s) {
+            const Holding& own = holds[r * kinds + s];
+            gas.add(s, own.count * inflators_.moles_each(), own.all());
+        }
+        if (!air_.empty()) gas.add(kinds, air_[r].moles(), air_[r].energy());
     }
 }
 
@@ -79,8 +69,7 @@ void BagGas::settle(const Points& x) {
             fmt::format("*AIRBAG_PARTICLE {}{}: at uniform pressure the volume is {:g} and "
                         "the gas holds {:g} of energy",
                         card_.id,
-                        chambers_.empty() ? std::string()
-                                          : fmt::format(", chamber {}", card_.chambers[r].id),
+                        uniform_->size() == 1 ? std::string() : fmt::format(", room {}", r + 1),
                         gas.volume(), gas.energy()));
     }
 }
@@ -102,9 +91,10 @@ void BagGas::flow_uniform(double t, double dt, const Points& x, const Points& x_
         mass_in_ += mass;
         thrust(s, mass, t + 0.5 * dt, dt, x, x_1);
     }
-    const double heat = -std::expm1(-dt / store_.time()) * (taken_ - given_);
-    uniform_->add_heat(heat);
-    taken_ -= heat;
+    const double share = -std::expm1(-dt / load_.time());
+    for (std::size_t r = 0; r < uniform_->size(); ++r)
+        (*uniform_)[r].add_heat(load_.drain(r, share) +
+                                (r == 0 ? load_.pay_jets() : 0.0));
     if (!openings_.empty() || !heat_loss_.empty()) let_out_uniform(t, dt, x);
 }
 
@@ -116,7 +106,8 @@ void BagGas::thrust(std::size_t inflow, double mass, double t, double dt, const 
         const double share = inflators_.share(inflow, o);
         if (share == 0.0 || orifices_.pushed(o).empty()) continue;
         const Vec3 moving = (orifices_.place(o, x_1) - orifices_.place(o, x_0)) / dt;
-        push_back(o, share * mass * inflators_.jet(inflow, o, t, axes_[o]), moving);
+        push_back(o, orifices_.place(o, x_0), share * mass * inflators_.jet(inflow, o, t, axes_[o]),
+                  moving);
     }
 }
 

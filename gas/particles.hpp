@@ -20,14 +20,18 @@ struct Particles {
     std::vector<double> e;              ///< internal (spin + vibration) energy          [J]
     std::vector<std::int32_t> species;  ///< row among the bag's species
     std::vector<std::int32_t> id;       ///< born 0, 1, 2, ...; never reused
+    std::vector<std::int16_t> room;     ///< that it is in; empty where a bag has one room
     std::vector<float> clear;           ///< way that is free (free_ways.hpp), 0: not known  [m]
 
     [[nodiscard]] std::size_t size() const { return x.size(); }
+    [[nodiscard]] std::size_t room_of(std::size_t i) const {
+        return room.empty() ? 0 : static_cast<std::size_t>(room[i]);
+    }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(x, v, e, species, id);
+        archive(x, v, e, species, id, room);
         clear.assign(x.size(), 0.0F);
     }
 
@@ -38,6 +42,7 @@ struct Particles {
         species.resize(n);
         id.resize(n);
         clear.resize(n);
+        if (!room.empty()) room.resize(n);
     }
     /// Room for n in all: growing bit by bit would take up to twice the memory.
     void reserve(std::size_t n) {
@@ -63,6 +68,7 @@ struct Particles {
             species[to] = species[from];
             id[to] = id[from];
             clear[to] = clear[from];
+            if (!room.empty()) room[to] = room[from];
             ++to;
         }
         resize(to);

@@ -2,96 +2,91 @@
 // SPDX-License-Identifier: MIT
 #include "gas/uniform_gas.hpp"
 
+#include <utility>
+
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {
 
-UniformGas::UniformGas(std::vector<Room> rooms, std::size_t node_count) : rooms_(std::move(rooms)) {
-    for (Room& room : rooms_) room.area.assign(node_count, Vec3::Zero());
-}
+UniformGas::UniformGas(std::shared_ptr<const WettedSurface> surface,
+                       std::vector<ControlVolume> rooms, std::size_t node_count)
+    : surface_(std::move(surface)),
+      rooms_(std::move(rooms)),
+      area_(surface_->points(), Vec3::Zero()),
+      force_(node_count, Vec3::Zero()) {}
 
 bool UniformGas::settle(std::span<const Vec3> x) {
+    surface_->point_areas(x, area_);
+    surface_->volumes(x, volume_);
     bool is_good = true;
-    for (Room& room : rooms_) {
-        room.surface.node_areas(x, room.area);
-        is_good = room.gas.settle(room.surface.volume(x)) && is_good;
-    }
+    for (std::size_t r = 0; r < size(); ++r) is_good = rooms_[r].settle(volume_[r]) && is_good;
+    for (std::size_t p = 0; p < area_.size(); ++p) force_[surface_->node(p)].setZero();
+    for (std::size_t p = 0; p < area_.size(); ++p)
+        force_[surface_->node(p)] += rooms_[surface_->room_of_point(p)].pressure() * area_[p];
     return is_good;
 }
 
 void UniformGas::add_force(std::span<Vec3> f) const {
-    for (const Room& room : rooms_)
-        for (const Index n : room.surface.nodes()) f[n] += room.gas.pressure() * room.area[n];
-}
-
-Vec3 UniformGas::force(Index node) const {
-    Vec3 sum = Vec3::Zero();
-    for (const Room& room : rooms_) sum += room.gas.pressure() * room.area[node];
-    return sum;
+    for (std::size_t p = 0; p < area_.size(); ++p)
+        f[surface_->node(p)] += rooms_[surface_->room_of_point(p)].pressure() * area_[p];
 }
 
 void UniformGas::work(std::span<const Vec3> v_mid, double span) {
-    for (Room& room : rooms_) {
-        const auto nodes = room.surface.nodes();
-        room.gas.work(span * parallel::sum(nodes.size(), 0.0, [&](std::size_t i) {
-                          return room.area[nodes[i]].dot(v_mid[nodes[i]]);
-                      }));
-    }
-}
-
-void UniformGas::add_heat(double heat) {
-    const double all = energy();
-    for (Room& room : rooms_)
-        room.gas.add_heat(rooms_.size() == 1 ? heat : heat * room.gas.energy() / all);
+    for (std::size_t r = 0; r < size(); ++r)
+        rooms_[r].work(span * parallel::sum(area_.size(), 0.0, [&](std::size_t p) {
+                           return surface_->room_of_point(p) == static_cast<Index>(r)
+                                      ? area_[p].dot(v_mid[surface_->node(p)])
+                                      : 0.0;
+                       }));
 }
 
 double UniformGas::energy() const {
     double sum = 0.0;
-    for (const Room& room : rooms_) sum += room.gas.energy();
+    for (const ControlVolume& room : rooms_) sum += room.energy();
     return sum;
 }
 
 double UniformGas::mass() const {
     double sum = 0.0;
-    for (const Room& room : rooms_) sum += room.gas.mass();
+    for (const ControlVolume& room : rooms_) sum += room.mass();
     return sum;
 }
 
 double UniformGas::moles(std::size_t species) const {
     double sum = 0.0;
-    for (const Room& room : rooms_) sum += room.gas.moles(species);
+    for (const ControlVolume& room : rooms_) sum += room.moles(species);
     return sum;
 }
 
 double UniformGas::energy(std::size_t species) const {
     double sum = 0.0;
-    for (const Room& room : rooms_)
-        sum += room.gas.moles(species) *
-               room.gas.species()[species].molar_energy()(room.gas.temperature());
+    for (const ControlVolume& room : rooms_)
+        sum += room.moles(species) *
+               room.species()[species].molar_energy()(room.temperature());
     return sum;
 }
 
 double UniformGas::pressure() const {
     double pV = 0.0, V = 0.0;
-    for (const Room& room : rooms_) {
-        pV += room.gas.pressure() * room.gas.volume();
-        V += room.gas.volume();
+    for (const ControlVolume& room : rooms_) {
+        pV += room.pressure() * room.volume();
+        V += room.volume();
     }
     return pV / V;
 }
 
 double UniformGas::temperature() const {
-    if (rooms_.size() == 1) return rooms_[0].gas.temperature();
+    if (rooms_.size() == 1) return rooms_[0].temperature();
     EnergyPolynomial content;
-    for (const Room& room : rooms_)
-        for (std::size_t s = 0; s < room.gas.species().size(); ++s)
-            content += room.gas.moles(s) * room.gas.species()[s].molar_energy();
+    for (const ControlVolume& room : rooms_)
+        for (std::size_t s = 0; s < room.species().size(); ++s)
+            content += room.moles(s) * room.species()[s].molar_energy();
     return content.temperature(energy());
 }
 
 void UniformGas::pass(std::size_t from, std::size_t to, double mass) {
-    ControlVolume& giver = rooms_[from].gas;
-    ControlVolume& taker = rooms_[to].gas;
+    ControlVolume& giver = rooms_[from];
+    ControlVolume& taker = rooms_[to];
     const double share = mass / giver.mass();
     for (std::size_t s = 0; s < giver.species().size(); ++s)
         taker.add(s, share * giver.moles(s), 0.0);

@@ -2,38 +2,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "gas/enclosure/wetted_surface.hpp"
 #include "gas/thermo/control_volume.hpp"
-#include "gas/enclosure/enclosure.hpp"
 
 namespace corpuscle::gas {
 
-/// A bag's gas after TSW: one room, or one for each chamber, with a pressure of its own each.
+/// A bag's gas after TSW: a pressure of its own in each room.
 class UniformGas {
 public:
-    struct Room {
-        Enclosure surface;
-        ControlVolume gas;
-        Points area{};  ///< N × 3, node areas at t                                     [m^2]
-    };
-    UniformGas(std::vector<Room> rooms, std::size_t node_count);
+    /// @param rooms  one of each room of the surface
+    UniformGas(std::shared_ptr<const WettedSurface> surface, std::vector<ControlVolume> rooms,
+               std::size_t node_count);
 
     [[nodiscard]] std::size_t size() const { return rooms_.size(); }
-    [[nodiscard]] ControlVolume& operator[](std::size_t room) { return rooms_[room].gas; }
-    [[nodiscard]] const ControlVolume& operator[](std::size_t room) const {
-        return rooms_[room].gas;
-    }
-
-    [[nodiscard]] const Enclosure& surface(std::size_t room) const { return rooms_[room].surface; }
+    [[nodiscard]] ControlVolume& operator[](std::size_t room) { return rooms_[room]; }
+    [[nodiscard]] const ControlVolume& operator[](std::size_t room) const { return rooms_[room]; }
 
     /// State of every room at t. False when one has none (ControlVolume::settle).
     [[nodiscard]] bool settle(std::span<const Vec3> x);
     void add_force(std::span<Vec3> f) const;              ///< p A of all rooms      [N]
     void work(std::span<const Vec3> v_mid, double span);  ///< books that of the force
-    [[nodiscard]] Vec3 force(Index node) const;           ///< [N]
-    void add_heat(double energy);  ///< shared by what rooms hold                             [J]
+    [[nodiscard]] const Vec3& force(Index node) const { return force_[node]; }  ///< [N]
 
     [[nodiscard]] double energy() const;                     ///< [J]
     [[nodiscard]] double mass() const;                       ///< [kg]
@@ -49,11 +42,16 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        for (Room& room : rooms_) archive(room.gas, room.area);
+        for (ControlVolume& room : rooms_) archive(room);
+        archive(area_, force_);
     }
 
 private:
-    std::vector<Room> rooms_;
+    std::shared_ptr<const WettedSurface> surface_;
+    std::vector<ControlVolume> rooms_;
+    Points area_;   ///< points × 3, at t                                                [m^2]
+    Points force_;  ///< N × 3, at t                                                     [N]
+    std::vector<double> volume_;
 };
 
 /// Mass that evens out the pressures of two rooms of ideal gas, to first order.             [kg]

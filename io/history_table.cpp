@@ -87,6 +87,10 @@ void airbag(auto&& row, const RecordLayout::Airbag& bag, const AirbagSample& s) 
     row(at + "energy", ENERGY, "all that the gas inside holds, initial air too", s.energy);
     row(at + "translational_energy", ENERGY, "translational part of `energy`",
         s.translational_energy);
+    row(at + "owed_momentum", MOMENTUM,
+        "given up by particles at walls, not yet passed on to the fabric", s.owed_momentum);
+    row(at + "owed_angular_momentum", ANGULAR_MOMENTUM,
+        "the same about the origin of coordinates", s.owed_angular_momentum);
     for (std::size_t k = 0; k < bag.species.size(); ++k) {
         const std::string of = fmt::format("{}species/{}/", at, bag.species[k]);
         row(of + "mass", MASS, "this gas inside", s.species[k].mass);

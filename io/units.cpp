@@ -26,6 +26,7 @@ constexpr std::array ROWS{
     Row{Quantity::VELOCITY, "velocity", "m/s", "mm/ms", "mm/s"},
     Row{Quantity::ACCELERATION, "acceleration", "m/s^2", "mm/ms^2", "mm/s^2"},
     Row{Quantity::MOMENTUM, "momentum", "kg m/s", "kg mm/ms", "t mm/s"},
+    Row{Quantity::ANGULAR_MOMENTUM, "angular momentum", "kg m2/s", "kg mm2/ms", "t mm2/s"},
     Row{Quantity::FORCE, "force", "N", "kN", "N"},
     Row{Quantity::PRESSURE, "pressure", "Pa", "GPa", "MPa"},
     Row{Quantity::ENERGY, "energy", "J", "J", "mJ"},

@@ -20,6 +20,7 @@ enum class Quantity {
     VELOCITY,
     ACCELERATION,
     MOMENTUM,
+    ANGULAR_MOMENTUM,
     FORCE,
     PRESSURE,
     ENERGY,

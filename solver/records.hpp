@@ -57,6 +57,7 @@ struct AirbagSample {
     double mass = 0, mass_in = 0, mass_out_vent = 0, mass_out_fabric = 0;
     double particles = 0, particles_out = 0;
     double energy = 0, translational_energy = 0;
+    Vec3 owed_momentum = Vec3::Zero(), owed_angular_momentum = Vec3::Zero();
     double mass_rate_in = 0, mass_rate_out = 0, surface_area = 0;  ///< for abstat
     struct Species {
         double mass = 0, temperature = 0, energy = 0;
@@ -74,8 +75,8 @@ struct AirbagSample {
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(volume, pressure, temperature, mass, mass_in, mass_out_vent, mass_out_fabric,
-                particles, particles_out, energy, translational_energy, mass_rate_in, mass_rate_out,
-                surface_area, species, parts, chambers);
+                particles, particles_out, energy, translational_energy, owed_momentum,
+                owed_angular_momentum, mass_rate_in, mass_rate_out, surface_area, species, parts, chambers);
     }
 };
 

@@ -29,11 +29,15 @@ AirbagSample row_of(const gas::GasState& state, const gas::PartState& parts) {
     return row;
 }
 
-AirbagSample sample_of(gas::BagGas& bag, const Points& x, double since) {
+/// @param done  share of the last load that velocities at t hold                      [-]
+AirbagSample sample_of(gas::BagGas& bag, const Points& x, double since, double done) {
     AirbagSample row = row_of(bag.state(x), bag.part_state(x, since));
     for (const gas::ChamberState& now : bag.chamber_states(x))
         row.chambers.push_back({now.volume, now.pressure, now.temperature, now.mass, now.energy});
     row.particles = static_cast<double>(bag.particles().size());
+    const gas::Wrench owed = bag.owed(done);
+    row.owed_momentum = owed.linear;
+    row.owed_angular_momentum = owed.angular;
     row.mass_rate_in = bag.mass_rate_in(since);
     row.mass_rate_out = bag.mass_rate_out(since);
     return row;
@@ -112,7 +116,7 @@ Sample Simulation::sample() {
     row.energy = books();
     const double since = clock_.t - last_sample_;
     last_sample_ = clock_.t;
-    for (gas::BagGas& bag : bags_) row.airbags.push_back(sample_of(bag, nodes_.x, since));
+    for (gas::BagGas& bag : bags_) row.airbags.push_back(sample_of(bag, nodes_.x, since, ledger_.weight));
     for (const gas::UniformBag& bag : uniform_bags_)
         row.airbags.push_back(sample_of(bag, nodes_.x));
 

@@ -66,7 +66,7 @@ void Simulation::find_forces(double dt, double span, Stopwatch& lap) {
         fabric_force_.f = nodes_.f;
     }
     for (gas::BagGas& bag : bags_) {
-        bag.add_load(nodes_.x, span, nodes_.f);                                 lap("gas load");
+        bag.add_load(nodes_.x, nodes_.v, nodes_.mass, span, nodes_.f);          lap("gas load");
     }
     for (gas::UniformBag& bag : uniform_bags_) {
         bag.add_load(clock_.t, nodes_.x, nodes_.f);                             lap("gas load");

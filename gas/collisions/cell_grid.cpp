@@ -101,6 +101,7 @@ void CellSort::move_rows(Particles& particles) {
     move(particles.e.data(), 1);
     for (auto* column : {&particles.species, &particles.id}) move(column->data(), 1);
     move(particles.clear.data(), 1);
+    if (!particles.room.empty()) move(particles.room.data(), 1);
     parallel::for_each(n, [&](std::size_t i) { order_[i] = static_cast<Index>(i); });
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "gas/collisions/relax.hpp"
+#include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {
 
@@ -28,6 +29,32 @@ double Collider::thermal_energy(const Particles& particles) const {
     return gas::thermal_energy(groups_.lists(), mixture_, particles);
 }
 
+void Collider::thermal_energy(const Particles& particles, std::span<double> energy,
+                              std::span<double> groups) const {
+    const Lists lists = groups_.lists();
+    for (std::size_t r = 0; r < energy.size(); ++r) {
+        struct Sum {
+            double energy = 0.0, groups = 0.0;
+            Sum& operator+=(const Sum& o) {
+                energy += o.energy;
+                groups += o.groups;
+                return *this;
+            }
+        };
+        constexpr std::size_t GROUPS_A_CHUNK = 64;
+        const Sum sum = parallel::sum(
+            lists.size(), Sum{},
+            [&](std::size_t g) {
+                const auto rows = lists[g];
+                if (particles.room_of(static_cast<std::size_t>(rows[0])) != r) return Sum{};
+                return Sum{gas::thermal_energy(rows, mixture_, particles), 1.0};
+            },
+            GROUPS_A_CHUNK);
+        energy[r] += sum.energy;
+        groups[r] += sum.groups;
+    }
+}
+
 /// Of spheres whose mean free path at density n is lambda: sigma = 1 / (sqrt(2) n lambda)
 /// [Maxwell]. n: mean of the cells that hold particles.
 double Collider::cross_section() const {
@@ -44,17 +71,28 @@ double Collider::cross_section() const {
 
 CollisionReport Collider::collide(std::uint64_t step, double dt, double heat,
                                   Particles& particles) const {
-    const CollisionStep all{groups_.lists(), mixture_,        heat,  dt,
-                            cell_volume_,    cross_section(), seed_, step};
+    return collide({groups_.lists(), mixture_, heat, dt, cell_volume_, cross_section(), seed_, step},
+                   particles);
+}
+
+CollisionReport Collider::collide(std::uint64_t step, double dt,
+                                  std::span<const double> heat_of_room,
+                                  Particles& particles) const {
+    return collide({groups_.lists(), mixture_, 1.0, dt, cell_volume_, cross_section(), seed_, step,
+                    heat_of_room},
+                   particles);
+}
+
+CollisionReport Collider::collide(const CollisionStep& step, Particles& particles) const {
     switch (model_) {
         case CollisionModel::PAIRS:
-            return collide_pairs(all, particles);
+            return collide_pairs(step, particles);
         case CollisionModel::LIN:
-            return collide_lin(all, particles);
+            return collide_lin(step, particles);
         case CollisionModel::NTC:
-            return collide_ntc(all, particles);
+            return collide_ntc(step, particles);
         case CollisionModel::SPHERES:
-            return collide_spheres(all, particles);
+            return collide_spheres(step, particles);
     }
     return {};
 }

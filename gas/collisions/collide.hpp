@@ -24,6 +24,14 @@ struct CollisionStep {
     double cross_section;  ///< pi d² of the spheres; 0 where a model has none      [m^2]
     std::uint64_t seed;
     std::uint64_t step;  ///< counts collision steps: no two draw the same numbers
+    std::span<const double> heat_of_room{};  ///< in place of `heat`, by room; empty: none
+
+    /// Factor on the thermal energy of a group.
+    [[nodiscard]] double heat_of(std::span<const Index> rows, const Particles& particles) const {
+        return heat_of_room.empty()
+                   ? heat
+                   : heat_of_room[particles.room_of(static_cast<std::size_t>(rows[0]))];
+    }
 };
 
 /// What went other than planned.
@@ -66,10 +74,16 @@ public:
     /// Energy of all motion relative to the groups' mean velocities, and all internal energy. [J]
     /// What collide(heat) multiplies.
     [[nodiscard]] double thermal_energy(const Particles& particles) const;
+    /// The same by room, added to `energy`; and the number of groups of each, to `groups`.
+    void thermal_energy(const Particles& particles, std::span<double> energy,
+                        std::span<double> groups) const;
 
     /// One collision step of every group, for the time dt that has gone by since the last one;
     /// thermal energy is multiplied by `heat` on the way.
     CollisionReport collide(std::uint64_t step, double dt, double heat, Particles& particles) const;
+    /// The same with a factor for each room; none: 1.
+    CollisionReport collide(std::uint64_t step, double dt, std::span<const double> heat_of_room,
+                            Particles& particles) const;
 
     [[nodiscard]] const Groups& groups() const { return groups_; }
     [[nodiscard]] const Mixture& mixture() const { return mixture_; }
@@ -77,6 +91,7 @@ public:
 
 private:
     [[nodiscard]] double cross_section() const;
+    [[nodiscard]] CollisionReport collide(const CollisionStep& step, Particles& particles) const;
 
     Mixture mixture_;
     std::uint64_t seed_;

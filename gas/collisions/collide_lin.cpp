@@ -136,10 +136,10 @@ void exchange(const GradientFit& fit, double kT, Swarm& swarm, Random& draw) {
 
 bool collide_group(const CollisionStep& step, Swarm& swarm, Random& draw) {
     const double E_all = swarm.translational();
-    if (is_rigid(swarm, E_all)) return relax(step.heat, step.mixture, swarm, draw);
+    if (is_rigid(swarm, E_all)) return relax(swarm.heat, step.mixture, swarm, draw);
     const std::optional<GradientFit> fit = GradientFit::of(swarm);
     if (!fit) return collide_few(step, swarm, draw);
-    const double energy = step.heat * (E_all + swarm.internal());
+    const double energy = swarm.heat * (E_all + swarm.internal());
 
     // Motion in common: U and G. What is left is c, of energy E_0.
     const Mat3 G = fit->take_out(swarm);
@@ -155,7 +155,7 @@ bool collide_group(const CollisionStep& step, Swarm& swarm, Random& draw) {
     if (has_heat) E_1 = share(energy - E_gradient, freedom, step.mixture, swarm, draw);
     if (!E_1) {
         swarm.add_gradient(G);
-        return has_heat ? relax(step.heat, step.mixture, swarm, draw)
+        return has_heat ? leave_unrelaxed(step, swarm, draw)
                         : heat_rigid(step, E_all, swarm, draw);
     }
 
@@ -200,7 +200,7 @@ CollisionReport collide_lin(const CollisionStep& step, Particles& particles) {
     };
     const auto some = [&](std::size_t chunk) {
         CollisionReport report;
-        LinLanes four(step.mixture, step.heat);
+        LinLanes four(step.mixture);
         const auto collide_four = [&] {
             const auto thermal =
                 four.collide(particles, [&](std::uint64_t g) { report += plainly(g); });
@@ -211,7 +211,8 @@ CollisionReport collide_lin(const CollisionStep& step, Particles& particles) {
             const auto rows = step.groups[g];
             if (g + AHEAD < end) fetch(step.groups[g + AHEAD], particles);
             const Random draw(step.seed, Stream::COLLISION, step.step, g);
-            if (rows.size() < LinLanes::FEWEST || !four.add(rows, g, draw, particles))
+            if (rows.size() < LinLanes::FEWEST || 
+                !four.add(rows, g, step.heat_of(rows, particles), draw, particles))
                 report += plainly(g);
             else if (four.size() == lanes::LANES)
                 collide_four();

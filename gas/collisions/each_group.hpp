@@ -18,6 +18,7 @@ CollisionReport collide_one_group(const CollisionStep& step, std::size_t group,
     thread_local Swarm swarm;
     const auto rows = step.groups[group];
     swarm.gather(rows, step.mixture, particles);
+    swarm.heat = step.heat_of(rows, particles);
     CollisionReport report{swarm.translational() + swarm.internal()};
     Random draw(step.seed, Stream::COLLISION, step.step, group);
     if (!collide_one(swarm, draw, rows)) report.unrelaxed = 1;

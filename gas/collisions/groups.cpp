@@ -67,6 +67,7 @@ private:
         }
         bool is_ordered = false;
         for (const Index f : fabric_.lists->in(cell)) {
+            if (!fabric_.is_open.empty() && fabric_.is_open[f] != 0) continue;
             const auto& [i, j, k] = fabric_.lists->triangles()[f];
             const Vec3 &a = fabric_.x[i], &b = fabric_.x[j], &c = fabric_.x[k];
             if ((a.cwiseMin(b).cwiseMin(c).array() > high.array()).any() ||

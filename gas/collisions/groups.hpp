@@ -17,6 +17,7 @@ namespace corpuscle::gas {
 struct FabricInCells {
     const FacetLists* lists = nullptr;  ///< none: no fabric at all
     std::span<const Vec3> x;            ///< nodes at the particles' instant            [m]
+    std::span<const std::uint8_t> is_open{};  ///< by facet: 1 where it hides nothing; empty: none
 };
 
 /// Particles of a cell that see each other: the only ones that may trade momentum and heat.

@@ -23,15 +23,20 @@ Mat3 random_rotation(Random& draw) {
 
 bool heat_rigid(const CollisionStep& step, double translational, Swarm& swarm, Random& draw) {
     const double internal = swarm.internal();
-    const double wanted = step.heat * (translational + internal) - translational;
-    if (!(internal > 0.0 && wanted > 0.0)) return relax(step.heat, step.mixture, swarm, draw);
+    const double wanted = swarm.heat * (translational + internal) - translational;
+    if (!(internal > 0.0 && wanted > 0.0)) return relax(swarm.heat, step.mixture, swarm, draw);
     swarm.scale_internal(wanted / internal);
     return true;
 }
 
+bool leave_unrelaxed(const CollisionStep& step, Swarm& swarm, Random& draw) {
+    if (swarm.heat != 1.0) heat_rigid(step, swarm.translational(), swarm, draw);
+    return false;
+}
+
 bool collide_few(const CollisionStep& step, Swarm& swarm, Random& draw) {
     const double E_all = swarm.translational();
-    const double energy = step.heat * (E_all + swarm.internal());
+    const double energy = swarm.heat * (E_all + swarm.internal());
     const GroupSpin spin(swarm);
     const Mat3 G = spin.take_out(swarm);
     const double E_0 = swarm.translational();
@@ -44,7 +49,7 @@ bool collide_few(const CollisionStep& step, Swarm& swarm, Random& draw) {
         share(energy - (E_all - E_0), freedom, step.mixture, swarm, draw);
     if (!E_1) {
         swarm.add_gradient(G);
-        return relax(step.heat, step.mixture, swarm, draw);
+        return leave_unrelaxed(step, swarm, draw);
     }
     if (swarm.size() == 2) {
         swarm.scale(-1.0);  // all that a line leaves

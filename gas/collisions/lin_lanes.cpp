@@ -22,7 +22,7 @@ Four in_order(const Four& first, const Four& second, const Four& third, const Fo
 
 }  // namespace
 
-bool LinLanes::add(std::span<const Index> rows, std::uint64_t group, Random draw,
+bool LinLanes::add(std::span<const Index> rows, std::uint64_t group, double heat, Random draw,
                    const Particles& particles) {
     const std::int32_t species = particles.species[rows[0]];
     const Vec3 x_0 = particles.x[rows[0]], v_0 = particles.v[rows[0]];
@@ -56,6 +56,7 @@ bool LinLanes::add(std::span<const Index> rows, std::uint64_t group, Random draw
     group_[l] = group;
     species_[l] = species;
     e_[l] = e;
+    heat_[l] = heat;
     n_[l] = static_cast<double>(rows.size());
     m_[l] = mixture_.particle_mass(species);
     share_[l] = nearly_normal(draw);
@@ -74,7 +75,7 @@ struct LinLanes::Energy {
 /// @param motion  energy of the motion relative to U, @param thermal  that of c alone          [J]
 LinLanes::Energy LinLanes::share(const Four& motion, const Four& thermal) const {
     const Four n = load(n_.data()), before = load(e_.data());
-    const Four energy = heat_ * (motion + before) - (motion - thermal);
+    const Four energy = load(heat_.data()) * (motion + before) - (motion - thermal);
     const Four freedom = 3.0 * (n - lin::FITTED);
     const Four T = temperature(energy, freedom);
     Four inside, slope, curvature;
@@ -84,9 +85,7 @@ LinLanes::Energy LinLanes::share(const Four& motion, const Four& thermal) const 
         slope[l] = internal.slope(T[l]);
         curvature[l] = internal.curvature(T[l]);
     }
-    const FourBits had_some = before > 0.0;
-    Four each = had_some ? (1.0 - MEMORY) * inside : inside;
-    Four kept = had_some ? MEMORY * n * inside / before : all(0.0);
+    Four each = inside - MEMORY * before / n, kept = all(MEMORY);
     const Four internal = each * n + kept * before, left = energy - internal;
 
     const Four half_heat = all(mixture_.half_heat());

@@ -21,11 +21,12 @@ class LinLanes {
 public:
     static constexpr std::size_t FEWEST = 9;  ///< particles of a group that LinLanes can collide
 
-    LinLanes(const Mixture& mixture, double heat) : mixture_(mixture), heat_(heat) {}
+    explicit LinLanes(const Mixture& mixture) : mixture_(mixture) {}
 
     /// Adds up a group of FEWEST particles and more, all of one species, and draws what chance
     /// decides. False for a mixture: the group must be collided in another way.
-    bool add(std::span<const Index> rows, std::uint64_t group, Random draw,
+    /// @param heat  factor on its thermal energy                                         [-]
+    bool add(std::span<const Index> rows, std::uint64_t group, double heat, Random draw,
              const Particles& particles);
     [[nodiscard]] std::size_t size() const { return size_; }
 
@@ -68,7 +69,6 @@ private:
     using ByLane = std::array<double, lanes::LANES>;
 
     const Mixture& mixture_;
-    double heat_;
     std::size_t size_ = 0;
     std::array<std::span<const Index>, lanes::LANES> rows_{};
     std::array<std::uint64_t, lanes::LANES> group_{};
@@ -76,7 +76,7 @@ private:
     // Sums over a group's particles, of x and v from those of the first, and of e.
     alignas(32) std::array<std::array<ByLane, 3>, 3> xx_{}, vx_{}, vv_{};
     alignas(32) std::array<ByLane, 3> x_{}, v_{}, first_v_{};
-    alignas(32) ByLane e_{}, n_{}, m_{};
+    alignas(32) ByLane e_{}, n_{}, m_{}, heat_{};
     // Chance.
     alignas(32) ByLane share_{};                  ///< of the internal energy, nearly normal
     alignas(32) ByLane axis_{};                   ///< 0, 1, 2: which comes first

@@ -10,15 +10,18 @@
 
 namespace corpuscle::gas {
 
+double thermal_energy(std::span<const Index> rows, const Mixture& mixture,
+                      const Particles& particles) {
+    thread_local Swarm swarm;
+    swarm.gather(rows, mixture, particles);
+    return swarm.translational() + swarm.internal();
+}
+
 double thermal_energy(const Lists& groups, const Mixture& mixture, const Particles& particles) {
     constexpr std::size_t GROUPS_A_CHUNK = 64;
     return parallel::sum(
         groups.size(), 0.0,
-        [&](std::size_t g) {
-            thread_local Swarm swarm;
-            swarm.gather(groups[g], mixture, particles);
-            return swarm.translational() + swarm.internal();
-        },
+        [&](std::size_t g) { return thermal_energy(groups[g], mixture, particles); },
         GROUPS_A_CHUNK);
 }
 

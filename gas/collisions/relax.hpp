@@ -9,7 +9,10 @@
 
 namespace corpuscle::gas {
 
-/// Energy of all motion relative to the groups' mean velocities, and all internal energy.      [J]
+/// Energy of a group's motion relative to its mean velocity, and its internal energy.          [J]
+double thermal_energy(std::span<const Index> rows, const Mixture& mixture,
+                      const Particles& particles);
+/// The same of all groups.                                                                     [J]
 double thermal_energy(const Lists& groups, const Mixture& mixture, const Particles& particles);
 
 /// Temperature T at which (freedom/2) k T + sum e_s(T) = energy, for any heat capacity; k T/2

@@ -126,11 +126,9 @@ Mat3 Swarm::moment(const Columns& a, const Columns& b) const {
 
 double Swarm::set_internal(double T, const Mixture& mixture, double memory) {
     if (!is_mixed_) {
-        const double all = internal_at_(T), before = internal();
-        if (!(before > 0.0)) memory = 0.0;
-        const double each = (1.0 - memory) * all / static_cast<double>(n_);
-        const double kept = memory > 0.0 ? memory * all / before : 0.0;
-        for (std::size_t i = 0; i < n_; ++i) e[i] = each + kept * e[i];
+        const auto n = static_cast<double>(n_);
+        const double each = internal_at_(T) / n - memory * internal() / n;
+        for (std::size_t i = 0; i < n_; ++i) e[i] = each + memory * e[i];
         return internal();
     }
     for (std::size_t i = 0; i < n_; ++i) e[i] = mixture.particle_internal(species_[i])(T);

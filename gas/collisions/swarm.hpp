@@ -56,7 +56,7 @@ public:
     /// Internal energy at equilibrium, as it grows with temperature.
     [[nodiscard]] const EnergyPolynomial& internal_at() const { return internal_at_; }
     /// Sets the sum of e to its equilibrium at T, and returns it. Each e comes closer to its own:
-    ///     e_i' = e(T) (1 - memory + memory e_i / mean e).                                  [J]
+    ///     e_i' = e(T) + memory (e_i - mean e).                                             [J]
     double set_internal(double T, const Mixture& mixture, double memory = 0.0);
 
     void scale(double factor);           ///< c *= factor
@@ -78,6 +78,7 @@ public:
 
     Vec3 U;                 ///< mean velocity, by mass                                   [m/s]
     double mass = 0.0;      ///< of all                                                   [kg]
+    double heat = 1.0;      ///< factor on its thermal energy at this step                [-]
     Columns c;              ///< v - U, or less where a model takes out more              [m/s]
     Columns dx;             ///< place from the centre of mass                            [m]
     std::vector<double> e;  ///< [J]

@@ -180,13 +180,17 @@ End fly_one(const Scene& scene, double born, Flyer& who) {
         const auto [away, impulse, heat] = bounce(scene, meeting, who.mass, who.v);
         const double before = 0.5 * who.mass * who.v.squaredNorm();
         const double given = passage.push * (before - 0.5 * who.mass * away.squaredNorm() - heat);
-        who.hits.push_back({meeting.facet, meeting.where.at, passage.push * impulse, given});
+        const double stop = std::max(now, meeting.where.tau - SHORT_OF);
+        const Vec3 turn = from + (stop - now) * scene.dt * who.v;
+        const auto row = static_cast<Index>(who.row);
+        who.hits.push_back({meeting.facet, passage.way == Gates::Way::OUT ? -1 - row : row,
+                            meeting.where.at, passage.push * impulse, given,
+                            turn});
         if (passage.gate >= 0)
             who.arrivals.push_back(
                 {who.row, meeting.facet, passage, before - given + who.internal});
         if (passage.way == Gates::Way::OUT) return End::GONE;
-        const double stop = std::max(now, meeting.where.tau - SHORT_OF);
-        from += (stop - now) * scene.dt * who.v;
+        from = turn;
         who.v = away;
         who.internal += heat;
         now = after = stop;

@@ -16,12 +16,19 @@
 
 namespace corpuscle::gas {
 
-/// What a particle gave to a facet when it bounced off it.
+/// What a particle gave to a facet when it bounced off it, or left through it.
 struct Hit {
     Index facet;
+    Index who;                 ///< row of the particle; -1 - row when it has left
     std::array<double, 3> at;  ///< barycentric coordinates on the facet                    [-]
     Vec3 impulse;              ///< m (v - v')                                              [N s]
     double energy;             ///< m (v² - v'²) / 2                                        [J]
+    Vec3 where;                ///< where the particle turned                               [m]
+
+    [[nodiscard]] bool has_left() const { return who < 0; }
+    [[nodiscard]] std::size_t row() const {
+        return static_cast<std::size_t>(has_left() ? -1 - who : who);
+    }
 };
 
 /// A particle that could not be followed to the end of a step.

@@ -7,44 +7,47 @@
 
 namespace corpuscle::gas {
 
-HeatLoss::HeatLoss(const BagCard& card, const BagWalls& walls, std::span<const Curve> curves)
-    : part_heat_(walls.part_ids.size(), 0.0), T_atm_(card.T_atm) {
-    if (card.heat.empty()) return;
-    triangles_ = walls.triangles;
+HeatLoss::HeatLoss(const BagCard& card, const BagWalls& walls, const WettedSurface& surface,
+                   const WallSamples& samples, std::span<const Curve> curves)
+    : per_room_(surface.rooms(), 0.0), part_heat_(walls.part_ids.size(), 0.0), T_atm_(card.T_atm) {
     for (const HeatCard& heat : card.heat)
-        for (std::size_t p = 0; p < walls.part_rows.size(); ++p) {
+        for (std::size_t k = 0; k < samples.patches().size(); ++k) {
+            const Index side = samples.patches()[k][0];
+            const Index part = walls.part[surface.facet(side)];
             const auto& parts = heat.parts;
-            if (std::find(parts.begin(), parts.end(), walls.part_rows[p]) == parts.end()) continue;
-            Cooled cooled{heat.coefficient,
-                          heat.curve >= 0 ? curves[heat.curve] : Curve{},
-                          static_cast<Index>(p),
-                          {},
-                          0.0};
-            for (std::size_t f = 0; f < walls.triangles.size(); ++f)
-                if (walls.part[f] == cooled.part) cooled.facets.push_back(static_cast<Index>(f));
-            cooled_.push_back(std::move(cooled));
+            if (std::find(parts.begin(), parts.end(), walls.part_rows[part]) == parts.end())
+                continue;
+            cooled_.push_back({heat.coefficient, heat.curve >= 0 ? curves[heat.curve] : Curve{},
+                               part, static_cast<Index>(k), surface.room(side)});
         }
 }
 
-double HeatLoss::lose(double t, double dt, std::span<const Vec3> x, const Inside& inside) {
-    if (!inside.holds_gas()) return 0.0;
-    double sum = 0.0;
-    for (Cooled& cooled : cooled_) {
-        double area = 0.0;
-        for (const Index f : cooled.facets) {
-            const auto& [a, b, c] = triangles_[f];
-            area += vector_area(x[a], x[b], x[c]).norm();
-        }
+const std::vector<HeatLoss::Taken>& HeatLoss::lose(double t, double dt, const WallSamples& samples,
+                                                   std::span<const Inside> rooms) {
+    taken_.clear();
+    std::fill(per_room_.begin(), per_room_.end(), 0.0);
+    const auto power = [&](const Cooled& cooled) {
         const double h = cooled.over_time.empty() ? cooled.coefficient : cooled.over_time(t);
-        cooled.power_per_kelvin = h * area;
-        sum += cooled.power_per_kelvin;
+        return h * samples.area(static_cast<std::size_t>(cooled.sample));
+    };
+    for (const Cooled& cooled : cooled_) per_room_[cooled.room] += power(cooled);
+    for (const Cooled& cooled : cooled_) {
+        const Inside& room = rooms[cooled.room];
+        if (!room.holds_gas()) continue;
+        const bool has_air = room.air_pressure > 0.0 || room.is_uniform;
+        if (!has_air && !samples.is_reached(static_cast<std::size_t>(cooled.sample))) continue;
+        if (room.is_uniform)
+            local_.temperature = room.temperature;
+        else
+            samples.state(static_cast<std::size_t>(cooled.sample), room, false, local_);
+        const double steps = per_room_[cooled.room] * dt / room.heat_capacity;
+        const double slower = steps > 0.0 ? -std::expm1(-steps) / steps : 1.0;
+        const double heat = power(cooled) * slower * dt * (local_.temperature - T_atm_);
+        if (heat == 0.0) continue;
+        taken_.push_back({cooled.sample, cooled.room, heat});
+        part_heat_[cooled.part] += heat;
     }
-    if (sum == 0.0) return 0.0;
-    const double heat = -inside.heat_capacity * (inside.temperature - T_atm_) *
-                        std::expm1(-sum * dt / inside.heat_capacity);
-    for (const Cooled& cooled : cooled_)
-        part_heat_[cooled.part] += heat * cooled.power_per_kelvin / sum;
-    return heat;
+    return taken_;
 }
 
 }  // namespace corpuscle::gas

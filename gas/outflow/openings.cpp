@@ -16,6 +16,10 @@ namespace {
 /// is thin runs short; larger: gas leaves farther from the hole.
 constexpr double COLLAR = 3.0;
 
+/// Area of the wall that tells the state of the gas at a vent, over the vent's own. Smaller: fewer
+/// hits, later to know; larger: less local.
+constexpr double SURROUNDINGS = 2.0;
+
 double greatest(const Curve& curve) {
     return *std::max_element(curve.y.begin(), curve.y.end());
 }
@@ -24,13 +28,14 @@ double greatest(const Curve& curve) {
 
 Openings::Openings(const BagCard& card, const BagWalls& walls, std::span<const Curve> curves,
                    std::span<const Species> species, std::span<const double> particle_mass,
-                   std::span<const Vec3> x, std::uint64_t seed)
+                   const WettedSurface& surface, WallSamples& samples, std::span<const Vec3> x,
+                   std::uint64_t seed)
     : name_(fmt::format("*AIRBAG_PARTICLE {}", card.id)),
       vents_(card.vents),
       leaks_(walls.leaks),
       species_(species.begin(), species.end()),
       mass_(particle_mass.begin(), particle_mass.end()),
-      triangles_(walls.triangles),
+      triangles_(surface.triangles()),
       part_(walls.part),
       shell_(walls.shell),
       block_(card.block),
@@ -46,26 +51,28 @@ Openings::Openings(const BagCard& card, const BagWalls& walls, std::span<const C
     double heaviest = 0.0;
     for (const Species& gas : species_) heaviest = std::max(heaviest, gas.molar_mass());
     for (const Species& gas : species_) weight_.push_back(std::sqrt(gas.molar_mass() / heaviest));
+    for (const double mass : mass_) heaviest_ = std::max(heaviest_, mass);
 
     gates_.seed = seed;
     gates_.of_facet.assign(triangles_.size(), -1);
     gates_.collar_of.assign(triangles_.size(), -1);
     gates_.open.assign(triangles_.size(), 1.0);
     for (std::size_t v = 0; v < vents_.size(); ++v)
-        add_vent(walls, vents_[v], static_cast<Index>(v));
+        add_vent(walls, vents_[v], static_cast<Index>(v), surface);
     const std::size_t vents = openings_.size();
     for (std::size_t l = 0; l < leaks_.size(); ++l)
-        add_leak(walls, leaks_[l], static_cast<Index>(l), x);
+        add_leak(walls, leaks_[l], static_cast<Index>(l), surface, samples, x);
 
     for (std::size_t o = 0; o < vents; ++o) {
         Opening& vent = openings_[o];
         if (vent.is_internal) continue;
         const double factor = most(vents_[vent.vent]);
         const double own = vent.law == Opening::Law::ISENTROPIC ? COLLAR * factor : factor - 1.0;
-        if (own > 0.0)
-            add_collar(vent, static_cast<Index>(o), own * area_of(vent.facets, x), walls.closing,
-                       x);
+        const double area = area_of(vent.facets, x);
+        if (own > 0.0) add_collar(vent, static_cast<Index>(o), own * area, surface, x);
+        vent.sample = samples.add(surroundings(vent, SURROUNDINGS * area, surface, x));
     }
+    passed_.still_owed.assign(openings_.size(), 0.0);
     came_.assign(openings_.size(), 0.0);
     came_to_collar_.assign(openings_.size(), 0.0);
 }
@@ -78,104 +85,152 @@ double Openings::most(const VentCard& vent) const {
     return factor;
 }
 
-void Openings::add_vent(const BagWalls& walls, const VentCard& vent, Index row) {
-    Opening opening;
-    opening.vent = row;
-    opening.law = vent.is_isentropic ? Opening::Law::ISENTROPIC : Opening::Law::PLAIN;
+void Openings::add_opening(Opening opening, bool counts_all, double push) {
+    gates_.all.push_back({opening.is_internal, counts_all, push,
+                          std::vector<double>(species_.size(), 0.0),
+                          std::vector<double>(species_.size(), 0.0)});
     const auto gate = static_cast<Index>(openings_.size());
+    for (const Index f : opening.facets) gates_.of_facet[f] = gate;
+    openings_.push_back(std::move(opening));
+}
+
+void Openings::add_vent(const BagWalls& walls, const VentCard& vent, Index row,
+                        const WettedSurface& surface) {
+    std::vector<Index> facets;
     for (std::size_t f = 0; f < walls.triangles.size(); ++f) {
         const Index part = walls.part_rows[walls.part[f]];
         if (std::find(vent.parts.begin(), vent.parts.end(), part) == vent.parts.end()) continue;
         if (gates_.of_facet[f] >= 0)
             throw InputError(fmt::format("{}, SID3: part {} is a vent twice", name_,
                                          walls.part_ids[walls.part[f]]));
-        gates_.of_facet[f] = gate;
-        opening.facets.push_back(static_cast<Index>(f));
+        facets.push_back(static_cast<Index>(f));
     }
-    if (opening.facets.empty())
+    if (facets.empty())
         throw InputError(
             fmt::format("{}, SID3 of vent {}: no shell of it is in the bag", name_, row + 1));
-    opening.is_internal = static_cast<std::size_t>(opening.facets.back()) >= walls.closing;
-    if (opening.is_internal != (static_cast<std::size_t>(opening.facets[0]) >= walls.closing))
+    const bool is_internal = static_cast<std::size_t>(facets.back()) >= walls.closing;
+    if (is_internal != (static_cast<std::size_t>(facets[0]) >= walls.closing))
         throw InputError(
             fmt::format("{}, SID3 of vent {}: shells that close the bag and internal ones, "
                         "expected one kind",
                         name_, row + 1));
-    if (opening.is_internal && vent.is_isentropic)
+    if (is_internal && vent.is_isentropic)
         throw InputError(fmt::format(
             "{}, SID3 of vent {}: internal with ENH_V, expected a plain one: it passes gas "
             "both ways",
             name_, row + 1));
-    if (opening.is_internal && most(vent) > 1.0)
+    if (is_internal && most(vent) > 1.0)
         throw InputError(fmt::format("{}, C23 of vent {}: {:g} of an internal one, expected 0 to 1",
                                      name_, row + 1, most(vent)));
-    openings_.push_back(std::move(opening));
-    // What leaves presses on the air outside, not on the hole: its share of a bounce is set with
-    // the pressure. What crosses inside takes all its momentum with it.
-    gates_.all.push_back({openings_.back().is_internal, vent.is_isentropic, 0.0,
-                          std::vector<double>(species_.size(), 0.0),
-                          std::vector<double>(species_.size(), 0.0)});
+    for (std::size_t room = 0; room < surface.rooms(); ++room) {
+        Opening opening;
+        opening.vent = row;
+        opening.law = vent.is_isentropic ? Opening::Law::ISENTROPIC : Opening::Law::PLAIN;
+        opening.is_internal = is_internal;
+        opening.room = static_cast<Index>(room);
+        for (const Index f : facets)
+            if (surface.room(surface.side(static_cast<std::size_t>(f), false)) == opening.room)
+                opening.facets.push_back(f);
+        // What leaves presses on the air outside, not on the hole: its share of a bounce is set
+        // with the pressure. What crosses inside takes all its momentum with it.
+        if (!opening.facets.empty()) add_opening(std::move(opening), vent.is_isentropic, 0.0);
+    }
 }
 
 void Openings::add_leak(const BagWalls& walls, const LeakCard& leak, Index row,
+                        const WettedSurface& surface, const WallSamples& samples,
                         std::span<const Vec3> x) {
-    Opening opening;
-    opening.leak = row;
-    opening.law = leak.growth ? Opening::Law::ISENTROPIC : Opening::Law::SEEPAGE;
-    const auto gate = static_cast<Index>(openings_.size());
-    Index part = -1;
-    for (std::size_t f = 0; f < walls.triangles.size(); ++f) {
-        if (walls.part_rows[walls.part[f]] != leak.part || gates_.of_facet[f] >= 0) continue;
-        gates_.of_facet[f] = gate;
-        part = walls.part[f];
-        opening.facets.push_back(static_cast<Index>(f));
+    double whole = 0.0;
+    const std::size_t first = openings_.size();
+    for (std::size_t k = 0; k < samples.patches().size(); ++k) {
+        Opening opening;
+        opening.leak = row;
+        opening.law = leak.growth ? Opening::Law::ISENTROPIC : Opening::Law::SEEPAGE;
+        opening.sample = static_cast<Index>(k);
+        for (const Index side : samples.patches()[k]) {
+            const auto f = static_cast<std::size_t>(surface.facet(side));
+            if (surface.is_front(side) || walls.part_rows[walls.part[f]] != leak.part ||
+                gates_.of_facet[f] >= 0)  // else the part is a vent, and open as such
+                continue;
+            opening.facets.push_back(static_cast<Index>(f));
+        }
+        if (opening.facets.empty()) continue;
+        const auto one = static_cast<std::size_t>(opening.facets[0]);
+        opening.room = surface.room(surface.side(one, false));
+        opening.is_internal = !surface.closes(one);
+        if (opening.is_internal && leak.growth)
+            throw InputError(
+                fmt::format("{}: part {} is internal and leaks by X0 to X3, expected FLC "
+                            "and FAC",
+                            name_, walls.part_ids[walls.part[one]]));
+        opening.first_area = area_of(opening.facets, x);
+        whole += opening.first_area;
+        opening.share.assign(species_.size(), 0.0);
+        opening.due_of.assign(species_.size(), 0.0);
+        // Internal fabric is no wall to who passes; fabric that closes the bag is pushed by all who
+        // come.
+        const bool closes = !opening.is_internal;
+        add_opening(std::move(opening), closes, closes ? 1.0 : 0.0);
     }
-    if (opening.facets.empty()) return;  // the part is a vent, and open as such
-    opening.is_internal = static_cast<std::size_t>(opening.facets[0]) >= walls.closing;
-    if (opening.is_internal && leak.growth)
-        throw InputError(
-            fmt::format("{}: part {} is internal and leaks by X0 to X3, expected FLC "
-                        "and FAC",
-                        name_, walls.part_ids[part]));
-    opening.first_area =
-        leak.from_reference ? walls.reference_area[part] : area_of(opening.facets, x);
-    opening.share.assign(species_.size(), 0.0);
-    opening.due_of.assign(species_.size(), 0.0);
-    openings_.push_back(std::move(opening));
-    // Internal fabric is no wall to who passes; fabric that closes the bag is pushed by all who
-    // come.
-    gates_.all.push_back({openings_.back().is_internal, !openings_.back().is_internal,
-                          openings_.back().is_internal ? 0.0 : 1.0,
-                          std::vector<double>(species_.size(), 0.0),
-                          std::vector<double>(species_.size(), 0.0)});
+    if (!leak.from_reference) return;
+    for (std::size_t o = first; o < openings_.size(); ++o) {
+        const Index part = part_[openings_[o].facets[0]];
+        openings_[o].first_area *= walls.reference_area[part] / whole;
+    }
 }
 
-/// Rings of closed facets round the vent, until their area is as wanted or all are taken.
-void Openings::add_collar(Opening& opening, Index row, double wanted, std::size_t closing,
-                          std::span<const Vec3> x) {
+/// take(facet) for closed facets of the vent's room, ring after ring round it, until their area is
+/// as wanted or all are taken.
+template <class Take>
+void Openings::grow_rings(const Opening& opening, const WettedSurface& surface,
+                          std::span<const Vec3> x, double wanted, Take&& take) const {
     const auto is_vent = [&](std::size_t facet) {
         const Index gate = gates_.of_facet[facet];
         return gate >= 0 && openings_[gate].vent >= 0;
     };
-    std::vector<char> near(x.size(), 0);
+    std::vector<char> near(surface.points(), 0), taken(triangles_.size(), 0);
     for (const Index f : opening.facets)
-        for (const Index n : triangles_[f]) near[n] = 1;
-    double area = 0.0;
-    while (area < wanted) {
+        for (const Index p : surface.points(surface.side(static_cast<std::size_t>(f), false)))
+            near[p] = 1;
+    for (double area = 0.0; area < wanted;) {
         std::vector<Index> ring;
-        for (std::size_t f = 0; f < closing; ++f) {
-            if (is_vent(f) || gates_.collar_of[f] >= 0) continue;
-            const auto& [a, b, c] = triangles_[f];
+        for (std::size_t f = 0; f < triangles_.size() && surface.closes(f); ++f) {
+            if (is_vent(f) || taken[f]) continue;
+            const auto& [a, b, c] = surface.points(surface.side(f, false));
             if (near[a] || near[b] || near[c]) ring.push_back(static_cast<Index>(f));
         }
         if (ring.empty()) return;
         for (const Index f : ring) {
-            gates_.collar_of[f] = row;
-            opening.collar.push_back(f);
-            for (const Index n : triangles_[f]) near[n] = 1;
+            taken[f] = 1;
+            take(f);
+            for (const Index p : surface.points(surface.side(static_cast<std::size_t>(f), false)))
+                near[p] = 1;
         }
         area += area_of(ring, x);
     }
+}
+
+void Openings::add_collar(Opening& opening, Index row, double wanted, const WettedSurface& surface,
+                          std::span<const Vec3> x) {
+    grow_rings(opening, surface, x, wanted, [&](Index f) {
+        if (gates_.collar_of[f] >= 0) return;
+        gates_.collar_of[f] = row;
+        opening.collar.push_back(f);
+    });
+}
+
+/// Sides of closed facets round a vent; its own where there are none.
+std::vector<Index> Openings::surroundings(const Opening& opening, double wanted,
+                                          const WettedSurface& surface,
+                                          std::span<const Vec3> x) const {
+    std::vector<Index> sides;
+    grow_rings(opening, surface, x, wanted, [&](Index f) {
+        sides.push_back(static_cast<Index>(surface.side(static_cast<std::size_t>(f), false)));
+    });
+    if (sides.empty())
+        for (const Index f : opening.facets)
+            sides.push_back(static_cast<Index>(surface.side(static_cast<std::size_t>(f), false)));
+    return sides;
 }
 
 double Openings::area_of(std::span<const Index> facets, std::span<const Vec3> x) const {

@@ -11,35 +11,16 @@
 #include "gas/enclosure/bag_walls.hpp"
 #include "gas/flight/flight.hpp"
 #include "gas/flight/gates.hpp"
+#include "gas/outflow/gas_state.hpp"
+#include "gas/outflow/wall_samples.hpp"
 #include "gas/thermo/species.hpp"
 #include "solver/base/curve.hpp"
 #include "solver/base/surface.hpp"
 
 namespace corpuscle::gas {
 
-/// Mean state of the gas in a bag, as its openings see it.
-struct Inside {
-    double pressure = 0.0;        ///< absolute                                          [Pa]
-    double temperature = 0.0;     ///< at which the gas at rest would hold its energy    [K]
-    double molar_mass = 0.0;      ///< of all gas                                        [kg/mol]
-    double gamma = 0.0;           ///< of all gas                                        [-]
-    double heat_capacity = 0.0;   ///< of all gas, at constant volume                    [J/K]
-    std::vector<double> density;  ///< partial, of the particles' gases                  [kg/m^3]
-    double air_density = 0.0;     ///< of the air that is no particles                   [kg/m^3]
-    double air_molar_mass = 1.0;  ///< [kg/mol]
-    bool is_uniform = false;      ///< after TSW: all gas leaves as the air does
-
-    [[nodiscard]] bool holds_gas() const { return pressure > 0.0 && temperature > 0.0; }
-
-    /// What a checkpoint holds of it (solver/base/archive.hpp).
-    template <class Archive>
-    void visit_state(Archive& archive) {
-        archive(pressure, temperature, molar_mass, gamma, heat_capacity, density, air_density,
-                air_molar_mass, is_uniform);
-    }
-};
-
-/// One way out of the bag, or between its rooms.
+/// One way out of a room, or between two. A vent is one opening for each room that it leads out
+/// of; fabric that leaks is one for each patch of it (WallSamples).
 struct Opening {
     enum class Law {
         PLAIN,       ///< a share of those that arrive passes
@@ -51,6 +32,8 @@ struct Opening {
     Index vent = -1, leak = -1;  ///< row of its card, of one kind or the other
     std::vector<Index> facets;
     std::vector<Index> collar;  ///< closed facets round a vent
+    Index room = 0;             ///< that it leads out of; of an internal one the one behind it
+    Index sample = -1;          ///< row in WallSamples that tells the state; internal vents: none
     double first_area = 0.0;    ///< A0 of a leak: at the start, or of the reference shape [m^2]
     bool has_opened = false;    ///< PPOP has been passed
 
@@ -69,7 +52,7 @@ struct Opening {
     double arriving = 0.0;         ///< flow that arrives, smoothed, by weight        [kg/s]
     double collar_arriving = 0.0;  ///< the same on the collar                        [kg/s]
     double memory = 0.0;           ///< time over which it is smoothed                [s]
-    double short_of = 0.0;         ///< SEEPAGE: beyond what all arrivals could give  [kg]
+    double short_of = 0.0;         ///< beyond what all arrivals could give           [kg]
     double mass_out = 0.0;         ///< so far                                        [kg]
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
@@ -82,19 +65,22 @@ struct Opening {
 
 /// Vents and porous fabric of one bag: sets the gates for flight and keeps the books of who passed.
 ///
-/// An isentropic opening follows the Wang-Nefske flow of the bag's mean state: the chance to pass
-/// is the wanted flow over the flow that arrives, as measured at the opening, and what has passed
-/// too little or too much is made good in the next steps. Chances go with sqrt(M), as molecules
-/// effuse with 1 / sqrt(M), so gas leaves as it is mixed at the opening. Where all that arrive are
-/// too few (gas at rest effuses 0.58 of the choked flow), the collar, closed fabric round the vent,
-/// lets out what is missing; its fabric is pushed as if nobody left there.
+/// An isentropic opening follows the Wang-Nefske flow of the state of the gas at it (WallSamples):
+/// the chance to pass is the wanted flow over the flow that arrives, as measured at the opening,
+/// and what has passed too little or too much is made good in the next steps, as far as `memory`
+/// reaches. Chances go with sqrt(M), as molecules effuse with 1 / sqrt(M), so gas leaves as it is
+/// mixed at the opening. Where all that arrive are too few (gas at rest effuses 0.58 of the choked
+/// flow), the collar, closed fabric round the vent, lets out what is missing; its fabric is pushed
+/// as if nobody left there. A pressure difference d that is known to within e makes the flow of
+/// d (1 - (3 e / d)²), none below 3 e: chance alone drives nothing out.
 class Openings {
 public:
     /// Errors: InputError for an opening that has no facets in the bag.
     /// @param triangles  of the walls, the closing ones turned outward
     Openings(const BagCard& card, const BagWalls& walls, std::span<const Curve> curves,
              std::span<const Species> species, std::span<const double> particle_mass,
-             std::span<const Vec3> x, std::uint64_t seed);
+             const WettedSurface& surface, WallSamples& samples, std::span<const Vec3> x,
+             std::uint64_t seed);
 
     [[nodiscard]] bool empty() const { return openings_.empty(); }
     [[nodiscard]] const Gates* gates() const { return empty() ? nullptr : &gates_; }
@@ -104,9 +90,9 @@ public:
     /// what contact presses harder than the gas.                                      N × 1
     void block(std::span<const std::uint8_t> touching, std::span<const std::uint8_t> pressed);
 
-    /// Chances for a flight over dt from t, in the bag's state at t.
-    void set_gates(double t, double dt, std::span<const Vec3> x, const Inside& inside);
-    /// The same for one opening, with the state of the room that it leads out of.
+    /// Chances for a flight over dt from t. inside: the gas at each opening.
+    void set_gates(double t, double dt, std::span<const Vec3> x, std::span<const Inside> inside);
+    /// The same for one opening.
     void set_gate(std::size_t row, double t, double dt, std::span<const Vec3> x,
                   const Inside& inside);
     /// Flow through an internal opening from gas of one state to where there is p_out, no particles
@@ -117,19 +103,20 @@ public:
     /// What the last flight let out.
     struct Passed {
         double energy = 0.0;            ///< that the particles carried with them            [J]
-        double still_owed = 0.0;        ///< enthalpy that they should have, less that       [J]
+        std::vector<double> still_owed; ///< by opening: enthalpy that they should have, less that
         std::vector<std::size_t> rows;  ///< of the particles, ascending
     };
-    const Passed& count(const FlightResult& flight, double dt, const Inside& inside,
+    const Passed& count(const FlightResult& flight, double dt, std::span<const Inside> inside,
                         std::span<const std::int32_t> species);
 
-    /// Mass of air that wants to leave in dt, and the factor k in its energy u + k R T / M.
+    /// Mass of a room's air that wants to leave in dt, and the factor k in its energy
+    /// u + k R T / M.
     struct Air {
         double mass = 0.0, heat = 1.0;
     };
-    [[nodiscard]] Air air_leaving(double dt) const;
-    [[nodiscard]] double intake() const;  ///< ambient air that comes in               [kg/s]
-    void book_air(double mass);  ///< that has left, shared as air_leaving() had it          [kg]
+    [[nodiscard]] Air air_leaving(std::size_t room, double dt) const;
+    [[nodiscard]] double intake(std::size_t room) const;  ///< of ambient air          [kg/s]
+    void book_air(std::size_t room, double mass);  ///< that has left                         [kg]
 
     [[nodiscard]] double mass_out(bool through_vents) const;  ///< else through fabric        [kg]
     [[nodiscard]] std::span<const double> part_mass_out() const { return part_mass_out_; }
@@ -143,10 +130,20 @@ public:
     }
 
 private:
-    void add_vent(const BagWalls& walls, const VentCard& vent, Index row);
-    void add_leak(const BagWalls& walls, const LeakCard& leak, Index row, std::span<const Vec3> x);
-    void add_collar(Opening& opening, Index row, double wanted, std::size_t closing,
+    void add_vent(const BagWalls& walls, const VentCard& vent, Index row,
+                  const WettedSurface& surface);
+    void add_leak(const BagWalls& walls, const LeakCard& leak, Index row,
+                  const WettedSurface& surface, const WallSamples& samples,
+                  std::span<const Vec3> x);
+    void add_opening(Opening opening, bool counts_all, double push);
+    void add_collar(Opening& opening, Index row, double wanted, const WettedSurface& surface,
                     std::span<const Vec3> x);
+    [[nodiscard]] std::vector<Index> surroundings(const Opening& opening, double wanted,
+                                                  const WettedSurface& surface,
+                                                  std::span<const Vec3> x) const;
+    template <class Take>
+    void grow_rings(const Opening& opening, const WettedSurface& surface, std::span<const Vec3> x,
+                    double wanted, Take&& take) const;
     [[nodiscard]] double most(const VentCard& vent) const;
 
     [[nodiscard]] double area_of(std::span<const Index> facets, std::span<const Vec3> x) const;
@@ -170,6 +167,7 @@ private:
     std::vector<Curve> curves_;
     std::vector<Species> species_;
     std::vector<double> mass_;    ///< of one particle, by species                       [kg]
+    double heaviest_ = 0.0;       ///< of them                                            [kg]
     std::vector<double> weight_;  ///< sqrt(M / heaviest M), by species                   [-]
     std::vector<Triangle> triangles_;
     std::vector<Index> part_, shell_;  ///< by facet

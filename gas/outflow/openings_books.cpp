@@ -5,16 +5,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "solver/base/error.hpp"
 
 #include "gas/outflow/openings.hpp"
 
 namespace corpuscle::gas {
+namespace {
 
-const Openings::Passed& Openings::count(const FlightResult& flight, double dt, const Inside& inside,
+/// Particles that an opening may be short of before what it lacks counts as a shortage.
+constexpr double GRAINS = 3.0;
+
+}  // namespace
+
+const Openings::Passed& Openings::count(const FlightResult& flight, double dt,
+                                        std::span<const Inside> inside,
                                         std::span<const std::int32_t> species) {
-    passed_.energy = passed_.still_owed = 0.0;
+    passed_.energy = 0.0;
+    std::fill(passed_.still_owed.begin(), passed_.still_owed.end(), 0.0);
     passed_.rows.clear();
     std::fill(came_.begin(), came_.end(), 0.0);
     std::fill(came_to_collar_.begin(), came_to_collar_.end(), 0.0);
@@ -38,7 +47,8 @@ const Openings::Passed& Openings::count(const FlightResult& flight, double dt, c
                 mass;
             passed_.energy += arrival.energy;
             if (opening.law != Opening::Law::PLAIN)
-                passed_.still_owed += mass * species_[s].h(inside.temperature) - arrival.energy;
+                passed_.still_owed[gate] +=
+                    mass * species_[s].h(inside[gate].temperature) - arrival.energy;
             passed_.rows.push_back(arrival.particle);
         }
     particles_out_ += passed_.rows.size();
@@ -51,6 +61,12 @@ const Openings::Passed& Openings::count(const FlightResult& flight, double dt, c
         }
         opening.due += opening.flow * dt;
         if (opening.memory <= 0.0) continue;
+        // What could not pass for want of arrivals is not let out later.
+        const double most = opening.flow * opening.memory + GRAINS * heaviest_;
+        if (opening.due > most) {
+            opening.short_of += opening.due - most;
+            opening.due = most;
+        }
         const double fresh = -std::expm1(-dt / opening.memory);
         opening.arriving += fresh * (came_[o] / dt - opening.arriving);
         opening.collar_arriving += fresh * (came_to_collar_[o] / dt - opening.collar_arriving);
@@ -58,29 +74,28 @@ const Openings::Passed& Openings::count(const FlightResult& flight, double dt, c
     return passed_;
 }
 
-Openings::Air Openings::air_leaving(double dt) const {
+Openings::Air Openings::air_leaving(std::size_t room, double dt) const {
     double flow = 0.0, heat = 0.0;
     for (const Opening& opening : openings_) {
+        if (opening.room != static_cast<Index>(room)) continue;
         flow += opening.air_flow;
         heat += opening.air_flow * opening.air_heat;
     }
     return {flow * dt, flow > 0.0 ? heat / flow : 1.0};
 }
 
-double Openings::intake() const {
+double Openings::intake(std::size_t room) const {
     double flow = 0.0;
-    for (const Opening& opening : openings_) flow += opening.intake;
+    for (const Opening& opening : openings_)
+        if (opening.room == static_cast<Index>(room)) flow += opening.intake;
     return flow;
 }
 
-void Openings::book_air(double mass) {
-    const double flow = air_leaving(1.0).mass;
-    for (Opening& opening : openings_) {
-        if (opening.air_flow <= 0.0) continue;
-        const double own = mass * opening.air_flow / flow;
-        opening.mass_out += own;
-        part_mass_out_[part_[opening.facets[0]]] += own;
-    }
+void Openings::book_air(std::size_t room, double mass) {
+    const double flow = air_leaving(room, 1.0).mass;
+    for (std::size_t o = 0; o < openings_.size(); ++o)
+        if (openings_[o].room == static_cast<Index>(room) && openings_[o].air_flow > 0.0)
+            book(o, mass * openings_[o].air_flow / flow);
 }
 
 void Openings::book(std::size_t row, double mass) {
@@ -98,15 +113,21 @@ double Openings::mass_out(bool through_vents) const {
 std::vector<std::string> Openings::shortages() const {
     constexpr double WORTH_A_WORD = 0.01;  // of what has left
     constexpr double PARTICLES = 10.0;     // too few to speak of
-    std::vector<std::string> found;
+    struct Sum {
+        double out = 0.0, missing = 0.0;
+    };
+    std::map<Index, Sum> parts;
     for (const Opening& opening : openings_) {
-        const double missing = opening.due + opening.short_of;
-        const double grain = mass_.empty() ? 0.0 : *std::max_element(mass_.begin(), mass_.end());
-        if (missing <= WORTH_A_WORD * opening.mass_out + PARTICLES * grain) continue;
-        found.push_back(fmt::format(
-            "{}: part {} let out {:.6g} of {:.6g}: too little gas came to it", name_,
-            part_ids_[part_[opening.facets[0]]], opening.mass_out, opening.mass_out + missing));
+        Sum& sum = parts[part_[opening.facets[0]]];
+        sum.out += opening.mass_out;
+        sum.missing += std::max(0.0, opening.due) + opening.short_of;
     }
+    std::vector<std::string> found;
+    for (const auto& [part, sum] : parts)
+        if (sum.missing > WORTH_A_WORD * sum.out + PARTICLES * heaviest_)
+            found.push_back(fmt::format(
+                "{}: part {} let out {:.6g} of {:.6g}: too little gas came to it", name_,
+                part_ids_[part], sum.out, sum.out + sum.missing));
     return found;
 }
 

@@ -19,11 +19,19 @@ constexpr double ARRIVALS_KEPT = 50.0;
 /// Least steps of the same.
 constexpr double STEPS_KEPT = 4.0;
 
+/// A pressure above `p_out` whose excess is beyond chance: d (1 - (3 e / d)²) for d, none below
+/// 3 e.                                                                                   [Pa]
+double beyond_chance(double p, double p_out, double error) {
+    const double d = p - p_out, e = 3.0 * error;
+    return d > e ? p_out + d - e * e / d : std::min(p, p_out);
+}
+
 }  // namespace
 
-void Openings::set_gates(double t, double dt, std::span<const Vec3> x, const Inside& inside) {
+void Openings::set_gates(double t, double dt, std::span<const Vec3> x,
+                         std::span<const Inside> inside) {
     ++gates_.step;
-    for (std::size_t o = 0; o < openings_.size(); ++o) set_gate(o, t, dt, x, inside);
+    for (std::size_t o = 0; o < openings_.size(); ++o) set_gate(o, t, dt, x, inside[o]);
 }
 
 void Openings::set_gate(std::size_t o, double t, double dt, std::span<const Vec3> x,
@@ -124,13 +132,14 @@ void Openings::set_plain(Index row, double share, std::span<const Vec3> x, const
     opening.air_heat = 0.5;  // effusing molecules carry u + R T / 2
 }
 
-/// Wang-Nefske flow of the mean state through `area`.
+/// Wang-Nefske flow of the state at the opening through `area`.
 void Openings::set_isentropic(Index row, double area, double dt, const Inside& inside) {
     Opening& opening = openings_[row];
     Gates::Gate& gate = gates_.all[row];
     if (opening.is_internal) return;  // the same gas on both sides, after TSW
-    const double flow = area * orifice_flow(inside.pressure, p_atm_, inside.temperature,
-                                            inside.gamma, gas_constant_ / inside.molar_mass);
+    const double flow = area * orifice_flow(beyond_chance(inside.pressure, p_atm_, inside.error),
+                                            p_atm_, inside.temperature, inside.gamma,
+                                            gas_constant_ / inside.molar_mass);
     if (inside.is_uniform) {
         opening.air_flow = flow;
         opening.air_heat = 1.0;
@@ -162,7 +171,7 @@ void Openings::set_isentropic(Index row, double area, double dt, const Inside& i
 /// fabric as fast as gas would leave at as much gauge pressure.
 void Openings::set_intake(Index row, double t, double area, const Inside& inside) {
     Opening& opening = openings_[row];
-    if (!ambient_ || opening.is_internal || inside.pressure >= p_atm_) return;
+    if (!ambient_ || opening.is_internal || inside.pressure + 3.0 * inside.error >= p_atm_) return;
     if (opening.law != Opening::Law::SEEPAGE) {
         opening.intake =
             area * orifice_flow(p_atm_, inside.pressure, T_atm_, ambient_->gamma(T_atm_),
@@ -216,7 +225,7 @@ double Openings::steered(const Opening& opening, std::size_t s, double dt,
 void Openings::set_seepage(Index row, double t, double dt, const Inside& inside) {
     Opening& opening = openings_[row];
     const LeakCard& leak = leaks_[opening.leak];
-    if (!opening.is_internal && inside.pressure <= p_atm_) return;
+    if (!opening.is_internal && inside.pressure - 3.0 * inside.error <= p_atm_) return;
     const double share = leak_share(opening, t);
     const auto velocity = [&](double density, double molar_mass) {
         const double component =

@@ -64,11 +64,13 @@ public:
         std::vector<std::uint8_t> held(rest_.size(), 0);
         gas_ = std::make_unique<BagGas>(card, walls, curves, ids, held, rest_, 1);
         force_.resize(rest_.size());
+        v_.assign(rest_.size(), Vec3::Zero());
+        mass_.assign(rest_.size(), 1e-4);
         for (int s = 0; s < first_steps; ++s) step();
     }
 
     void step() {
-        gas_->add_load(x_0_, STEP, force_);
+        gas_->add_load(x_0_, v_, mass_, STEP, force_);
         move();
         gas_->prepare(STEP, x_0_, x_1_);
         gas_->collide(STEP, x_0_);
@@ -87,10 +89,12 @@ private:
             const double phase =
                 2.0 * M_PI * (500.0 * (t_ + STEP) + 4.0 * (rest_[n].x() + 0.5 * rest_[n].y()));
             x_1_[n] = rest_[n] * (1.0 + 0.016 * std::sin(phase));
+            v_[n] = (x_1_[n] - x_0_[n]) / STEP;
         }
     }
 
-    Points rest_, x_0_, x_1_, force_;
+    Points rest_, x_0_, x_1_, v_, force_;
+    std::vector<double> mass_;
     std::unique_ptr<BagGas> gas_;
     double t_ = 0.0;
 };

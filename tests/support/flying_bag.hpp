@@ -27,7 +27,7 @@ inline Momentum momentum(const Simulation& simulation) {
         const auto& gas = bag.particles();
         for (std::size_t i = 0; i < gas.size(); ++i)
             sum.gas += bag.particle_mass()[gas.species[i]] * gas.v[i];
-        sum.owed += bag.owed_impulse();
+        sum.owed += bag.owed().linear;
     }
     return sum;
 }

@@ -11,7 +11,7 @@
 #include <numeric>
 
 #include "gas/collisions/collide.hpp"
-#include "gas/wall_load/impulse_store.hpp"
+#include "gas/wall_load/wall_load.hpp"
 #include "tests/support/shapes.hpp"
 #include "tests/unit/gas/random_gas.hpp"
 
@@ -56,8 +56,8 @@ public:
                 raw_[hit.facet] += (1.0 - kept) * hit.impulse.norm() / (STEP * facet_area());
         Now now;
         for (const double p : raw_) now.raw.add(p, raw_.size());
-        now.plain = release(plain_);
-        now.quiet = release(quiet_);
+        now.plain = release_plain();
+        now.quiet = release_quiet();
         return now;
     }
     /// Multiplies the pressure.
@@ -81,10 +81,27 @@ private:
     [[nodiscard]] double facet_area() const {
         return 6.0 * SIDE * SIDE / static_cast<double>(shape_.triangles.size());
     }
-    [[nodiscard]] Facets release(ImpulseStore& store) {
-        store.receive(flight_, lists_.triangles());
+    [[nodiscard]] Facets release_plain() {
+        for (const auto& hits : flight_.hits)
+            for (const Hit& hit : hits)
+                for (int c = 0; c < 3; ++c)
+                    owed_[lists_.triangles()[hit.facet][c]] += hit.at[c] * hit.impulse;
         Points f(shape_.x.size(), Vec3::Zero());
-        store.release(STEP, area_, f);
+        for (std::size_t n = 0; n < f.size(); ++n) {
+            const Vec3 given = -std::expm1(-STEP / SMOOTHING) * owed_[n];
+            owed_[n] -= given;
+            f[n] = given / STEP;
+        }
+        return on_facets(f);
+    }
+    [[nodiscard]] Facets release_quiet() {
+        load_.find_sides(flight_, shape_.x, shape_.x);
+        load_.receive(flight_, mass_, gas_);
+        Points f(shape_.x.size(), Vec3::Zero());
+        load_.release(STEP, shape_.x, still_, heavy_, f);
+        return on_facets(f);
+    }
+    [[nodiscard]] Facets on_facets(const Points& f) const {
         Facets out;
         for (const Triangle& t : lists_.triangles()) {
             double on = 0.0;
@@ -110,8 +127,11 @@ private:
                             cell_edge(std::pow(SIDE, 3), PARTICLES, 20.0), 1000);
     FacetLists lists_{bag_.triangles(), shape_.x, FacetLists::Of::EIGHTS};
     std::vector<std::uint8_t> held_ = std::vector<std::uint8_t>(shape_.x.size(), 0);
-    ImpulseStore plain_{shape_.x.size(), bag_.nodes(), bag_, held_, SMOOTHING, false};
-    ImpulseStore quiet_{shape_.x.size(), bag_.nodes(), bag_, held_, SMOOTHING, true};
+    WallLoad load_{std::make_shared<WettedSurface>(bag_.triangles(), bag_.triangles().size(),
+                                                   shape_.x),
+                   held_, {}, SMOOTHING, 0.0};
+    Points owed_ = Points(shape_.x.size(), Vec3::Zero()), still_ = owed_;
+    std::vector<double> heavy_ = std::vector<double>(shape_.x.size(), 1e9);
     Points area_ = Points(shape_.x.size(), Vec3::Zero());
     std::vector<double> raw_ = std::vector<double>(shape_.triangles.size(), 0.0);
     FlightResult flight_;

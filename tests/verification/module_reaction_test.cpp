@@ -58,7 +58,7 @@ Momentum momentum(const Simulation& now) {
     const gas::BagGas& bag = now.bags().at(0);
     for (std::size_t i = 0; i < bag.particles().size(); ++i)
         sum.gas += bag.particle_mass()[bag.particles().species[i]] * bag.particles().v[i];
-    sum.under_way = bag.owed_impulse();
+    sum.under_way = bag.owed().linear;
     return sum;
 }
 

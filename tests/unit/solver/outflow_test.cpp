@@ -242,7 +242,10 @@ TEST_CASE("a touching node blocks a third of a triangle's leak and a quarter of 
     const Points x{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 2, 0}};
     const std::vector<gas::Species> species{{scenes::air(), GAS_CONSTANT, "air"}};
     const std::vector<double> mass{1.0};
-    gas::Openings openings(card, walls, {}, species, mass, x, 1);
+    const auto surface = std::make_shared<gas::WettedSurface>(walls.triangles, 3, x);
+    gas::WallSamples samples(surface, walls, species, mass, GAS_CONSTANT, 1e-3,
+                             std::vector<char>(3, 0), x);
+    gas::Openings openings(card, walls, {}, species, mass, *surface, samples, x, 1);
     const auto open = [&](std::vector<std::uint8_t> touching) {
         openings.block(touching, {});
         return openings.gates()->open;
@@ -279,7 +282,8 @@ TEST_CASE(
     const std::vector<std::uint8_t> all(count, 1);
     gas::BagGas bag(card, walls, model.curves, model.node_id, all, model.x, 1);
     Points area(count, Vec3::Zero()), force(count, Vec3::Zero());
-    bag.add_load(model.x, 1e-6, force);
+    const Points v(count, Vec3::Zero());
+    bag.add_load(model.x, v, std::vector<double>(count, 1.0), 1e-6, force);
     bag.prepare(1e-6, model.x, model.x);
     bag.inject(0.0, 1e-6, model.x, model.x);
     bag.fly(0.0, 1e-6, model.x, model.x);

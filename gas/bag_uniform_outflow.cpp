@@ -23,34 +23,27 @@ Inside BagGas::inside_of(std::size_t room) const {
     inside.gamma = gas.gamma();
     inside.heat_capacity = gas.moles() * card_.gas_constant / (gas.gamma() - 1.0);
     for (std::size_t s = 0; s < mass_.size(); ++s) inside.density[s] = gas.mass(s) / gas.volume();
-    if (air_) {
+    if (!air_.empty()) {
         inside.air_density = gas.mass(mass_.size()) / gas.volume();
-        inside.air_molar_mass = air_->species().molar_mass();
+        inside.air_molar_mass = air_[0].species().molar_mass();
     }
     return inside;
 }
 
-/// The chamber that an external opening leads out of; of an internal one the chamber behind it.
-Index BagGas::room_of(std::size_t opening) const {
-    if (chambers_.empty()) return 0;
-    const auto [behind, ahead] =
-        chambers_.beside(static_cast<std::size_t>(openings_.all()[opening].facets[0]));
-    return behind >= 0 ? behind : std::max(ahead, Index{0});
-}
-
-/// Gas leaves as the mixture that it is in its chamber, with its enthalpy.
+/// Gas leaves as the mixture that it is in its room, with its enthalpy; heat is drawn from the room
+/// whose walls take it.
 void BagGas::let_out_uniform(double t, double dt, const Points& x) {
-    room_inside_.clear();
-    for (std::size_t r = 0; r < uniform_->size(); ++r) room_inside_.push_back(inside_of(r));
+    for (std::size_t r = 0; r < uniform_->size(); ++r) rooms_[r] = inside_of(r);
     for (std::size_t o = 0; o < openings_.all().size(); ++o)
-        openings_.set_gate(o, t, dt, x, room_inside_[static_cast<std::size_t>(room_of(o))]);
+        openings_.set_gate(o, t, dt, x, rooms_[openings_.all()[o].room]);
     for (std::size_t r = 0; r < uniform_->size(); ++r) let_out_of_room(r, dt);
-    if (!chambers_.empty()) pass_between_rooms(t, dt);
-    if (!heat_loss_.empty()) {
-        look_inside(x);
-        owed_to_outflow_ += heat_loss_.lose(t, dt, x, inside_);
+    if (uniform_->size() > 1) pass_between_rooms(t, dt);
+    if (heat_loss_.empty()) return;
+    samples_.measure(x);
+    for (const HeatLoss::Taken& taken : heat_loss_.lose(t, dt, samples_, rooms_)) {
+        (*uniform_)[static_cast<std::size_t>(taken.room)].add_heat(-taken.heat);
+        lost_energy_ += taken.heat;
     }
-    uniform_->add_heat(pay_outflow(INF));
 }
 
 /// External openings of one room; what has left in dt at a rate that falls with what is left.
@@ -59,16 +52,16 @@ void BagGas::let_out_of_room(std::size_t room, double dt) {
     const std::vector<Opening>& all = openings_.all();
     double flow = 0.0;
     for (std::size_t o = 0; o < all.size(); ++o)
-        if (room_of(o) == static_cast<Index>(room)) flow += all[o].air_flow;
+        if (all[o].room == static_cast<Index>(room)) flow += all[o].air_flow;
     const double mass = flow > 0.0 ? -gas.mass() * std::expm1(-flow * dt / gas.mass()) : 0.0;
     if (mass > 0.0) lost_energy_ += gas.remove(mass);
     for (std::size_t o = 0; o < all.size(); ++o) {
-        if (room_of(o) != static_cast<Index>(room)) continue;
+        if (all[o].room != static_cast<Index>(room)) continue;
         if (all[o].air_flow > 0.0) openings_.book(o, mass * all[o].air_flow / flow);
         const double taken_in = all[o].intake * dt;
         if (!(taken_in > 0.0)) continue;
-        const double energy = taken_in * air_->species().h(card_.T_atm);
-        gas.add(mass_.size(), taken_in / air_->species().molar_mass(), energy);
+        const double energy = taken_in * air_[0].species().h(card_.T_atm);
+        gas.add(mass_.size(), taken_in / air_[0].species().molar_mass(), energy);
         inflow_energy_ += energy;
         mass_in_ += taken_in;
     }
@@ -81,12 +74,14 @@ void BagGas::pass_between_rooms(double t, double dt) {
         all.begin(), all.end(), [](const Opening& opening) { return opening.is_internal; }));
     for (std::size_t o = 0; o < all.size(); ++o) {
         if (!all[o].is_internal) continue;
-        auto [from, to] = chambers_.beside(static_cast<std::size_t>(all[o].facets[0]));
-        if (from < 0 || to < 0) continue;
+        const auto facet = static_cast<std::size_t>(all[o].facets[0]);
+        Index from = surface_->room(surface_->side(facet, false)),
+              to = surface_->room(surface_->side(facet, true));
+        if (from == to) continue;
         if ((*uniform_)[from].pressure() < (*uniform_)[to].pressure()) std::swap(from, to);
         const ControlVolume &giver = (*uniform_)[from], &taker = (*uniform_)[to];
         if (!(giver.pressure() > taker.pressure())) continue;
-        const double mass = openings_.flow_between(o, t, room_inside_[from], taker.pressure()) * dt;
+        const double mass = openings_.flow_between(o, t, rooms_[from], taker.pressure()) * dt;
         uniform_->pass(static_cast<std::size_t>(from), static_cast<std::size_t>(to),
                        std::min(mass, evening_mass(giver, taker) / holes));
     }

@@ -1,0 +1,300 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "gas/outflow/wall_samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace corpuscle::gas {
+namespace {
+
+/// Patches that a room's wall is cut into, were it of one part.
+constexpr double PATCHES = 32.0;
+
+/// Hits that a sample remembers. More: steadier, and later to know.
+constexpr double HITS = 1000.0;
+
+/// Steps that it remembers at least.
+constexpr double STEPS = 4.0;
+
+/// Standard deviations of the variance between patches that chance is allowed.
+constexpr double CHANCE = 2.0;
+
+}  // namespace
+
+WallSamples::WallSamples(std::shared_ptr<const WettedSurface> surface, const BagWalls& walls,
+                         std::span<const Species> species, std::span<const double> particle_mass,
+                         double gas_constant, double longest,
+                         std::span<const char> passes, std::span<const Vec3> x)
+    : surface_(std::move(surface)),
+      species_(species.begin(), species.end()),
+      particle_mass_(particle_mass.begin(), particle_mass.end()),
+      gas_constant_(gas_constant),
+      longest_(longest) {
+    if (!species_.empty()) moles_each_ = particle_mass_[0] / species_[0].molar_mass();
+    spread_.resize(surface_->rooms());
+    cut_into_patches(walls, x);
+    for (const auto& sides : patches_) {
+        add(sides);
+        for (const Index s : sides) samples_.back().tells &= passes[surface_->facet(s)] == 0;
+    }
+}
+
+/// Patches grow from side to side over common points, within a part and a room, until they have
+/// their share of the room's wall.
+void WallSamples::cut_into_patches(const BagWalls& walls, std::span<const Vec3> x) {
+    const WettedSurface& s = *surface_;
+    std::vector<double> size(s.sides()), wall(s.rooms(), 0.0);
+    for (std::size_t i = 0; i < s.sides(); ++i) {
+        const auto& [a, b, c] = s.triangles()[s.facet(i)];
+        size[i] = vector_area(x[a], x[b], x[c]).norm();
+        wall[s.room(i)] += size[i];
+    }
+    const auto part = [&](Index side) { return walls.part[s.facet(side)]; };
+    std::vector<char> taken(s.sides(), 0);
+    for (std::size_t seed = 0; seed < s.sides(); ++seed) {
+        if (taken[seed]) continue;
+        std::vector<Index> patch{static_cast<Index>(seed)};
+        taken[seed] = 1;
+        double area = size[seed];
+        const double wanted = wall[s.room(seed)] / PATCHES;
+        for (std::size_t i = 0; i < patch.size() && area < wanted; ++i)
+            for (const Index p : s.points(patch[i]))
+                for (const Index next : s.around(p)) {
+                    if (taken[next] || part(next) != part(patch[0]) || area >= wanted) continue;
+                    taken[next] = 1;
+                    area += size[next];
+                    patch.push_back(next);
+                }
+        std::sort(patch.begin(), patch.end());
+        patches_.push_back(std::move(patch));
+    }
+}
+
+Index WallSamples::add(std::vector<Index> sides) {
+    Sample sample;
+    sample.sides = std::move(sides);
+    sample.room = surface_->room(sample.sides[0]);
+    sample.of.assign(species_.size(), 0.0);
+    sample.new_of.assign(species_.size(), 0.0);
+    for (const Index s : sample.sides)
+        for (const Index p : surface_->points(s)) sample.points.push_back(p);
+    std::sort(sample.points.begin(), sample.points.end());
+    sample.points.erase(std::unique(sample.points.begin(), sample.points.end()),
+                        sample.points.end());
+    samples_.push_back(std::move(sample));
+    start_.clear();
+    return static_cast<Index>(samples_.size()) - 1;
+}
+
+void WallSamples::list_sides() {
+    start_.assign(surface_->sides() + 1, 0);
+    for (const Sample& sample : samples_)
+        for (const Index s : sample.sides) ++start_[s + 1];
+    for (std::size_t s = 0; s < surface_->sides(); ++s) start_[s + 1] += start_[s];
+    at_side_.resize(static_cast<std::size_t>(start_.back()));
+    std::vector<Index> fill(start_.begin(), start_.end() - 1);
+    for (std::size_t k = 0; k < samples_.size(); ++k)
+        for (const Index s : samples_[k].sides) at_side_[fill[s]++] = static_cast<Index>(k);
+}
+
+void WallSamples::receive(const FlightResult& flight, std::span<const Index> sides, double dt,
+                          std::span<const Vec3> x, std::span<const Inside> rooms,
+                          const Particles& particles) {
+    if (empty()) return;
+    if (start_.empty()) list_sides();
+    const std::size_t kinds = species_.size();
+    expected_.resize(rooms.size() * kinds);
+    slope_.resize(rooms.size() * kinds);
+    for (std::size_t r = 0; r < rooms.size(); ++r)
+        for (std::size_t s = 0; s < kinds; ++s) {
+            // A hit carries u(T) and, being the more likely the faster it is, R T / 2 more.
+            const double T = rooms[r].temperature;
+            expected_[r * kinds + s] =
+                T > 0.0 ? moles_each_ * (species_[s].molar_energy()(T) + 0.5 * gas_constant_ * T)
+                        : 0.0;
+            slope_[r * kinds + s] =
+                moles_each_ * (T > 0.0 ? species_[s].molar_energy().slope(T) + 0.5 * gas_constant_
+                                       : 2.0 * gas_constant_);
+        }
+    std::size_t i = 0;
+    for (const auto& hits : flight.hits)
+        for (const Hit& hit : hits) {
+            const auto side = static_cast<std::size_t>(sides[i++]);
+            const std::size_t row = hit.row();
+            const std::int32_t kind = particles.species[row];
+            const std::size_t of = static_cast<std::size_t>(surface_->room(side)) * kinds +
+                                   static_cast<std::size_t>(kind);
+            const double m = particle_mass_[kind];
+            const double push = hit.impulse.norm();
+            const Vec3 n = push > 0.0 ? Vec3(hit.impulse / push) : Vec3(Vec3::Zero());
+            // (What has left stands with the velocity that it came with.)
+            const Vec3 v = particles.v[row];
+            const Vec3 along = m * (v - v.dot(n) * n);
+            const double carried = 0.5 * m * v.squaredNorm() + particles.e[row] - expected_[of];
+            for (Index k = start_[side]; k < start_[side + 1]; ++k) {
+                Sample& sample = samples_[at_side_[k]];
+                sample.new_push += push;
+                sample.new_push2 += push * push;
+                sample.new_energy += carried;
+                sample.new_energy2 += carried * carried;
+                sample.new_slope += slope_[of];
+                sample.new_count += 1.0;
+                sample.new_mass += m;
+                sample.new_momentum += along;
+                sample.new_square += along.squaredNorm();
+                sample.new_of[kind] += 1.0;
+            }
+        }
+    measure(x);
+    for (Sample& sample : samples_) remember(sample, dt, rooms[sample.room]);
+    find_spread(rooms);
+}
+
+void WallSamples::measure(std::span<const Vec3> x) {
+    for (Sample& sample : samples_) {
+        sample.area = 0.0;
+        for (const Index s : sample.sides) {
+            const auto& [a, b, c] = surface_->triangles()[surface_->facet(s)];
+            sample.area += vector_area(x[a], x[b], x[c]).norm();
+        }
+    }
+}
+
+/// What is remembered fades with exp(-dt / memory).
+void WallSamples::remember(Sample& s, double dt, const Inside& room) {
+    const double rate = s.exposure > 0.0 ? (s.count + s.new_count) / (s.exposure + s.area * dt) *
+                                               s.area
+                                         : s.new_count / dt;
+    const double memory =
+        std::max(STEPS * dt, rate * longest_ > HITS ? HITS / rate : longest_);
+    const double kept = std::exp(-dt / memory);
+    const auto renew = [&](auto& old, auto& now, const auto& zero) {
+        old = kept * old + now;
+        now = zero;
+    };
+    s.exposure = kept * s.exposure + s.area * dt;
+    s.new_push -= (room.pressure - room.air_pressure) * s.area * dt;
+    renew(s.excess, s.new_push, 0.0);
+    renew(s.push2, s.new_push2, 0.0);
+    renew(s.count, s.new_count, 0.0);
+    renew(s.energy, s.new_energy, 0.0);
+    renew(s.energy2, s.new_energy2, 0.0);
+    renew(s.slope, s.new_slope, 0.0);
+    renew(s.mass, s.new_mass, 0.0);
+    renew(s.square, s.new_square, 0.0);
+    renew(s.momentum, s.new_momentum, Vec3(Vec3::Zero()));
+    for (std::size_t k = 0; k < s.of.size(); ++k) renew(s.of[k], s.new_of[k], 0.0);
+}
+
+/// Variance between a room's patches, by area, less that of chance.
+void WallSamples::find_spread(std::span<const Inside> rooms) {
+    struct Sums {
+        double weight = 0, weight2 = 0, square = 0, noise = 0, hits = 0;
+        void add(double w, double count, double d, double variance) {
+            weight += w;
+            weight2 += w * w;
+            square += w * d * d;
+            noise += w * variance;
+            hits += count;
+        }
+        [[nodiscard]] double beyond_chance() const {
+            if (!(weight > 0.0)) return 0.0;
+            const double all = square / weight;  // about the room's own mean: no degree is lost
+            const double chance = noise / weight;
+            const double patches = weight * weight / weight2;
+            const double scatter = std::sqrt(2.0 / patches + 1.0 / std::max(1.0, hits));
+            return std::max(0.0, all - chance * (1.0 + CHANCE * scatter));
+        }
+    };
+    std::vector<Sums> p(rooms.size()), T(rooms.size());
+    for (std::size_t k = 0; k < patches_.size(); ++k) {
+        const Sample& s = samples_[k];
+        if (!s.tells || !(s.exposure > 0.0)) continue;
+        const double per = 1.0 / s.exposure;
+        p[s.room].add(s.area, s.count, s.excess * per, 0.5 * s.push2 * per * per);
+        if (s.slope > 0.0 && rooms[s.room].temperature > 0.0)
+            T[s.room].add(s.count, s.count, s.energy / s.slope,
+                          0.5 * s.energy2 / (s.slope * s.slope));
+    }
+    for (std::size_t r = 0; r < rooms.size(); ++r)
+        spread_[r] = {p[r].beyond_chance(), T[r].beyond_chance()};
+}
+
+void WallSamples::state(std::size_t sample, const Inside& room, bool with_drift,
+                        Inside& out) const {
+    out = room;
+    const Sample& s = samples_[sample];
+    if (!(s.exposure > 0.0) || !room.holds_gas()) return;
+    const Spread& spread = spread_[s.room];
+    const double variance = 0.5 * s.push2 / (s.exposure * s.exposure);
+    const double weight =
+        spread.pressure > 0.0 ? spread.pressure / (spread.pressure + variance) : 0.0;
+    double pressure = room.pressure - room.air_pressure + weight * s.excess / s.exposure;
+    pressure = std::max(0.0, pressure);
+    out.error = std::hypot(room.error, std::sqrt(weight * variance));
+
+    const double heat_variance = s.slope > 0.0 ? 0.5 * s.energy2 / (s.slope * s.slope) : 0.0;
+    const double heat_weight =
+        spread.temperature > 0.0 && s.slope > 0.0
+            ? spread.temperature / (spread.temperature + heat_variance)
+            : 0.0;
+    double T = room.temperature;
+    // Carried energy holds the energy of motion along the wall, too.
+    if (heat_weight > 0.0) T = std::max(0.0, T + heat_weight * s.energy / s.slope);
+    if (!(T > 0.0) || !(pressure > 0.0)) {
+        out.pressure = room.air_pressure;
+        out.density.assign(out.density.size(), 0.0);
+        return;
+    }
+
+    // Mixture: hits of a gas come as n / sqrt(M).
+    const std::size_t kinds = species_.size();
+    double moles = 0.0, of_room = 0.0;
+    std::vector<double> share(kinds);
+    for (std::size_t k = 0; k < kinds; ++k) {
+        share[k] = s.of[k] * std::sqrt(species_[k].molar_mass());
+        moles += share[k];
+        of_room += room.density[k] / species_[k].molar_mass();
+    }
+    const double own = moles > 0.0 ? std::max(weight, heat_weight) : 0.0;
+    double M = 0.0, cp = 0.0;
+    const double all = (pressure + room.air_pressure) / (gas_constant_ * T);
+    const double of_particles = pressure / (gas_constant_ * T);
+    for (std::size_t k = 0; k < kinds; ++k) {
+        const double by_room =
+            of_room > 0.0 ? room.density[k] / species_[k].molar_mass() / of_room : 0.0;
+        const double x = own > 0.0 ? own * share[k] / moles + (1.0 - own) * by_room : by_room;
+        const double molar = species_[k].molar_mass();
+        out.density[k] = x * of_particles * molar;
+        M += x * of_particles * molar;
+        cp += x * of_particles * molar * species_[k].cp(T);
+    }
+    double gamma = room.gamma;
+    if (room.air_pressure > 0.0) {
+        M += room.air_density;  // its heat capacity stays within the room's mean
+    } else if (of_particles > 0.0) {
+        gamma = cp / (cp - of_particles * gas_constant_);
+    }
+    out.molar_mass = M / std::max(all, of_particles);
+    out.gamma = gamma;
+
+    if (with_drift && own > 0.0 && s.mass > 0.0 && gamma > 1.0) {
+        // |U|² without what chance makes of it; where that is not beyond chance, none.
+        const double scatter = 0.5 * s.square / (s.mass * s.mass);
+        const double U2 = s.momentum.squaredNorm() / (s.mass * s.mass);
+        const double drift = std::max(0.0, U2 - scatter);
+        if (U2 > CHANCE * CHANCE * scatter) {
+            // T holds U²/2 as heat at constant volume; at constant pressure it is less warm.
+            const double R = gas_constant_ / out.molar_mass;
+            const double still = std::max(0.2 * T, T - 0.5 * drift * (gamma - 1.0) / R);
+            const double stagnation = still + 0.5 * drift * (gamma - 1.0) / (gamma * R);
+            pressure *= std::pow(stagnation / still, gamma / (gamma - 1.0));
+            T = stagnation;
+        }
+    }
+    out.pressure = pressure + room.air_pressure;
+    out.temperature = T;
+}
+
+}  // namespace corpuscle::gas

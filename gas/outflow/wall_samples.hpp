@@ -1,0 +1,134 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "gas/enclosure/bag_walls.hpp"
+#include "gas/enclosure/wetted_surface.hpp"
+#include "gas/flight/flight.hpp"
+#include "gas/outflow/gas_state.hpp"
+#include "gas/particles.hpp"
+#include "gas/thermo/species.hpp"
+
+namespace corpuscle::gas {
+
+/// The state of the gas at parts of the wall, from the particles that hit them there.
+///
+/// The wall of each room is cut into patches, each of one part of the bag; openings have samples of
+/// their own round them. A sample remembers its hits over `memory` (some hundred of them): what
+/// they brought beyond what the mean state of the room makes one expect,
+///
+///     d = (sum J - integral p_room A dt) / integral A dt,
+///
+/// and likewise their energy. Hits scatter, d with the variance s² = sum J² / 2 / (integral)².
+/// Whether the gas differs from place to place shows between the patches of a room: their variance
+/// beyond that of chance, S². The best estimate of both is [James & Stein 1961; Efron & Morris 1973]
+///
+///     p = p_room + d S² / (S² + s²),       error of p: s S / sqrt(S² + s²).
+///
+/// Gas that is stirred has S = 0 and everywhere the mean state of its room, without scatter; a
+/// front, a jet or a part of the bag that gas has not reached has the state of its own hits. The
+/// mean of p is that of the hits: nothing is biased.
+class WallSamples {
+public:
+    WallSamples() = default;
+    /// @param longest  most that a sample remembers                                      [s]
+    /// @param passes   by facet: 1 where particles may pass without a full bounce
+    WallSamples(std::shared_ptr<const WettedSurface> surface, const BagWalls& walls,
+                std::span<const Species> species, std::span<const double> particle_mass,
+                double gas_constant, double longest, std::span<const char> passes,
+                std::span<const Vec3> x);
+
+    [[nodiscard]] bool empty() const { return samples_.empty(); }
+    /// Sides of each patch; patches do not cross the borders of parts or rooms.
+    [[nodiscard]] const std::vector<std::vector<Index>>& patches() const { return patches_; }
+    /// One more sample, over sides of one room. Returns its row; patches are the first rows.
+    Index add(std::vector<Index> sides);
+
+    void measure(std::span<const Vec3> x);  ///< areas, where no flight does
+    /// Takes in a flight's hits. sides: of each hit, in their order; rooms: mean states at t.
+    void receive(const FlightResult& flight, std::span<const Index> sides, double dt,
+                 std::span<const Vec3> x, std::span<const Inside> rooms,
+                 const Particles& particles);
+
+    /// The gas at a sample: that of its room but for what its hits tell. `with_drift`: come to rest
+    /// from its motion along the wall, isentropically.
+    void state(std::size_t sample, const Inside& room, bool with_drift, Inside& out) const;
+
+    [[nodiscard]] Index room(std::size_t sample) const { return samples_[sample].room; }
+    [[nodiscard]] const std::vector<Index>& points(std::size_t sample) const {
+        return samples_[sample].points;
+    }
+    [[nodiscard]] const std::vector<Index>& sides(std::size_t sample) const {
+        return samples_[sample].sides;
+    }
+    [[nodiscard]] double area(std::size_t sample) const { return samples_[sample].area; }
+    /// Has gas come to it lately?
+    [[nodiscard]] bool is_reached(std::size_t sample) const { return samples_[sample].count > 0.0; }
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        for (Sample& sample : samples_) archive(sample);
+        archive(spread_);
+    }
+
+private:
+    struct Sample {
+        std::vector<Index> sides, points;
+        Index room = 0;
+        double area = 0.0;  ///< at the last flight                                     [m^2]
+        bool tells = true;  ///< of differences in its room: all that come bounce
+
+        // Of this flight
+        double new_push = 0.0, new_push2 = 0.0, new_energy = 0.0, new_energy2 = 0.0;
+        double new_count = 0.0, new_slope = 0.0, new_mass = 0.0, new_square = 0.0;
+        Vec3 new_momentum = Vec3::Zero();
+        std::vector<double> new_of;
+
+        // Remembered
+        double exposure = 0.0;             ///< integral of A dt                        [m^2 s]
+        double excess = 0.0;               ///< sum of J less integral of p_room A dt   [N s]
+        double push2 = 0.0;                ///< sum of J²                               [N² s²]
+        double count = 0.0;                ///< hits
+        double energy = 0.0, energy2 = 0.0;///< beyond what the room's gas carries      [J], [J²]
+        double slope = 0.0;                ///< sum of d(energy carried)/dT             [J/K]
+        double mass = 0.0;                 ///< of hits                                 [kg]
+        double square = 0.0;               ///< sum of (m v)² along the wall            [kg² m²/s²]
+        Vec3 momentum = Vec3::Zero();      ///< of hits, along the wall                 [N s]
+        std::vector<double> of;            ///< hits by species
+
+        template <class Archive>
+        void visit_state(Archive& archive) {
+            archive(area, exposure, excess, push2, count, energy, energy2, slope, mass, square,
+                    momentum, of);
+        }
+    };
+    /// How the gas of a room differs from place to place, beyond chance: variances.
+    struct Spread {
+        double pressure = 0.0, temperature = 0.0;  ///< [Pa²], [K²]
+        template <class Archive>
+        void visit_state(Archive& archive) {
+            archive(pressure, temperature);
+        }
+    };
+    void cut_into_patches(const BagWalls& walls, std::span<const Vec3> x);
+    void list_sides();
+    void remember(Sample& sample, double dt, const Inside& room);
+    void find_spread(std::span<const Inside> rooms);
+
+    std::shared_ptr<const WettedSurface> surface_;
+    std::vector<Species> species_;
+    std::vector<double> particle_mass_;
+    double gas_constant_ = 0.0, longest_ = 0.0, moles_each_ = 0.0;
+    std::vector<std::vector<Index>> patches_;
+    std::vector<Sample> samples_;
+    std::vector<Index> start_, at_side_;  ///< samples of each side, compressed rows
+    std::vector<Spread> spread_;          ///< by room
+    std::vector<double> expected_, slope_;///< energy carried by a hit, by room × species
+};
+
+}  // namespace corpuscle::gas

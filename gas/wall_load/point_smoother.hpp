@@ -1,0 +1,46 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "gas/enclosure/wetted_surface.hpp"
+
+namespace corpuscle::gas {
+
+/// What is smoothed, per area of a wall point.
+struct Brought {
+    double push = 0.0;   ///< normal impulse of hits                                 [N s/m^2]
+    double mass = 0.0;   ///< of the particles that hit                              [kg/m^2]
+    double speed = 0.0;  ///< of the point along its normal                          [m/s]
+};
+
+/// Conservative smoothing along the wetted surface: PASSES times
+///
+///     u_p += 1/A_p sum_q k_pq (u_q - u_p),   k_pq = k_qp = min(A_p, A_q) gate_pq / (1 + n)
+///
+/// u: per area, A: area of a wall point, n: the larger number of neighbours of the two. sum A u
+/// stays (up to rounding), an even u stays as it is. A gate is open (1) between points that gas has
+/// reached on cloth that is smooth there, and shut (0) at the edge of the gas, at a fold, at nodes
+/// that supports or bodies carry, and, as the wetted surface has no edge there, at membranes.
+class PointSmoother {
+public:
+    explicit PointSmoother(const WettedSurface& surface);
+
+    /// Gates and weights for one step.
+    /// @param area  points × 3, out of the gas                                        [m^2]
+    /// @param size  its norm                                                          [m^2]
+    /// @param takes_part  points: 0 where nothing is to be spread
+    void prepare(const WettedSurface& surface, std::span<const Vec3> area,
+                 std::span<const double> size, std::span<const std::uint8_t> takes_part);
+    void spread(const WettedSurface& surface, std::vector<Brought>& field);
+
+private:
+    std::vector<double> share_;  ///< of each edge: 1 / (1 + n)
+    std::vector<double> link_;   ///< k of each edge                                    [m^2]
+    std::vector<double> per_area_;
+    std::vector<Brought> next_;
+};
+
+}  // namespace corpuscle::gas

@@ -1,0 +1,177 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "gas/enclosure/wetted_surface.hpp"
+#include "gas/flight/flight.hpp"
+#include "gas/particles.hpp"
+#include "gas/wall_load/point_smoother.hpp"
+
+namespace corpuscle::gas {
+
+/// Linear and angular momentum, about the origin of coordinates.
+struct Wrench {
+    Vec3 linear = Vec3::Zero();   ///< [N s]
+    Vec3 angular = Vec3::Zero();  ///< [N m s]
+    Wrench& operator+=(const Wrench& o) {
+        linear += o.linear;
+        angular += o.angular;
+        return *this;
+    }
+    Wrench& operator-=(const Wrench& o) {
+        linear -= o.linear;
+        angular -= o.angular;
+        return *this;
+    }
+    Wrench& operator*=(double factor) {
+        linear *= factor;
+        angular *= factor;
+        return *this;
+    }
+    void add(const Vec3& at, const Vec3& impulse) {
+        linear += impulse;
+        angular += at.cross(impulse);
+    }
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(linear, angular);
+    }
+};
+
+/// What particles do to the walls: deferred impulse and an account of energy, at wall points.
+///
+/// One hit on a light facet is a kick of tens of m/s, so what hits bring is smoothed, in space
+/// along the wetted surface (point_smoother.hpp) and in time, and nothing of it is lost:
+///
+///     dQ_p/dt = S(J·n)_p + D w A - Q_p / time,   F_p = (Q_p / time - D w A) n_p + V_p / time
+///
+/// Q: deferred normal impulse, kept along the normal n, so that it turns with the cloth; V: what of
+/// an impulse J is not along n. A point that moves at w along n against its neighbours is hit with
+/// D w A less (D = 4 times the mass that hits it per area and time, whatever the gas's distribution
+/// of velocities): smoothing would leave out this answer of the gas to flutter, so it is given at
+/// once.
+///
+/// - *Momentum.* What each room's wall is owed, linear and angular, is what hits brought less what
+///   was given: exact. Where turning and spreading have moved what is kept away from that, a rigid
+///   field of force over the room's wetted wall makes it good within `time`.
+/// - *Energy.* The work of F differs from what hits took. Each point keeps the difference in an
+///   account; hits at the point pay it with the particle's internal energy. Other debts of the gas
+///   to the wall or past it (heat, enthalpy of what left) go through the same account.
+/// - A point on a node that supports, motions or bodies carry passes impulse on at once: there
+///   it does no harm, and work is done where it arises.
+class WallLoad {
+public:
+    /// @param held  N: 1 for nodes that supports, motions or rigid bodies carry
+    /// @param time  constant of the exponential release                                  [s]
+    /// @param extra_damping  VNDAMP: adds so many rho sqrt(R T / M) to D                  [-]
+    WallLoad(std::shared_ptr<const WettedSurface> surface, std::span<const std::uint8_t> held,
+             std::span<const Index> jet_nodes, double time, double extra_damping);
+
+    /// Tells on which sides of the wall a flight's hits were.
+    void find_sides(const FlightResult& flight, std::span<const Vec3> x_0,
+                    std::span<const Vec3> x_1);
+    /// Sides of the hits, in their order.
+    [[nodiscard]] std::span<const Index> sides() const { return sides_; }
+    /// Takes in a flight's hits, in their order, pays accounts to the particles that hit. After
+    /// find_sides().
+    void receive(const FlightResult& flight, std::span<const double> mass, Particles& particles);
+    /// Takes in a jet's push on a node, and the energy that goes with it.
+    void owe_jet(Index node, const Vec3& at, const Vec3& impulse, double energy);
+    /// Energy that jets took beyond the work of their push: for the gas that enters.     [J]
+    [[nodiscard]] double pay_jets();
+
+    /// As if a gas had long been there: its pressure, and the mass that hits per area and time.
+    void begin_with(double pressure, double mass_flux, std::span<const Vec3> x);
+    /// No more hits will come: uniform pressures (a row a room) take the place of what hits gave on
+    /// average; what they brought beyond is still released.
+    void end_of_hits(std::span<const double> pressure, std::span<const Vec3> x);
+
+    /// f += force over `span` at t.  v: N × 3 at the last half step [m/s], mass: N [kg]
+    void release(double span, std::span<const Vec3> x, std::span<const Vec3> v,
+                 std::span<const double> mass, std::span<Vec3> f);
+    /// Books the work of the last release on accounts; returns it.                       [J]
+    double book(std::span<const Vec3> v_mid, double span);
+    /// Force of the last release on a node.                                              [N]
+    [[nodiscard]] const Vec3& force(Index node) const { return node_force_[node]; }
+
+    /// The gas at these points owes so much, by area: it is to pay, or is owed it (negative). [J]
+    void charge(std::span<const Index> points, double energy);
+    /// Takes a share of a room's accounts out: energy that its gas is to get.             [J]
+    double drain(std::size_t room, double share);
+    /// All that accounts got but work: what hits and jets took, less what was paid and charged. [J]
+    [[nodiscard]] double taken() const { return taken_; }
+
+    /// Pressure that particles exert at a point, smoothed.                                  [Pa]
+    [[nodiscard]] double pressure(std::size_t point) const { return pressure_[point]; }
+    /// Mean over the points of a node's rooms: the pressure on its inside.                  [Pa]
+    [[nodiscard]] double pressure_at_node(Index node) const;
+    /// Has gas been at the point within the last few `time`?
+    [[nodiscard]] bool is_wet(std::size_t point) const { return age_[point] < dry_after_; }
+
+    /// What the wall was owed when `done` of the last release had been given.
+    [[nodiscard]] Wrench owed(double done = 1.0) const;
+    [[nodiscard]] double time() const { return time_; }
+    [[nodiscard]] const WettedSurface& surface() const { return *surface_; }
+    [[nodiscard]] std::span<const Vec3> area() const { return area_; }  ///< points × 3 [m^2]
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(kept_, along_, mass_, age_, account_, fresh_, force_, node_force_, pressure_,
+                arrived_, arrived_mass_, owed_, jet_owed_, jet_wrench_, jet_account_, last_given_, taken_);
+    }
+
+private:
+    [[nodiscard]] std::size_t side_of(const Hit& hit, std::span<const Vec3> x_0,
+                                      std::span<const Vec3> x_1) const;
+    void take_in(const Hit& hit, std::size_t side, std::span<const double> mass,
+                 Particles& particles);
+    void measure(std::span<const Vec3> x);
+    void release_points(double share, double span, std::span<const Vec3> v,
+                        std::span<const double> mass);
+    void release_jets(double share, double span, std::span<const Vec3> x);
+    void balance_momentum(double share, double span, std::span<const Vec3> x);
+    [[nodiscard]] Vec3 normal(std::size_t p) const {
+        return size_[p] > 0.0 ? Vec3(area_[p] / size_[p]) : Vec3(Vec3::Zero());
+    }
+
+    std::shared_ptr<const WettedSurface> surface_;
+    PointSmoother smoother_;
+    std::vector<std::uint8_t> held_;        ///< by point
+    std::vector<std::uint8_t> takes_part_;  ///< in smoothing, this step
+    std::vector<Index> jet_nodes_;
+    std::vector<Index> nodes_;                 ///< of all points and jets, once each
+    std::vector<Index> node_start_, of_node_;  ///< points of nodes_, compressed rows
+    std::vector<Index> place_;                 ///< N: in nodes_, -1: not there
+    double time_, dry_after_, extra_damping_;
+
+    Points area_;               ///< points × 3, at t                                     [m^2]
+    std::vector<double> size_;  ///< its norm                                             [m^2]
+    std::vector<Brought> brought_;
+    std::vector<double> kept_;      ///< Q                                                [N s]
+    Points along_;                  ///< V                                                [N s]
+    std::vector<double> mass_;      ///< of hits, kept as Q                               [kg]
+    std::vector<double> age_;       ///< since the last hit                               [s]
+    std::vector<double> account_;   ///< that hits are to get                             [J]
+    std::vector<double> fresh_;     ///< taken by hits since the last release             [J]
+    Points force_;                  ///< points × 3, of the last release                  [N]
+    Points node_force_;             ///< N × 3                                            [N]
+    std::vector<double> pressure_;  ///< [Pa]
+    Points arrived_;                ///< since the last release                           [N s]
+    std::vector<double> arrived_mass_;
+    std::vector<Wrench> owed_;  ///< by room; without held points
+    Points jet_owed_, jet_force_;  ///< by jet_nodes_                                  [N s], [N]
+    Wrench jet_wrench_;
+    double jet_account_ = 0.0;  ///< [J]
+    std::vector<std::uint8_t> jet_held_;
+    std::vector<Index> sides_;
+    Wrench last_given_;       ///< by the last release
+    double taken_ = 0.0;      ///< [J]
+};
+
+}  // namespace corpuscle::gas
