@@ -60,7 +60,7 @@ DeckRun::DeckRun(const std::string& name, const std::string& deck, const std::st
     std::ofstream(directory_ / "scene.k") << deck;
     const auto start = std::chrono::steady_clock::now();
     const std::string command =
-        fmt::format("cd '{}' && exec timeout 30 {} run scene.k -j 1 -o out {} >log 2>&1",
+        fmt::format("cd '{}' && exec timeout 20 {} run scene.k -j 1 -o out {} >log 2>&1",
                     directory_.string(), CORPUSCLE_PROGRAM, options);
     const int ended = std::system(command.c_str());
     seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -35,6 +35,7 @@ enum PartId { WALL = 1, VENT = 2, POROUS = 3, FAR_WALL = 4, MEMBRANE = 5, HOLE =
 struct Plan {
     bool is_rigid, has_chambers, has_hole, has_vent, is_porous, has_heat, switches;
     int air;                                ///< IAIR
+    int particles;                          ///< NP, or more where a gas needs them
     Vec3 side;                              ///< [m]
     std::array<int, 3> cells;               ///< along each axis
     double end;                             ///< [s]
@@ -69,7 +70,11 @@ Plan plan_of(Draw& draw) {
         plan.cells[static_cast<std::size_t>(i)] = 2 + draw.below(plan.is_rigid ? 4 : 7);
     }
     if (plan.has_chambers) plan.cells[0] += plan.cells[0] % 2;
-    plan.end = plan.is_rigid ? draw.log_in(3e-3, 30e-3) : draw.in(3e-3, 10e-3);
+    plan.particles = static_cast<int>(draw.log_in(10.0, 20000.0));
+    // Many particles in a small box take many steps
+    plan.end = !plan.is_rigid          ? draw.in(3e-3, 10e-3)
+               : plan.particles < 2000 ? draw.log_in(3e-3, 30e-3)
+                                       : draw.in(1e-3, 4e-3);
     return plan;
 }
 
@@ -212,10 +217,14 @@ std::string chambers(const Plan& plan) {
 std::string inflow(Draw& draw, Plan& plan, const Gas& gas, double moles, int inflator) {
     const double begin = draw.chance(0.6) ? 0.0 : draw.in(0.0, 0.4) * plan.end;
     const double span = draw.in(0.3, 1.2) * (plan.end - begin), mean = moles * gas.M / span;
-    const int rate = draw.chance(0.5) ? plan.curve({{begin, mean}, {begin + span, mean}})
-                                      : plan.curve({{begin, 0.0},
-                                                    {begin + draw.in(0.1, 0.6) * span, 2.0 * mean},
-                                                    {begin + span, 0.0}});
+    const double end = begin + span, peak = begin + draw.in(0.1, 0.6) * span;
+    // Even; up and down; few particles for long
+    const std::array courses{
+        std::vector<std::array<double, 2>>{{begin, mean}, {end, mean}},
+        std::vector<std::array<double, 2>>{{begin, 0.0}, {peak, 2.0 * mean}, {end, 0.0}},
+        std::vector<std::array<double, 2>>{
+            {begin, 0.005 * mean}, {peak, 0.005 * mean}, {end, 2.0 * span / (end - peak) * mean}}};
+    const int rate = plan.curve(courses[static_cast<std::size_t>(draw.below(3))]);
     const double T = draw.in(200.0, 900.0);
     const int temperature = plan.curve({{0.0, T}, {1.0, draw.chance(0.5) ? T : 300.0}});
     return fmt::format("{}, {}, {:.6g}, {:.6g}, {:.6g}, {:.6g}, {}\n", rate, temperature, gas.M,
@@ -284,7 +293,7 @@ std::string airbag(Draw& draw, Plan& plan, RandomScene& scene) {
     // Particles are shared by moles: each gas has two of them, or the deck is refused
     const double with_air = plan.air == 2 ? p * plan.volume() / (GAS_CONSTANT * T) : 0.0;
     const int least = static_cast<int>(2.0 * gases * (1.0 + with_air / moles)) + 1;
-    scene.particles = std::max(least, static_cast<int>(draw.log_in(10.0, 20000.0)));
+    scene.particles = std::max(least, plan.particles);
     std::string names;
     for (int g = 0; g < gases; ++g) {
         const Gas& gas = GASES[static_cast<std::size_t>(draw.below(GASES.size()))];
