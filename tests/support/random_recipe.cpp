@@ -6,22 +6,11 @@
 
 #include <algorithm>
 #include <array>
-#include <random>
+
+#include "tests/support/draw.hpp"
 
 namespace corpuscle::support {
 namespace {
-
-class Draw {
-public:
-    explicit Draw(unsigned seed) : random_(seed) {}
-    double in(double low, double high) {
-        return low + (high - low) * (static_cast<double>(random_()) / 4294967296.0);
-    }
-    int below(int n) { return static_cast<int>(in(0.0, n)); }
-
-private:
-    std::mt19937 random_;
-};
 
 struct Range {
     double low, high;

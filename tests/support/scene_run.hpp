@@ -1,0 +1,44 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace corpuscle::test {
+
+/// One run of the program on a deck, in a directory of its own that goes when this does, unless
+/// KEEP names a folder that they shall stay in.
+class SceneRun {
+public:
+    /// @param name     of the directory
+    /// @param options  of `corpuscle run`, e.g. "--seed 3"
+    SceneRun(const std::string& name, const std::string& deck, const std::string& options);
+    ~SceneRun();
+    SceneRun(const SceneRun&) = delete;
+    SceneRun& operator=(const SceneRun&) = delete;
+
+    int status = -1;          ///< the program's exit status; 128 + the signal that killed it
+    double seconds = 0.0;     ///< by the clock
+    std::string end;          ///< the line that says why, of a run that failed
+    std::size_t numbers = 0;  ///< in results.h5
+    std::string not_finite;   ///< the first dataset with a number that is none; empty: there is no
+    std::string
+        impossible;  ///< the same with a mass below 0, or no temperature where there is mass
+    double worst_residual = 0.0;  ///< of the energies                                       [J]
+    double under_way = 0.0;       ///< most that was between particles and fabric            [J]
+    double brought_in = 0.0;      ///< by inflators and from outside                         [J]
+    double held = 0.0;            ///< by the gas at the start                               [J]
+    int lost = -1;                ///< particles; -1: the log does not say
+
+    /// What it has done wrong, in words; empty: nothing.
+    /// @param residual  of the energy books, that may be                                    [J]
+    [[nodiscard]] std::string fault(double residual) const;
+
+private:
+    void read();
+    std::filesystem::path directory_;
+};
+
+}  // namespace corpuscle::test
