@@ -43,8 +43,9 @@ std::size_t occupied(const Lists& cells) {
 
 void BagGas::collide(double dt, const Points& x) {
     since_collision_ += dt;
-    if (uniform_ || particles_.size() == 0 || since_collision_ * speed_ < COLLISION_SHARE * cell_)
-        return;
+    // In the step that comes nearest to the share.
+    const double crossed = (since_collision_ + 0.5 * dt) * speed_;
+    if (uniform_ || particles_.size() == 0 || crossed < COLLISION_SHARE * cell_) return;
 
     find_groups(x);
     std::vector<double> factor;

@@ -34,10 +34,13 @@ Index GrowthMonitor::zigzag(const Points& f, const std::vector<double>& mass, do
 
 bool GrowthMonitor::gains(const Instant& now, const std::vector<double>& mass, const Points& v_0,
                           const Points& v_1) {
-    const Vec3 kinetic =  // before the kick, of both, after
-        parallel::sum(nodes_.size(), Vec3(Vec3::Zero()), [&](std::size_t i) {
-            const Vec3 &a = v_0[nodes_[i]], &b = v_1[nodes_[i]];
-            return Vec3(0.5 * mass[nodes_[i]] * Vec3(a.squaredNorm(), a.dot(b), b.squaredNorm()));
+    using Sums = Eigen::Vector4d;
+    const Sums kinetic =  // before the kick, of both, after, of the fabric's own kick
+        parallel::sum(nodes_.size(), Sums(Sums::Zero()), [&](std::size_t i) {
+            const Index n = nodes_[i];
+            const Vec3 &a = v_0[n], &b = v_1[n];
+            return Sums(0.5 * mass[n] *
+                        Sums(a.squaredNorm(), a.dot(b), b.squaredNorm(), kick_[n].squaredNorm()));
         });
     if (!is_open_) {
         // The start's velocities live at t and its kick k is half of one: as if v_0 - k came before
@@ -54,9 +57,7 @@ bool GrowthMonitor::gains(const Instant& now, const std::vector<double>& mass, c
     scale_ = std::max(scale_, open_ + std::max(0.0, given_));
     gained_ = kinetic[0] + 0.5 * now.inner_early + now.strain - start_ - given_;
     given_ += kinetic[2] - kinetic[0] - now.inner_work;
-    const double swing = 0.125 * parallel::sum(nodes_.size(), 0.0, [&](std::size_t i) {
-                             return mass[nodes_[i]] * kick_[nodes_[i]].squaredNorm();
-                         });
+    const double swing = 0.25 * kinetic[3];
     const bool is_grown = gained_ > MOST * scale_;
     spurious_ = is_grown ? gained_ : gained_ + swing;
     return is_grown || spurious_ > MOST_WITH_SWING * scale_;

@@ -183,8 +183,7 @@ End fly_one(const Scene& scene, double born, Flyer& who) {
         const double stop = std::max(now, meeting.where.tau - SHORT_OF);
         const Vec3 turn = from + (stop - now) * scene.dt * who.v;
         const auto row = static_cast<Index>(who.row);
-        who.hits.push_back({meeting.facet, passage.way == Gates::Way::OUT ? -1 - row : row,
-                            meeting.where.at, passage.push * impulse, given,
+        who.hits.push_back({meeting.facet, row, meeting.where.at, passage.push * impulse, given,
                             turn});
         if (passage.gate >= 0)
             who.arrivals.push_back(
@@ -247,6 +246,13 @@ End fly_caught(const Scene& scene, double born, Flyer& who) {
     return End::CAUGHT;
 }
 
+/// Of a particle that has left, hits from the one of row `first` on have nobody who answers for
+/// them.
+void mark_left(const Flyer& who, std::size_t first) {
+    for (std::size_t k = first; k < who.hits.size(); ++k)
+        who.hits[k].who = -1 - static_cast<Index>(who.row);
+}
+
 /// Free flight of some particles.
 void stream(double dt, std::size_t begin, std::size_t count, Particles& gas) {
     double* const x = gas.x[begin].data();
@@ -301,6 +307,7 @@ void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec
                 land(who);
                 break;
             case End::GONE:
+                mark_left(who, hits);
                 break;
             case End::CAUGHT:
                 who.hits.resize(hits);
@@ -333,8 +340,10 @@ void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec
     for (const auto& some : result.caught)
         for (const std::size_t i : some) {
             Flyer who = flyer(i, chunks);
+            const std::size_t hits = who.hits.size();
             const End end = fly_caught(scene, start(i), who);
             if (end == End::FLOWN) land(who);
+            if (end == End::GONE) mark_left(who, hits);
             if (end == End::CAUGHT) result.lost.push_back({i, gas.x[i]});
         }
 }

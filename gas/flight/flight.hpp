@@ -19,7 +19,7 @@ namespace corpuscle::gas {
 /// What a particle gave to a facet when it bounced off it, or left through it.
 struct Hit {
     Index facet;
-    Index who;                 ///< row of the particle; -1 - row when it has left
+    Index who;                 ///< row of the particle; -1 - row when it left in this step
     std::array<double, 3> at;  ///< barycentric coordinates on the facet                    [-]
     Vec3 impulse;              ///< m (v - v')                                              [N s]
     double energy;             ///< m (v² - v'²) / 2                                        [J]

@@ -51,20 +51,34 @@ void WallSamples::cut_into_patches(const BagWalls& walls, std::span<const Vec3> 
         wall[s.room(i)] += size[i];
     }
     const auto part = [&](Index side) { return walls.part[s.facet(side)]; };
+    // The triangles of one shell follow each other, and stay together.
+    const auto of_shell = [&](Index side, auto&& visit) {
+        const auto facet = static_cast<std::size_t>(s.facet(side));
+        for (const std::size_t other : {facet - 1, facet + 1})
+            if (other < walls.shell.size() && walls.shell[other] == walls.shell[facet] &&
+                s.closes(other) == s.closes(facet))
+                visit(static_cast<Index>(s.side(other, s.is_front(static_cast<std::size_t>(side)))));
+    };
     std::vector<char> taken(s.sides(), 0);
     for (std::size_t seed = 0; seed < s.sides(); ++seed) {
         if (taken[seed]) continue;
-        std::vector<Index> patch{static_cast<Index>(seed)};
-        taken[seed] = 1;
-        double area = size[seed];
+        std::vector<Index> patch;
+        double area = 0.0;
+        const auto take = [&](Index side) {
+            if (taken[side]) return;
+            taken[side] = 1;
+            area += size[side];
+            patch.push_back(side);
+        };
+        take(static_cast<Index>(seed));
+        of_shell(patch[0], take);
         const double wanted = wall[s.room(seed)] / PATCHES;
         for (std::size_t i = 0; i < patch.size() && area < wanted; ++i)
             for (const Index p : s.points(patch[i]))
                 for (const Index next : s.around(p)) {
                     if (taken[next] || part(next) != part(patch[0]) || area >= wanted) continue;
-                    taken[next] = 1;
-                    area += size[next];
-                    patch.push_back(next);
+                    take(next);
+                    of_shell(next, take);
                 }
         std::sort(patch.begin(), patch.end());
         patches_.push_back(std::move(patch));

@@ -159,9 +159,10 @@ void WallLoad::begin_with(double pressure, double mass_flux, std::span<const Vec
 
 void WallLoad::end_of_hits(std::span<const double> pressure, std::span<const Vec3> x) {
     measure(x);
+    hits_are_over_ = true;
     for (std::size_t p = 0; p < size_.size(); ++p) {
         mass_[p] = 0.0;
-        age_[p] = INF;
+        age_[p] = 0.0;  // all that is owed goes to all of the wall
         if (held_[p] != 0) continue;
         const Index room = surface_->room_of_point(p);
         const double replaced = pressure[room] * size_[p] * time_;
@@ -182,7 +183,7 @@ void WallLoad::release(double span, std::span<const Vec3> x, std::span<const Vec
     measure(x);
     const std::size_t points = size_.size();
     parallel::for_each(points, [&](std::size_t p) {
-        age_[p] = arrived_mass_[p] > 0.0 ? 0.0 : age_[p] + span;
+        if (!hits_are_over_) age_[p] = arrived_mass_[p] > 0.0 ? 0.0 : age_[p] + span;
         takes_part_[p] = held_[p] == 0 && is_wet(p) && size_[p] > 0.0;
         const double along = arrived_[p].dot(normal(p));
         const double per_area = takes_part_[p] != 0 ? 1.0 / size_[p] : 0.0;

@@ -123,7 +123,8 @@ public:
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(kept_, along_, mass_, age_, account_, fresh_, force_, node_force_, pressure_,
-                arrived_, arrived_mass_, owed_, jet_owed_, jet_wrench_, jet_account_, last_given_, taken_);
+                arrived_, arrived_mass_, owed_, jet_owed_, jet_wrench_, jet_account_, last_given_, taken_,
+                hits_are_over_);
     }
 
 private:
@@ -172,6 +173,7 @@ private:
     std::vector<Index> sides_;
     Wrench last_given_;       ///< by the last release
     double taken_ = 0.0;      ///< [J]
+    bool hits_are_over_ = false;
 };
 
 }  // namespace corpuscle::gas

@@ -14,6 +14,7 @@
 #include <functional>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 #include "io/hdf5.hpp"
 

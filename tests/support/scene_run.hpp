@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 namespace corpuscle::test {
 
@@ -19,13 +18,12 @@ public:
     SceneRun(const SceneRun&) = delete;
     SceneRun& operator=(const SceneRun&) = delete;
 
-    int status = -1;          ///< the program's exit status; 128 + the signal that killed it
-    double seconds = 0.0;     ///< by the clock
-    std::string end;          ///< the line that says why, of a run that failed
-    std::size_t numbers = 0;  ///< in results.h5
-    std::string not_finite;   ///< the first dataset with a number that is none; empty: there is no
-    std::string
-        impossible;  ///< the same with a mass below 0, or no temperature where there is mass
+    int status = -1;              ///< the program's exit status; 128 + the signal that killed it
+    double seconds = 0.0;         ///< by the clock
+    std::string end;              ///< the line that says why, of a run that failed
+    std::size_t numbers = 0;      ///< in results.h5
+    std::string not_finite;       ///< the first dataset with a number that is not; empty: all are
+    std::string impossible;       ///< the same: a mass below 0, or mass without a temperature
     double worst_residual = 0.0;  ///< of the energies                                       [J]
     double under_way = 0.0;       ///< most that was between particles and fabric            [J]
     double brought_in = 0.0;      ///< by inflators and from outside                         [J]

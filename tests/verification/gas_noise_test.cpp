@@ -8,9 +8,11 @@
 
 #include <cmath>
 #include <numbers>
+#include <memory>
 #include <numeric>
 
 #include "gas/collisions/collide.hpp"
+#include "gas/enclosure/enclosure.hpp"
 #include "gas/wall_load/wall_load.hpp"
 #include "tests/support/shapes.hpp"
 #include "tests/unit/gas/random_gas.hpp"

@@ -122,6 +122,10 @@ void expect_airbag(Histories& h, std::size_t i, const std::string& id,
     of("particles_out", &AirbagSample::particles_out);
     of("energy", &AirbagSample::energy);
     of("translational_energy", &AirbagSample::translational_energy);
+    h.expect("/history/airbag/" + id + "/owed_momentum",
+             [=](const Sample& s) { return s.airbags[i].owed_momentum; });
+    h.expect("/history/airbag/" + id + "/owed_angular_momentum",
+             [=](const Sample& s) { return s.airbags[i].owed_angular_momentum; });
     for (std::size_t k = 0; k < species.size(); ++k) {
         const std::string at = "/history/airbag/" + id + "/species/" + species[k];
         h.expect(at + "/mass", [=](const Sample& s) { return s.airbags[i].species[k].mass; });
