@@ -71,7 +71,7 @@ void BagGas::look_at_openings() {
         Inside& here = at_opening_[o];
         const Inside& room = rooms_[all[o].room];
         if (!all[o].is_internal) {
-            samples_.state(static_cast<std::size_t>(all[o].sample), room, all[o].vent >= 0, here);
+            samples_.state(static_cast<std::size_t>(all[o].sample), room, here);
             continue;
         }
         const auto facet = static_cast<std::size_t>(all[o].facets[0]);

@@ -39,7 +39,7 @@ const std::vector<HeatLoss::Taken>& HeatLoss::lose(double t, double dt, const Wa
         if (room.is_uniform)
             local_.temperature = room.temperature;
         else
-            samples.state(static_cast<std::size_t>(cooled.sample), room, false, local_);
+            samples.state(static_cast<std::size_t>(cooled.sample), room, local_);
         const double steps = per_room_[cooled.room] * dt / room.heat_capacity;
         const double slower = steps > 0.0 ? -std::expm1(-steps) / steps : 1.0;
         const double heat = power(cooled) * slower * dt * (local_.temperature - T_atm_);

@@ -69,8 +69,15 @@ Openings::Openings(const BagCard& card, const BagWalls& walls, std::span<const C
         const double factor = most(vents_[vent.vent]);
         const double own = vent.law == Opening::Law::ISENTROPIC ? COLLAR * factor : factor - 1.0;
         const double area = area_of(vent.facets, x);
-        if (own > 0.0) add_collar(vent, static_cast<Index>(o), own * area, surface, x);
-        vent.sample = samples.add(surroundings(vent, SURROUNDINGS * area, surface, x));
+        // A vent larger than itself (C23 > 1) draws the gas near it along so fast that its state
+        // shows only beyond the collar.
+        const auto row = static_cast<Index>(o);
+        const bool is_strong = factor > 1.0;
+        std::vector<Index> sides;
+        if (is_strong && own > 0.0) add_collar(vent, row, own * area, sides, surface, x);
+        sides = surroundings(vent, SURROUNDINGS * area, surface, x);
+        if (!is_strong && own > 0.0) add_collar(vent, row, own * area, sides, surface, x);
+        vent.sample = samples.add(std::move(sides), true);
     }
     passed_.still_owed.assign(openings_.size(), 0.0);
     came_.assign(openings_.size(), 0.0);
@@ -210,10 +217,15 @@ void Openings::grow_rings(const Opening& opening, const WettedSurface& surface,
     }
 }
 
-void Openings::add_collar(Opening& opening, Index row, double wanted, const WettedSurface& surface,
+/// The collar keeps off the sides that tell the state at the vent: where gas leaves, hits tell less.
+void Openings::add_collar(Opening& opening, Index row, double wanted,
+                          std::span<const Index> sides, const WettedSurface& surface,
                           std::span<const Vec3> x) {
-    grow_rings(opening, surface, x, wanted, [&](Index f) {
-        if (gates_.collar_of[f] >= 0) return;
+    std::vector<Index> near;
+    for (const Index side : sides) near.push_back(surface.facet(static_cast<std::size_t>(side)));
+    grow_rings(opening, surface, x, wanted + area_of(near, x), [&](Index f) {
+        if (gates_.collar_of[f] >= 0 || std::find(near.begin(), near.end(), f) != near.end())
+            return;
         gates_.collar_of[f] = row;
         opening.collar.push_back(f);
     });
@@ -224,7 +236,9 @@ std::vector<Index> Openings::surroundings(const Opening& opening, double wanted,
                                           const WettedSurface& surface,
                                           std::span<const Vec3> x) const {
     std::vector<Index> sides;
-    grow_rings(opening, surface, x, wanted, [&](Index f) {
+    const auto& collar = opening.collar;
+    grow_rings(opening, surface, x, wanted + area_of(collar, x), [&](Index f) {
+        if (std::find(collar.begin(), collar.end(), f) != collar.end()) return;
         sides.push_back(static_cast<Index>(surface.side(static_cast<std::size_t>(f), false)));
     });
     if (sides.empty())

@@ -136,8 +136,8 @@ private:
                   const WettedSurface& surface, const WallSamples& samples,
                   std::span<const Vec3> x);
     void add_opening(Opening opening, bool counts_all, double push);
-    void add_collar(Opening& opening, Index row, double wanted, const WettedSurface& surface,
-                    std::span<const Vec3> x);
+    void add_collar(Opening& opening, Index row, double wanted, std::span<const Index> sides,
+                    const WettedSurface& surface, std::span<const Vec3> x);
     [[nodiscard]] std::vector<Index> surroundings(const Opening& opening, double wanted,
                                                   const WettedSurface& surface,
                                                   std::span<const Vec3> x) const;

@@ -17,6 +17,12 @@ constexpr double HITS = 1000.0;
 /// Steps that it remembers at least.
 constexpr double STEPS = 4.0;
 
+/// The steady memory, in times of the longest of the quick one.
+constexpr double STEADIER = 15.0;
+
+/// Standard deviations between the two memories from which the state has changed.
+constexpr double CHANGED = 3.5;
+
 /// Standard deviations of the variance between patches that chance is allowed.
 constexpr double CHANCE = 2.0;
 
@@ -85,12 +91,13 @@ void WallSamples::cut_into_patches(const BagWalls& walls, std::span<const Vec3> 
     }
 }
 
-Index WallSamples::add(std::vector<Index> sides) {
+Index WallSamples::add(std::vector<Index> sides, bool drifts) {
     Sample sample;
     sample.sides = std::move(sides);
+    sample.drifts = drifts;
     sample.room = surface_->room(sample.sides[0]);
-    sample.of.assign(species_.size(), 0.0);
-    sample.new_of.assign(species_.size(), 0.0);
+    for (Memory* memory : {&sample.now, &sample.quick, &sample.steady})
+        memory->of.assign(species_.size(), 0.0);
     for (const Index s : sample.sides)
         for (const Index p : surface_->points(s)) sample.points.push_back(p);
     std::sort(sample.points.begin(), sample.points.end());
@@ -117,6 +124,7 @@ void WallSamples::receive(const FlightResult& flight, std::span<const Index> sid
                           const Particles& particles) {
     if (empty()) return;
     if (start_.empty()) list_sides();
+    measure(x);
     const std::size_t kinds = species_.size();
     expected_.resize(rooms.size() * kinds);
     slope_.resize(rooms.size() * kinds);
@@ -144,23 +152,24 @@ void WallSamples::receive(const FlightResult& flight, std::span<const Index> sid
             const Vec3 n = push > 0.0 ? Vec3(hit.impulse / push) : Vec3(Vec3::Zero());
             // (What has left stands with the velocity that it came with.)
             const Vec3 v = particles.v[row];
-            const Vec3 along = m * (v - v.dot(n) * n);
             const double carried = 0.5 * m * v.squaredNorm() + particles.e[row] - expected_[of];
             for (Index k = start_[side]; k < start_[side + 1]; ++k) {
                 Sample& sample = samples_[at_side_[k]];
-                sample.new_push += push;
-                sample.new_push2 += push * push;
-                sample.new_energy += carried;
-                sample.new_energy2 += carried * carried;
-                sample.new_slope += slope_[of];
-                sample.new_count += 1.0;
-                sample.new_mass += m;
-                sample.new_momentum += along;
-                sample.new_square += along.squaredNorm();
-                sample.new_of[kind] += 1.0;
+                Memory& now = sample.now;
+                now.push += push;
+                now.push2 += push * push;
+                now.energy += carried;
+                now.energy2 += carried * carried;
+                now.slope += slope_[of];
+                now.count += 1.0;
+                now.of[kind] += 1.0;
+                if (!sample.drifts) continue;
+                const Vec3 along = m * (v - v.dot(n) * n);
+                now.mass += m;
+                now.momentum += along;
+                now.square += along.squaredNorm();
             }
         }
-    measure(x);
     for (Sample& sample : samples_) remember(sample, dt, rooms[sample.room]);
     find_spread(rooms);
 }
@@ -175,30 +184,44 @@ void WallSamples::measure(std::span<const Vec3> x) {
     }
 }
 
+void WallSamples::Memory::clear() {
+    std::fill(of.begin(), of.end(), 0.0);
+    std::vector<double> kept = std::move(of);
+    *this = {};
+    of = std::move(kept);
+}
+
+void WallSamples::Memory::renew(double kept, const Memory& more) {
+    const auto add = [&](double& old, double fresh) { old = kept * old + fresh; };
+    add(exposure, more.exposure);
+    add(push, more.push);
+    add(excess, more.excess);
+    add(push2, more.push2);
+    add(count, more.count);
+    add(energy, more.energy);
+    add(energy2, more.energy2);
+    add(slope, more.slope);
+    add(mass, more.mass);
+    momentum = kept * momentum + more.momentum;
+    add(square, more.square);
+    for (std::size_t k = 0; k < of.size(); ++k) add(of[k], more.of[k]);
+}
+
 /// What is remembered fades with exp(-dt / memory).
 void WallSamples::remember(Sample& s, double dt, const Inside& room) {
-    const double rate = s.exposure > 0.0 ? (s.count + s.new_count) / (s.exposure + s.area * dt) *
-                                               s.area
-                                         : s.new_count / dt;
-    const double memory =
-        std::max(STEPS * dt, rate * longest_ > HITS ? HITS / rate : longest_);
-    const double kept = std::exp(-dt / memory);
-    const auto renew = [&](auto& old, auto& now, const auto& zero) {
-        old = kept * old + now;
-        now = zero;
-    };
-    s.exposure = kept * s.exposure + s.area * dt;
-    s.new_push -= (room.pressure - room.air_pressure) * s.area * dt;
-    renew(s.excess, s.new_push, 0.0);
-    renew(s.push2, s.new_push2, 0.0);
-    renew(s.count, s.new_count, 0.0);
-    renew(s.energy, s.new_energy, 0.0);
-    renew(s.energy2, s.new_energy2, 0.0);
-    renew(s.slope, s.new_slope, 0.0);
-    renew(s.mass, s.new_mass, 0.0);
-    renew(s.square, s.new_square, 0.0);
-    renew(s.momentum, s.new_momentum, Vec3(Vec3::Zero()));
-    for (std::size_t k = 0; k < s.of.size(); ++k) renew(s.of[k], s.new_of[k], 0.0);
+    s.now.exposure = s.area * dt;
+    s.now.excess = s.now.push - (room.pressure - room.air_pressure) * s.area * dt;
+    const double rate = s.area > 0.0 ? (s.quick.count + s.now.count) /
+                                           (s.quick.exposure + s.now.exposure) * s.area
+                                     : 0.0;
+    const double memory = std::max(STEPS * dt, rate * longest_ > HITS ? HITS / rate : longest_);
+    s.quick.renew(std::exp(-dt / memory), s.now);
+    s.steady.renew(std::exp(-dt / (STEADIER * longest_)), s.now);
+    s.now.clear();
+    if (!(s.quick.exposure > 0.0)) return;
+    const double apart = s.quick.pressure() - s.steady.pressure();
+    if (apart * apart > CHANGED * CHANGED * (s.quick.variance() + s.steady.variance()))
+        s.steady = s.quick;
 }
 
 /// Variance between a room's patches, by area, less that of chance.
@@ -223,28 +246,28 @@ void WallSamples::find_spread(std::span<const Inside> rooms) {
     };
     std::vector<Sums> p(rooms.size()), T(rooms.size());
     for (std::size_t k = 0; k < patches_.size(); ++k) {
-        const Sample& s = samples_[k];
-        if (!s.tells || !(s.exposure > 0.0)) continue;
-        const double per = 1.0 / s.exposure;
-        p[s.room].add(s.area, s.count, s.excess * per, 0.5 * s.push2 * per * per);
-        if (s.slope > 0.0 && rooms[s.room].temperature > 0.0)
-            T[s.room].add(s.count, s.count, s.energy / s.slope,
-                          0.5 * s.energy2 / (s.slope * s.slope));
+        const Sample& sample = samples_[k];
+        const Memory& s = sample.quick;
+        if (!sample.tells || !(s.exposure > 0.0)) continue;
+        p[sample.room].add(sample.area, s.count, s.difference(), s.variance());
+        if (s.slope > 0.0 && rooms[sample.room].temperature > 0.0)
+            T[sample.room].add(s.count, s.count, s.energy / s.slope,
+                               0.5 * s.energy2 / (s.slope * s.slope));
     }
     for (std::size_t r = 0; r < rooms.size(); ++r)
         spread_[r] = {p[r].beyond_chance(), T[r].beyond_chance()};
 }
 
-void WallSamples::state(std::size_t sample, const Inside& room, bool with_drift,
-                        Inside& out) const {
+void WallSamples::state(std::size_t sample, const Inside& room, Inside& out) const {
     out = room;
-    const Sample& s = samples_[sample];
+    const Memory& s = samples_[sample].steady;
     if (!(s.exposure > 0.0) || !room.holds_gas()) return;
-    const Spread& spread = spread_[s.room];
-    const double variance = 0.5 * s.push2 / (s.exposure * s.exposure);
+    const Spread& spread = spread_[samples_[sample].room];
+    const double variance = s.variance();
     const double weight =
         spread.pressure > 0.0 ? spread.pressure / (spread.pressure + variance) : 0.0;
-    double pressure = room.pressure - room.air_pressure + weight * s.excess / s.exposure;
+    const double of_room = room.pressure - room.air_pressure;
+    double pressure = of_room + weight * (s.pressure() - of_room);
     pressure = std::max(0.0, pressure);
     out.error = std::hypot(room.error, std::sqrt(weight * variance));
 
@@ -264,12 +287,12 @@ void WallSamples::state(std::size_t sample, const Inside& room, bool with_drift,
 
     // Mixture: hits of a gas come as n / sqrt(M).
     const std::size_t kinds = species_.size();
-    double moles = 0.0, of_room = 0.0;
+    double moles = 0.0, moles_of_room = 0.0;
     std::vector<double> share(kinds);
     for (std::size_t k = 0; k < kinds; ++k) {
         share[k] = s.of[k] * std::sqrt(species_[k].molar_mass());
         moles += share[k];
-        of_room += room.density[k] / species_[k].molar_mass();
+        moles_of_room += room.density[k] / species_[k].molar_mass();
     }
     const double own = moles > 0.0 ? std::max(weight, heat_weight) : 0.0;
     double M = 0.0, cp = 0.0;
@@ -277,7 +300,7 @@ void WallSamples::state(std::size_t sample, const Inside& room, bool with_drift,
     const double of_particles = pressure / (gas_constant_ * T);
     for (std::size_t k = 0; k < kinds; ++k) {
         const double by_room =
-            of_room > 0.0 ? room.density[k] / species_[k].molar_mass() / of_room : 0.0;
+            moles_of_room > 0.0 ? room.density[k] / species_[k].molar_mass() / moles_of_room : 0.0;
         const double x = own > 0.0 ? own * share[k] / moles + (1.0 - own) * by_room : by_room;
         const double molar = species_[k].molar_mass();
         out.density[k] = x * of_particles * molar;
@@ -293,12 +316,11 @@ void WallSamples::state(std::size_t sample, const Inside& room, bool with_drift,
     out.molar_mass = M / std::max(all, of_particles);
     out.gamma = gamma;
 
-    if (with_drift && own > 0.0 && s.mass > 0.0 && gamma > 1.0) {
-        // |U|² without what chance makes of it; where that is not beyond chance, none.
+    if (own > 0.0 && s.mass > 0.0 && gamma > 1.0) {
+        // U² without what chance makes of it; where that is not beyond chance, none.
         const double scatter = 0.5 * s.square / (s.mass * s.mass);
-        const double U2 = s.momentum.squaredNorm() / (s.mass * s.mass);
-        const double drift = std::max(0.0, U2 - scatter);
-        if (U2 > CHANCE * CHANCE * scatter) {
+        const double square = s.momentum.squaredNorm() / (s.mass * s.mass), drift = square - scatter;
+        if (square > CHANCE * CHANCE * scatter) {
             // T holds U²/2 as heat at constant volume; at constant pressure it is less warm.
             const double R = gas_constant_ / out.molar_mass;
             const double still = std::max(0.2 * T, T - 0.5 * drift * (gamma - 1.0) / R);

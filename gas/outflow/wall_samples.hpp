@@ -18,16 +18,18 @@ namespace corpuscle::gas {
 /// The state of the gas at parts of the wall, from the particles that hit them there.
 ///
 /// The wall of each room is cut into patches, each of one part of the bag; openings have samples of
-/// their own round them. A sample remembers its hits over `memory` (some hundred of them): what
-/// they brought beyond what the mean state of the room makes one expect,
+/// their own round them. A sample has two memories of its hits, a quick one (a thousand hits, or
+/// `longest`) and a steady one, 15 times `longest`, that begins anew where the quick one differs from
+/// it by more than chance. It remembers what hits brought,
 ///
-///     d = (sum J - integral p_room A dt) / integral A dt,
+///     p_hits = sum J / integral A dt,
 ///
-/// and likewise their energy. Hits scatter, d with the variance s² = sum J² / 2 / (integral)².
-/// Whether the gas differs from place to place shows between the patches of a room: their variance
-/// beyond that of chance, S². The best estimate of both is [James & Stein 1961; Efron & Morris 1973]
+/// and their energy. Hits scatter, p_hits with the variance s² = sum J² / 2 / (integral)².
+/// Whether the gas differs from place to place shows between the patches of a room: the variance
+/// of their p_hits about p_room beyond that of chance, S². The best estimate of both is
+/// [James & Stein 1961; Efron & Morris 1973]
 ///
-///     p = p_room + d S² / (S² + s²),       error of p: s S / sqrt(S² + s²).
+///     p = p_room + (p_hits - p_room) S² / (S² + s²),       error of p: s S / sqrt(S² + s²).
 ///
 /// Gas that is stirred has S = 0 and everywhere the mean state of its room, without scatter; a
 /// front, a jet or a part of the bag that gas has not reached has the state of its own hits. The
@@ -35,7 +37,7 @@ namespace corpuscle::gas {
 class WallSamples {
 public:
     WallSamples() = default;
-    /// @param longest  most that a sample remembers                                      [s]
+    /// @param longest  most that the quick memory of a sample reaches back                                      [s]
     /// @param passes   by facet: 1 where particles may pass without a full bounce
     WallSamples(std::shared_ptr<const WettedSurface> surface, const BagWalls& walls,
                 std::span<const Species> species, std::span<const double> particle_mass,
@@ -46,7 +48,8 @@ public:
     /// Sides of each patch; patches do not cross the borders of parts or rooms.
     [[nodiscard]] const std::vector<std::vector<Index>>& patches() const { return patches_; }
     /// One more sample, over sides of one room. Returns its row; patches are the first rows.
-    Index add(std::vector<Index> sides);
+    /// @param drifts  gas may flow past it, to a hole
+    Index add(std::vector<Index> sides, bool drifts = false);
 
     void measure(std::span<const Vec3> x);  ///< areas, where no flight does
     /// Takes in a flight's hits. sides: of each hit, in their order; rooms: mean states at t.
@@ -54,9 +57,9 @@ public:
                  std::span<const Vec3> x, std::span<const Inside> rooms,
                  const Particles& particles);
 
-    /// The gas at a sample: that of its room but for what its hits tell. `with_drift`: come to rest
-    /// from its motion along the wall, isentropically.
-    void state(std::size_t sample, const Inside& room, bool with_drift, Inside& out) const;
+    /// The gas at a sample: that of its room but for what its hits tell; come to rest, isentropically,
+    /// from its drift along the wall, if the sample is one of a hole.
+    void state(std::size_t sample, const Inside& room, Inside& out) const;
 
     [[nodiscard]] Index room(std::size_t sample) const { return samples_[sample].room; }
     [[nodiscard]] const std::vector<Index>& points(std::size_t sample) const {
@@ -67,7 +70,7 @@ public:
     }
     [[nodiscard]] double area(std::size_t sample) const { return samples_[sample].area; }
     /// Has gas come to it lately?
-    [[nodiscard]] bool is_reached(std::size_t sample) const { return samples_[sample].count > 0.0; }
+    [[nodiscard]] bool is_reached(std::size_t sample) const { return samples_[sample].quick.count > 0.0; }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
@@ -77,34 +80,44 @@ public:
     }
 
 private:
-    struct Sample {
-        std::vector<Index> sides, points;
-        Index room = 0;
-        double area = 0.0;  ///< at the last flight                                     [m^2]
-        bool tells = true;  ///< of differences in its room: all that come bounce
+    /// Sums over hits, of late.
+    struct Memory {
+        double exposure = 0.0;               ///< integral of A dt                      [m^2 s]
+        double push = 0.0;                   ///< sum of J                              [N s]
+        double excess = 0.0;                 ///< the same less integral of p_room A dt [N s]
+        double push2 = 0.0;                  ///< sum of J²                             [N² s²]
+        double count = 0.0;                  ///< hits
+        double energy = 0.0, energy2 = 0.0;  ///< beyond what the room's gas carries    [J], [J²]
+        double slope = 0.0;                  ///< sum of d(energy carried)/dT           [J/K]
+        double mass = 0.0;                   ///< of hits                               [kg]
+        Vec3 momentum = Vec3::Zero();        ///< of hits, along the wall               [N s]
+        double square = 0.0;                 ///< sum of its squares                    [N² s²]
+        std::vector<double> of;              ///< hits by species
 
-        // Of this flight
-        double new_push = 0.0, new_push2 = 0.0, new_energy = 0.0, new_energy2 = 0.0;
-        double new_count = 0.0, new_slope = 0.0, new_mass = 0.0, new_square = 0.0;
-        Vec3 new_momentum = Vec3::Zero();
-        std::vector<double> new_of;
-
-        // Remembered
-        double exposure = 0.0;             ///< integral of A dt                        [m^2 s]
-        double excess = 0.0;               ///< sum of J less integral of p_room A dt   [N s]
-        double push2 = 0.0;                ///< sum of J²                               [N² s²]
-        double count = 0.0;                ///< hits
-        double energy = 0.0, energy2 = 0.0;///< beyond what the room's gas carries      [J], [J²]
-        double slope = 0.0;                ///< sum of d(energy carried)/dT             [J/K]
-        double mass = 0.0;                 ///< of hits                                 [kg]
-        double square = 0.0;               ///< sum of (m v)² along the wall            [kg² m²/s²]
-        Vec3 momentum = Vec3::Zero();      ///< of hits, along the wall                 [N s]
-        std::vector<double> of;            ///< hits by species
+        [[nodiscard]] double pressure() const { return push / exposure; }
+        [[nodiscard]] double difference() const { return excess / exposure; }
+        [[nodiscard]] double variance() const { return 0.5 * push2 / (exposure * exposure); }
+        void clear();
+        /// What is remembered is multiplied by `kept`, `more` is added.
+        void renew(double kept, const Memory& more);
 
         template <class Archive>
         void visit_state(Archive& archive) {
-            archive(area, exposure, excess, push2, count, energy, energy2, slope, mass, square,
-                    momentum, of);
+            archive(exposure, push, excess, push2, count, energy, energy2, slope, mass, momentum, square,
+                    of);
+        }
+    };
+    struct Sample {
+        std::vector<Index> sides, points;
+        bool drifts = false;
+        Index room = 0;
+        double area = 0.0;  ///< at the last flight                                     [m^2]
+        bool tells = true;  ///< of differences in its room: all that come bounce
+        Memory now, quick, steady;
+
+        template <class Archive>
+        void visit_state(Archive& archive) {
+            archive(area, quick, steady);
         }
     };
     /// How the gas of a room differs from place to place, beyond chance: variances.

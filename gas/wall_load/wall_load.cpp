@@ -118,6 +118,7 @@ void WallLoad::take_in(const Hit& hit, std::size_t side, std::span<const double>
         if (held_[p] == 0) free += hit.at[c];
     }
     owed.add(hit.where, free * hit.impulse);
+    held_owed_.add(hit.where, (1.0 - free) * hit.impulse);
     taken_ += hit.energy;
     if (due == 0.0 || hit.has_left()) return;
     double& internal = particles.e[row];
@@ -202,6 +203,7 @@ void WallLoad::release(double span, std::span<const Vec3> x, std::span<const Vec
     release_points(share, span, v, mass);
     release_jets(share, span, x);
     balance_momentum(share, span, x);
+    held_owed_ = {};
     last_given_ -= owed();
     parallel::for_each(nodes_.size(), [&](std::size_t i) {
         Vec3 sum = Vec3::Zero();
@@ -364,6 +366,7 @@ Wrench WallLoad::owed(double done) const {
     Wrench sum = last_given_;
     sum *= 1.0 - done;
     sum += jet_wrench_;
+    sum += held_owed_;
     for (const Wrench& room : owed_) sum += room;
     return sum;
 }

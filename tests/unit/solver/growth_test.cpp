@@ -277,8 +277,8 @@ TEST_CASE("first hits of the gas on light cloth at rest stop no run", "[solver][
 
 TEST_CASE("cloth that gas sets in motion beyond its limit is noticed within few steps",
           "[solver][growth]") {
-    // This mesh bears 1.55 of the bound
-    const double density = GENERATE(20.0, 700.0);
+    // This mesh bears 1.55 of the bound; light enough for the fabric to limit the step
+    const double density = GENERATE(20.0, 100.0);
     const double factor = GENERATE(1.7, 3.0);
     CHECK(stop_of(bag(density, 500), 0.9, 0.5e-3).why.empty());
     const Stop stop = stop_of(bag(density, 500), factor, 0.5e-3);
