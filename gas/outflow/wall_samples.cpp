@@ -219,7 +219,12 @@ void WallSamples::remember(Sample& s, double dt, const Inside& room) {
     s.steady.renew(std::exp(-dt / (STEADIER * longest_)), s.now);
     s.now.clear();
     if (!(s.quick.exposure > 0.0)) return;
-    const double apart = s.quick.pressure() - s.steady.pressure();
+    const double beside = s.quick.difference() - s.steady.difference(),
+                 alone = s.quick.pressure() - s.steady.pressure();
+    const double fresh = -std::expm1(-dt / longest_);
+    s.off += fresh * (alone * alone - s.off);
+    s.off_beside_room += fresh * (beside * beside - s.off_beside_room);
+    const double apart = s.follows_room() ? beside : alone;
     if (apart * apart > CHANGED * CHANGED * (s.quick.variance() + s.steady.variance()))
         s.steady = s.quick;
 }
@@ -267,7 +272,9 @@ void WallSamples::state(std::size_t sample, const Inside& room, Inside& out) con
     const double weight =
         spread.pressure > 0.0 ? spread.pressure / (spread.pressure + variance) : 0.0;
     const double of_room = room.pressure - room.air_pressure;
-    double pressure = of_room + weight * (s.pressure() - of_room);
+    const double apart =
+        samples_[sample].follows_room() ? s.difference() : s.pressure() - of_room;
+    double pressure = of_room + weight * apart;
     pressure = std::max(0.0, pressure);
     out.error = std::hypot(room.error, std::sqrt(weight * variance));
 

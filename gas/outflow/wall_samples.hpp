@@ -114,10 +114,16 @@ private:
         double area = 0.0;  ///< at the last flight                                     [m^2]
         bool tells = true;  ///< of differences in its room: all that come bounce
         Memory now, quick, steady;
+        /// How far the steady memory has lately been from the quick one, squared: of pressure, and
+        /// of its difference from the room's.                                         [Pa²]
+        double off = 0.0, off_beside_room = 0.0;
+
+        /// Does the pressure here go with that of the room, rather than stay?
+        [[nodiscard]] bool follows_room() const { return off_beside_room < off; }
 
         template <class Archive>
         void visit_state(Archive& archive) {
-            archive(area, quick, steady);
+            archive(area, quick, steady, off, off_beside_room);
         }
     };
     /// How the gas of a room differs from place to place, beyond chance: variances.
