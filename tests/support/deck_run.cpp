@@ -36,7 +36,7 @@ DeckFile::~DeckFile() {
 DeckRun::DeckRun(const std::string& name, const std::string& deck, const std::string& options)
     : deck_(name, deck) {
     const std::string log = (deck_.directory() / "log").string();
-    const std::string command = "timeout 900 " CORPUSCLE_PROGRAM " run '" + deck_.path().string() +
+    const std::string command = "timeout -k 10 900 " CORPUSCLE_PROGRAM " run '" + deck_.path().string() +
                                 "' -o '" + deck_.directory().string() + "' -j 1 " + options +
                                 " >'" + log + "' 2>&1";
     const int ended = std::system(command.c_str());
