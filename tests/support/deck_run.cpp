@@ -36,9 +36,9 @@ DeckFile::~DeckFile() {
 DeckRun::DeckRun(const std::string& name, const std::string& deck, const std::string& options)
     : deck_(name, deck) {
     const std::string log = (deck_.directory() / "log").string();
-    const std::string command = "timeout -k 10 900 " CORPUSCLE_PROGRAM " run '" + deck_.path().string() +
-                                "' -o '" + deck_.directory().string() + "' -j 1 " + options +
-                                " >'" + log + "' 2>&1";
+    const std::string command = "timeout -k 10 900 " CORPUSCLE_PROGRAM " run '" +
+                                deck_.path().string() + "' -o '" + deck_.directory().string() +
+                                "' -j 1 " + options + " >'" + log + "' 2>&1";
     const int ended = std::system(command.c_str());
     status_ = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
     if (status_ != 0) std::system(("cat '" + log + "'").c_str());
