@@ -14,7 +14,7 @@
 
 namespace corpuscle::test {
 
-DeckRun::DeckRun(const std::string& name, const std::string& deck, const std::string& options) {
+DeckFile::DeckFile(const std::string& name, const std::string& deck) {
     if (const char* kept = std::getenv("CORPUSCLE_DECKS")) {
         stays_ = true;
         directory_ = std::filesystem::path(kept) / name;
@@ -24,20 +24,24 @@ DeckRun::DeckRun(const std::string& name, const std::string& deck, const std::st
         if (!mkdtemp(pattern.data())) throw std::runtime_error("no directory " + pattern);
         directory_ = pattern;
     }
-    const std::string path = (directory_ / "deck.k").string();
-    std::ofstream(path) << deck;
-    const std::string log = (directory_ / "log").string();
-    const std::string command = "timeout 900 " CORPUSCLE_PROGRAM " run '" + path + "' -o '" +
-                                directory_.string() + "' -j 1 " + options + " >'" + log + "' 2>&1";
-    const int ended = std::system(command.c_str());
-    status_ = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
-    if (status_ != 0) std::system(("cat '" + log + "'").c_str());
+    std::ofstream(path()) << deck;
 }
 
-DeckRun::~DeckRun() {
+DeckFile::~DeckFile() {
     if (stays_) return;
     std::error_code ignored;  // a directory left behind harms nobody
     std::filesystem::remove_all(directory_, ignored);
+}
+
+DeckRun::DeckRun(const std::string& name, const std::string& deck, const std::string& options)
+    : deck_(name, deck) {
+    const std::string log = (deck_.directory() / "log").string();
+    const std::string command = "timeout -k 10 900 " CORPUSCLE_PROGRAM " run '" +
+                                deck_.path().string() + "' -o '" + deck_.directory().string() +
+                                "' -j 1 " + options + " >'" + log + "' 2>&1";
+    const int ended = std::system(command.c_str());
+    status_ = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
+    if (status_ != 0) std::system(("cat '" + log + "'").c_str());
 }
 
 bool DeckRun::has(const std::string& path) const {

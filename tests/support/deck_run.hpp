@@ -8,24 +8,35 @@
 
 namespace corpuscle::test {
 
-/// One run of the program on a deck that a test writes, in a directory of its own that goes when
-/// this does. With CORPUSCLE_DECKS=DIR in the environment deck and results stay, as DIR/NAME/deck.k
-/// and DIR/NAME/results.h5, to be run by hand: corpuscle run DIR/NAME/deck.k
+/// A deck that a test writes, in a directory of its own that goes when this does. With
+/// CORPUSCLE_DECKS=DIR in the environment it stays, as DIR/NAME/deck.k, results beside it, to be
+/// run by hand: corpuscle run DIR/NAME/deck.k
+class DeckFile {
+public:
+    /// @param name  of the case, one word
+    /// @param deck  its text
+    DeckFile(const std::string& name, const std::string& deck);
+    ~DeckFile();
+    DeckFile(const DeckFile&) = delete;
+    DeckFile& operator=(const DeckFile&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
+    [[nodiscard]] std::filesystem::path path() const { return directory_ / "deck.k"; }
+
+private:
+    std::filesystem::path directory_;
+    bool stays_ = false;
+};
+
+/// One run of the program on such a deck.
 class DeckRun {
 public:
-    /// @param name     of the case, one word
-    /// @param deck     text of the deck
     /// @param options  of `corpuscle run`, e.g. "--seed 3"
     DeckRun(const std::string& name, const std::string& deck, const std::string& options = "");
-    ~DeckRun();
-    DeckRun(const DeckRun&) = delete;
-    DeckRun& operator=(const DeckRun&) = delete;
 
-    [[nodiscard]] int status() const {
-        return status_;
-    }  ///< the program's exit status; 124: it has not come to its end in 15 minutes
-    [[nodiscard]] std::filesystem::path results() const { return directory_ / "results.h5"; }
-    [[nodiscard]] std::filesystem::path deck() const { return directory_ / "deck.k"; }
+    /// The program's exit status; 124: it has not come to its end in 15 minutes.
+    [[nodiscard]] int status() const { return status_; }
+    [[nodiscard]] std::filesystem::path results() const { return deck_.directory() / "results.h5"; }
     /// Whether results.h5 has a dataset.
     [[nodiscard]] bool has(const std::string& path) const;
 
@@ -36,8 +47,7 @@ public:
     [[nodiscard]] double at(const std::string& path, double time) const;
 
 private:
-    std::filesystem::path directory_;
-    bool stays_ = false;
+    DeckFile deck_;
     int status_ = -1;
 };
 

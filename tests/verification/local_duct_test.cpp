@@ -10,6 +10,7 @@
 #include "tests/support/case_report.hpp"
 #include "tests/support/deck_run.hpp"
 #include "tests/support/euler_duct.hpp"
+#include "tests/support/stirred_tank.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::test;
@@ -69,6 +70,28 @@ std::vector<double> exact_outflow(const std::vector<double>& time, double jet_sh
 }
 
 }  // namespace
+
+TEST_CASE("the duct's equations keep mass and energy, and end in Wang and Nefske's flow",
+          "[duct][oracle]") {
+    const double rate = GENERATE(200.0, 400.0, 600.0);  // [kg/(m^2 s)]; the last one is choked
+    const oracle::Gas1D rest{air::density(air::P_ATM, T), 0.0, air::P_ATM};
+    oracle::EulerDuct duct(air::GAMMA, LENGTH, 100, rest, air::P_ATM, 0.02);
+    const oracle::DuctInflow inflow{rate, 0.0, rate * air::energy(T)};
+    const double mass = duct.mass(), energy = duct.energy();
+    constexpr double STEADY = 60e-3;
+    duct.advance(STEADY, inflow);
+    CHECK(duct.mass() + duct.mass_out() == Approx(mass + rate * STEADY).epsilon(1e-10));
+    CHECK(duct.energy() + duct.energy_out() ==
+          Approx(energy + inflow.energy * STEADY).epsilon(1e-10));
+    const oracle::Gas1D last = duct.gas().back();
+    const double static_T = last.pressure * air::MOLAR_MASS / (last.density * GAS_CONSTANT);
+    const double stagnation_T =
+        static_T + 0.5 * last.velocity * last.velocity * air::MOLAR_MASS / air::MOLAR_CP;
+    const double stagnation_p =
+        last.pressure * std::pow(stagnation_T / static_T, air::GAMMA / (air::GAMMA - 1.0));
+    CHECK(oracle::nozzle_flux(stagnation_p, stagnation_T, air::MOLAR_MASS, air::MOLAR_CP,
+                              air::P_ATM) == Approx(rate).epsilon(0.01));
+}
 
 TEST_CASE("a vent at the end of a duct waits for the gas", "[duct][vent]") {
     const DeckRun run("duct", duct(100000));

@@ -76,7 +76,7 @@ constexpr double DELAY = 5e-5;  ///< of the load: its smoothing                 
 /// Impulses by x since the opening of the valve, means over seeds.                       [Pa s]
 struct Pushes {
     std::map<double, double> sheet;  ///< that the sheet has got
-    std::map<double, double> gas;    ///< of the pressure of the run's own gas there, DELAY before
+    std::map<double, double> gas;    ///< of the run's own gas DELAY before, right of the membrane
 };
 
 /// Gauge impulse of sensor `k`'s gas from the opening to `until` after it, by trapezoids.
@@ -106,8 +106,8 @@ std::vector<Pushes> pushes_of_shock(const shock_tube::Tube& tube, int seeds,
         const auto before = at(0.0);
         for (std::size_t i = 0; i < times.size(); ++i)
             for (const auto& [x, impulse] : at(times[i])) {
-                if (x < 0.5) continue;
                 mean[i].sheet[x] += (impulse - before.at(x)) / seeds;
+                if (x < 0.5) continue;
                 // a node between sensors k and k + 1
                 const int k = static_cast<int>(std::lround((x - 0.5) / edge));
                 for (const int near : {k, k + 1})
@@ -129,6 +129,11 @@ double exact_impulse(const shock_tube::Tube& tube, double x, double until) {
             oracle::exact_riemann(air::GAMMA, left, right, (x - 0.5) / t).pressure - tube.p_outside;
     }
     return sum * until / STEPS;
+}
+
+/// Of the left gas at rest: the rarefaction's head runs at it.                             [m/s]
+double sound_speed(const shock_tube::Tube& tube) {
+    return std::sqrt(air::GAMMA * GAS_CONSTANT * tube.T_left / air::MOLAR_MASS);
 }
 
 /// Speed of the shock: of the fastest place that still differs from the right.              [m/s]
@@ -154,7 +159,14 @@ TEST_CASE("a sheet is pushed by a shock when it is there", "[sheet][front]") {
         const double t = times[i], front = 0.5 + speed * t;
         double ahead = 0.0, n_ahead = 0.0, behind = 0.0, n_behind = 0.0, exact = 0.0, gas = 0.0;
         const std::string name = fmt::format("shock_sheet: {:.1f} ms, ", 1e3 * t);
+        const double head = 0.5 - sound_speed(tube) * t;
+        double still = 0.0, n_still = 0.0;
         for (const auto& [x, got] : pushes[i].sheet) {
+            if (x < head - WIDTH) {
+                still += got;
+                n_still += 1.0;
+            }
+            if (x < 0.5) continue;
             const double due = exact_impulse(tube, x, t - DELAY), own = pushes[i].gas.at(x);
             if (x > front + WIDTH && x < front + WIDTH + AHEAD) {
                 ahead += got;
@@ -174,7 +186,10 @@ TEST_CASE("a sheet is pushed by a shock when it is there", "[sheet][front]") {
         report(name + "ahead of the front, of what is behind", 0.0, share);
         report(name + "behind the front, mean [Pa s]", exact / n_behind, behind / n_behind);
         report(name + "behind the front, of the own gas's", 1.0, behind / gas);
+        report(name + "left of the rarefaction, mean [Pa s]", (tube.p_left - tube.p_outside) * t,
+               still / n_still);
         CHECK(std::abs(share) < 0.01);
+        CHECK(still / n_still == Approx((tube.p_left - tube.p_outside) * t).epsilon(0.01));
         CHECK(behind == Approx(exact).epsilon(0.02));
     }
 }

@@ -17,17 +17,19 @@ namespace {
 constexpr double DENSITY = 0.011, PRESSURE = 0.0075;  ///< at 10^5 particles and 40 runs
 constexpr double DENSITY_NOISE = 0.0020, PRESSURE_NOISE = 0.0025;  ///< in them, .0016 sqrt(64/40)
 
-/// A bound for fewer runs: noise adds to each slab's error as squares do.
-double bound(double of_40, double noise_of_40, double noise) {
-    return std::sqrt(of_40 * of_40 - noise_of_40 * noise_of_40 + noise * noise);
+/// A bound for `runs`: noise adds to each slab's error as squares do. Fewer than 40: a tenth more,
+/// for sound ties slabs together, and so their sum scatters.
+double bound(double of_40, double noise_of_40, double noise, int runs) {
+    const double slack = runs < 40 ? 1.1 : 1.0;
+    return slack * std::sqrt(of_40 * of_40 - noise_of_40 * noise_of_40 + noise * noise);
 }
 
 void check(const std::string& name, int runs) {
     const oracle::SodError bench =
         oracle::sod_error({gas::CollisionModel::LIN, 100000, 1.0 / 60.0, 0.1}, runs);
     const SodDeckError error = sod_deck_error(100000, runs);
-    const double density = bound(DENSITY, DENSITY_NOISE, error.density_noise),
-                 pressure = bound(PRESSURE, PRESSURE_NOISE, error.pressure_noise);
+    const double density = bound(DENSITY, DENSITY_NOISE, error.density_noise, runs),
+                 pressure = bound(PRESSURE, PRESSURE_NOISE, error.pressure_noise, runs);
     report(name + fmt::format(": L1 of density, bench and decks (noise {:.4f}, bound {:.4f})",
                               error.density_noise, density),
            bench.density, error.density);
@@ -40,8 +42,8 @@ void check(const std::string& name, int runs) {
 
 }  // namespace
 
-TEST_CASE("Sod's tube through decks, four seeds", "[sod]") {
-    check("sod, 4 seeds", 4);
+TEST_CASE("Sod's tube through decks, eight seeds", "[sod]") {
+    check("sod, 8 seeds", 8);
 }
 
 TEST_CASE("Sod's tube through decks, forty seeds", "[.full][sod]") {
