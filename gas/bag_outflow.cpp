@@ -70,6 +70,11 @@ void BagGas::look_at_openings() {
     for (std::size_t o = 0; o < all.size(); ++o) {
         Inside& here = at_opening_[o];
         const Inside& room = rooms_[all[o].room];
+        if (all[o].is_strong && !all[o].is_internal) {
+            // Its own hits are of gas that it has set in motion far and wide.
+            here = room;
+            continue;
+        }
         if (!all[o].is_internal) {
             samples_.state(static_cast<std::size_t>(all[o].sample), room, here);
             continue;

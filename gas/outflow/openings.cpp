@@ -69,14 +69,9 @@ Openings::Openings(const BagCard& card, const BagWalls& walls, std::span<const C
         const double factor = most(vents_[vent.vent]);
         const double own = vent.law == Opening::Law::ISENTROPIC ? COLLAR * factor : factor - 1.0;
         const double area = area_of(vent.facets, x);
-        // A vent larger than itself (C23 > 1) draws the gas near it along so fast that its state
-        // shows only beyond the collar.
-        const auto row = static_cast<Index>(o);
-        const bool is_strong = factor > 1.0;
-        std::vector<Index> sides;
-        if (is_strong && own > 0.0) add_collar(vent, row, own * area, sides, surface, x);
-        sides = surroundings(vent, SURROUNDINGS * area, surface, x);
-        if (!is_strong && own > 0.0) add_collar(vent, row, own * area, sides, surface, x);
+        vent.is_strong = factor > 1.0;
+        std::vector<Index> sides = surroundings(vent, SURROUNDINGS * area, surface, x);
+        if (own > 0.0) add_collar(vent, static_cast<Index>(o), own * area, sides, surface, x);
         vent.sample = samples.add(std::move(sides), true);
     }
     passed_.still_owed.assign(openings_.size(), 0.0);
@@ -236,9 +231,7 @@ std::vector<Index> Openings::surroundings(const Opening& opening, double wanted,
                                           const WettedSurface& surface,
                                           std::span<const Vec3> x) const {
     std::vector<Index> sides;
-    const auto& collar = opening.collar;
-    grow_rings(opening, surface, x, wanted + area_of(collar, x), [&](Index f) {
-        if (std::find(collar.begin(), collar.end(), f) != collar.end()) return;
+    grow_rings(opening, surface, x, wanted, [&](Index f) {
         sides.push_back(static_cast<Index>(surface.side(static_cast<std::size_t>(f), false)));
     });
     if (sides.empty())

@@ -29,6 +29,7 @@ struct Opening {
     };
     Law law = Law::PLAIN;
     bool is_internal = false;
+    bool is_strong = false;      ///< C23 above 1: draws on its room as a whole
     Index vent = -1, leak = -1;  ///< row of its card, of one kind or the other
     std::vector<Index> facets;
     std::vector<Index> collar;  ///< closed facets round a vent

@@ -269,6 +269,7 @@ void WallSamples::state(std::size_t sample, const Inside& room, Inside& out) con
     if (!(s.exposure > 0.0) || !room.holds_gas()) return;
     const Spread& spread = spread_[samples_[sample].room];
     const double variance = s.variance();
+    const Memory& q = samples_[sample].quick;  // temperatures even out sooner than the steady one fades
     const double weight =
         spread.pressure > 0.0 ? spread.pressure / (spread.pressure + variance) : 0.0;
     const double of_room = room.pressure - room.air_pressure;
@@ -278,14 +279,14 @@ void WallSamples::state(std::size_t sample, const Inside& room, Inside& out) con
     pressure = std::max(0.0, pressure);
     out.error = std::hypot(room.error, std::sqrt(weight * variance));
 
-    const double heat_variance = s.slope > 0.0 ? 0.5 * s.energy2 / (s.slope * s.slope) : 0.0;
+    const double heat_variance = q.slope > 0.0 ? 0.5 * q.energy2 / (q.slope * q.slope) : 0.0;
     const double heat_weight =
-        spread.temperature > 0.0 && s.slope > 0.0
+        spread.temperature > 0.0 && q.slope > 0.0
             ? spread.temperature / (spread.temperature + heat_variance)
             : 0.0;
     double T = room.temperature;
     // Carried energy holds the energy of motion along the wall, too.
-    if (heat_weight > 0.0) T = std::max(0.0, T + heat_weight * s.energy / s.slope);
+    if (heat_weight > 0.0) T = std::max(0.0, T + heat_weight * q.energy / q.slope);
     if (!(T > 0.0) || !(pressure > 0.0)) {
         out.pressure = room.air_pressure;
         out.density.assign(out.density.size(), 0.0);
@@ -297,7 +298,7 @@ void WallSamples::state(std::size_t sample, const Inside& room, Inside& out) con
     double moles = 0.0, moles_of_room = 0.0;
     std::vector<double> share(kinds);
     for (std::size_t k = 0; k < kinds; ++k) {
-        share[k] = s.of[k] * std::sqrt(species_[k].molar_mass());
+        share[k] = q.of[k] * std::sqrt(species_[k].molar_mass());
         moles += share[k];
         moles_of_room += room.density[k] / species_[k].molar_mass();
     }
@@ -323,10 +324,10 @@ void WallSamples::state(std::size_t sample, const Inside& room, Inside& out) con
     out.molar_mass = M / std::max(all, of_particles);
     out.gamma = gamma;
 
-    if (own > 0.0 && s.mass > 0.0 && gamma > 1.0) {
+    if (own > 0.0 && q.mass > 0.0 && gamma > 1.0) {
         // U² without what chance makes of it; where that is not beyond chance, none.
-        const double scatter = 0.5 * s.square / (s.mass * s.mass);
-        const double square = s.momentum.squaredNorm() / (s.mass * s.mass), drift = square - scatter;
+        const double scatter = 0.5 * q.square / (q.mass * q.mass);
+        const double square = q.momentum.squaredNorm() / (q.mass * q.mass), drift = square - scatter;
         if (square > CHANCE * CHANCE * scatter) {
             // T holds U²/2 as heat at constant volume; at constant pressure it is less warm.
             const double R = gas_constant_ / out.molar_mass;
