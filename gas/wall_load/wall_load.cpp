@@ -22,6 +22,9 @@ constexpr double ANSWER = 4.0;
 /// next. More: single particles take on debts that their group can hardly share.
 constexpr double MOST_PAID = 0.25;
 
+/// Share of a room's free wall that must be wet to bear the correction of momentum alone.
+constexpr double LEAST_WET = 0.25;
+
 /// Times of release after the last hit from which a point counts as one that gas has not reached.
 constexpr double DRY_AFTER = 4.0;
 
@@ -280,10 +283,22 @@ void WallLoad::balance_momentum(double share, double span, std::span<const Vec3>
         }
     };
     const Vec3 origin = x[surface_->node(0)];
+    std::vector<double> wet(owed_.size(), 0.0), free(owed_.size(), 0.0);
+    for (std::size_t p = 0; p < size_.size(); ++p) {
+        if (held_[p] != 0) continue;
+        const Index room = surface_->room_of_point(p);
+        free[room] += size_[p];
+        if (takes_part_[p] != 0) wet[room] += size_[p];
+    }
     for (std::size_t r = 0; r < owed_.size(); ++r) {
         const auto room = static_cast<Index>(r);
         const auto counts = [&](std::size_t p) {
             return surface_->room_of_point(p) == room && held_[p] == 0;
+        };
+        // A few wet points have no lever: then all of the wall bears it.
+        const bool is_spread = wet[r] > LEAST_WET * free[r];
+        const auto bears = [&](std::size_t p) {
+            return counts(p) && size_[p] > 0.0 && (!is_spread || takes_part_[p] != 0);
         };
         const Sums sums = parallel::sum(size_.size(), Sums{}, [&](std::size_t p) {
             Sums own;
@@ -291,7 +306,7 @@ void WallLoad::balance_momentum(double share, double span, std::span<const Vec3>
             const Vec3& at = x[surface_->node(p)];
             own.given.add(at, span * force_[p]);
             own.kept.add(at, kept_[p] * normal(p) + along_[p]);
-            if (takes_part_[p] == 0) return own;
+            if (!bears(p)) return own;
             const Vec3 d = at - origin;
             own.area = size_[p];
             own.first = size_[p] * d;
@@ -308,12 +323,12 @@ void WallLoad::balance_momentum(double share, double span, std::span<const Vec3>
         rest -= sums.kept;
         const Vec3 a = share * rest.linear / sums.area;
         const Vec3 moment = share * (rest.angular - (origin + centre).cross(rest.linear));
-        constexpr double FLAT = 1e-9;  // of its size³: points on a line have no moment about it
+        constexpr double FLAT = 1e-3;  // of its size³: points on a line have no moment about it
         const double size = inertia.trace();
         const bool turns = inertia.determinant() > FLAT * size * size * size;
         const Vec3 b = turns ? Vec3(inertia.inverse() * moment) : Vec3(Vec3::Zero());
         parallel::for_each(size_.size(), [&](std::size_t p) {
-            if (!counts(p) || takes_part_[p] == 0) return;
+            if (!bears(p)) return;
             const Vec3 d = x[surface_->node(p)] - origin - centre;
             force_[p] += size_[p] / span * (a + b.cross(d));
         });
