@@ -154,7 +154,6 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
             chamber_of_room_[surface_->room(surface_->side(f, false))] = std::max(a, b);
         }
     }
-    owed_to_outflow_.assign(surface_->rooms(), 0.0);
     at_opening_.resize(openings_.all().size());
     particles_.reserve(std::min(inflators_.particles() + inflators_.resident(), MOST_RESERVED));
     if (inflators_.resident() > 0) fill_with_air(x, seed);

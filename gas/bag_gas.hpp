@@ -160,7 +160,7 @@ public:
         if (is_uniform && !uniform_) open_rooms();
         if (uniform_) archive(*uniform_);
         archive(inflators_, air_, lists_, side_lists_, load_, particles_, samples_, openings_,
-                heat_loss_, roughness_, pressed_, rooms_, looked_at_, owed_to_outflow_, area_,
+                heat_loss_, roughness_, pressed_, rooms_, looked_at_, area_,
                 volumes_, cell_, wanted_cell_, speed_, since_collision_, collisions_, unrelaxed_,
                 time_);
         archive(part_impulse_, triangle_impulse_, part_air_, triangle_air_, given_, ambient_work_,
@@ -250,7 +250,6 @@ private:
     std::vector<Inside> rooms_;          ///< mean states at collision step looked_at_
     std::vector<Inside> at_opening_;     ///< in this step
     std::uint64_t looked_at_ = 0;
-    std::vector<double> owed_to_outflow_;    ///< by rooms at uniform pressure: heat           [J]
     Points area_;                            ///< N × 3, node areas at t                      [m^2]
     Points air_force_;                       ///< N × 3, of initial air                       [N]
     std::vector<double> volumes_;            ///< of rooms, at t                              [m^3]
