@@ -106,12 +106,12 @@ void BagGas::exchange_heat_with_air(std::vector<double>& factor) {
         EnergyPolynomial content = air_[r].content();
         double count = 0.0;
         for (std::size_t s = 0; s < kinds; ++s) {
-            content += holds[r * kinds + s].count * moles * inflators_.species()[s].molar_internal();
+            content +=
+                holds[r * kinds + s].count * moles * inflators_.species()[s].molar_internal();
             count += holds[r * kinds + s].count;
         }
         content.a += 1.5 * card_.gas_constant * moles * (count - groups[r]);
-        const double T =
-            content.temperature(air_[r].energy() + thermal[r], air_[r].temperature());
+        const double T = content.temperature(air_[r].energy() + thermal[r], air_[r].temperature());
         const double wanted = air_[r].energy() - air_[r].content()(T);
         const double heat =
             std::clamp(wanted, -MOST_EXCHANGED * thermal[r], MOST_EXCHANGED * thermal[r]);
@@ -123,8 +123,8 @@ void BagGas::exchange_heat_with_air(std::vector<double>& factor) {
 /// Adapts the cells that the next facet lists will have to how many particles the occupied ones
 /// hold.
 void BagGas::fit_cells(std::size_t occupied_cells) {
-    const double mean =
-        static_cast<double>(particles_.size()) / static_cast<double>(std::max<std::size_t>(1, occupied_cells));
+    const double mean = static_cast<double>(particles_.size()) /
+                        static_cast<double>(std::max<std::size_t>(1, occupied_cells));
     wanted_cell_ = cell_ * std::clamp(std::cbrt(PARTICLES_PER_CELL / mean), 0.7, 1.4);
 }
 

@@ -1,7 +1,7 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "gas/thermo/orifice_flow.hpp"
 #include "gas/bag_gas.hpp"
+#include "gas/thermo/orifice_flow.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -187,10 +187,9 @@ std::vector<char> BagGas::passing_facets() const {
     std::vector<char> passes(walls_.triangles.size(), 0);
     for (std::size_t f = 0; f < passes.size(); ++f) {
         const Index part = walls_.part_rows[walls_.part[f]];
-        const bool leaks =
-            f >= walls_.closing &&
-            std::any_of(walls_.leaks.begin(), walls_.leaks.end(),
-                        [&](const LeakCard& leak) { return leak.part == part; });
+        const bool leaks = f >= walls_.closing &&
+                           std::any_of(walls_.leaks.begin(), walls_.leaks.end(),
+                                       [&](const LeakCard& leak) { return leak.part == part; });
         const bool is_vent =
             std::any_of(card_.vents.begin(), card_.vents.end(), [&](const VentCard& vent) {
                 return std::find(vent.parts.begin(), vent.parts.end(), part) != vent.parts.end();
@@ -219,8 +218,8 @@ void BagGas::fill_with_air(const Points& x, std::uint64_t seed) {
     const InitialAirCard& air = *card_.air;
     const double M = air.species.molar_mass;
     const double density = air.pressure * M / (card_.gas_constant * air.temperature);
-    load_.begin_with(air.pressure,
-                     density * effusion_speed(air.temperature, card_.gas_constant, M), x);
+    load_.begin_with(air.pressure, density * effusion_speed(air.temperature, card_.gas_constant, M),
+                     x);
 }
 
 // ---- the load on the fabric

@@ -10,23 +10,23 @@
 
 #include "gas/cards/bag.hpp"
 #include "gas/collisions/cell_grid.hpp"
-#include "gas/enclosure/chambers.hpp"
 #include "gas/collisions/collide.hpp"
+#include "gas/enclosure/chambers.hpp"
 #include "gas/enclosure/enclosure.hpp"
 #include "gas/enclosure/wetted_surface.hpp"
 #include "gas/flight/facet_lists.hpp"
 #include "gas/flight/flight.hpp"
-#include "gas/outflow/heat_loss.hpp"
-#include "gas/wall_load/wall_load.hpp"
 #include "gas/inflow/inflator.hpp"
-#include "gas/thermo/initial_air.hpp"
+#include "gas/inflow/orifices.hpp"
+#include "gas/outflow/heat_loss.hpp"
 #include "gas/outflow/openings.hpp"
 #include "gas/outflow/wall_samples.hpp"
-#include "gas/inflow/orifices.hpp"
 #include "gas/particles.hpp"
-#include "gas/wall_load/roughness.hpp"
+#include "gas/thermo/initial_air.hpp"
 #include "gas/thermo/species.hpp"
 #include "gas/uniform_gas.hpp"
+#include "gas/wall_load/roughness.hpp"
+#include "gas/wall_load/wall_load.hpp"
 #include "solver/base/curve.hpp"
 
 namespace corpuscle::gas {
@@ -160,9 +160,8 @@ public:
         if (is_uniform && !uniform_) open_rooms();
         if (uniform_) archive(*uniform_);
         archive(inflators_, air_, lists_, side_lists_, load_, particles_, samples_, openings_,
-                heat_loss_, roughness_, pressed_, rooms_, looked_at_, area_,
-                volumes_, cell_, wanted_cell_, speed_, since_collision_, collisions_, unrelaxed_,
-                time_);
+                heat_loss_, roughness_, pressed_, rooms_, looked_at_, area_, volumes_, cell_,
+                wanted_cell_, speed_, since_collision_, collisions_, unrelaxed_, time_);
         archive(part_impulse_, triangle_impulse_, part_air_, triangle_air_, given_, ambient_work_,
                 inflow_energy_, lost_energy_, mass_in_, mass_in_seen_, mass_out_seen_, lost_, hits_,
                 flights_, losses_);
@@ -224,11 +223,11 @@ private:
     Chambers chambers_;
     std::vector<Index> chamber_of_room_;  ///< where there are chambers
     Inflators inflators_;
-    std::vector<double> mass_;  ///< of one particle of each gas                 [kg]
+    std::vector<double> mass_;     ///< of one particle of each gas                 [kg]
     std::vector<InitialAir> air_;  ///< of each room, or none
-    FacetLists lists_;         ///< for flight: cells of the facets' size
-    FacetLists side_lists_;    ///< for collisions: cells that hold enough particles
-    double facet_size_ = 0.0;  ///< mean edge of a facet                           [m]
+    FacetLists lists_;             ///< for flight: cells of the facets' size
+    FacetLists side_lists_;        ///< for collisions: cells that hold enough particles
+    double facet_size_ = 0.0;      ///< mean edge of a facet                           [m]
     Orifices orifices_;
     std::vector<Index> orifice_room_;
     std::shared_ptr<const WettedSurface> surface_;
@@ -242,7 +241,7 @@ private:
     std::vector<double> born_;    ///< shares of the step at which they enter
     FlightResult flight_;
     std::vector<std::size_t> gone_;  ///< rows that left in this step
-    WallSamples samples_;  ///< where there are openings or heat is lost
+    WallSamples samples_;            ///< where there are openings or heat is lost
     Openings openings_;
     HeatLoss heat_loss_;
     Roughness roughness_;
@@ -265,7 +264,7 @@ private:
     std::vector<double> part_impulse_, triangle_impulse_;  ///< since the last look   [N s]
     std::vector<double> part_air_, triangle_air_;  ///< by room, integral of air pressure [Pa s]
 
-    double given_ = 0.0;                ///< work of what hits brought                   [J]
+    double given_ = 0.0;  ///< work of what hits brought                   [J]
     double ambient_work_ = 0.0, inflow_energy_ = 0.0, lost_energy_ = 0.0;  ///<           [J]
     double mass_in_ = 0.0, mass_in_seen_ = 0.0, mass_out_seen_ = 0.0;      ///<           [kg]
     std::size_t lost_ = 0, hits_ = 0, flights_ = 0;

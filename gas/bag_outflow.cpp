@@ -106,8 +106,7 @@ void BagGas::pass_on() {
 /// Takes out who has passed and books the energy. Enthalpy that they did not take along is owed by
 /// the gas round the opening: the next to hit there pay.
 void BagGas::let_out(double dt) {
-    const Openings::Passed& passed =
-        openings_.count(flight_, dt, at_opening_, particles_.species);
+    const Openings::Passed& passed = openings_.count(flight_, dt, at_opening_, particles_.species);
     lost_energy_ += passed.energy;
     gone_.insert(gone_.end(), passed.rows.begin(), passed.rows.end());
     for (std::size_t o = 0; o < passed.still_owed.size(); ++o) {

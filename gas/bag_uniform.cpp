@@ -93,8 +93,7 @@ void BagGas::flow_uniform(double t, double dt, const Points& x, const Points& x_
     }
     const double share = -std::expm1(-dt / load_.time());
     for (std::size_t r = 0; r < uniform_->size(); ++r)
-        (*uniform_)[r].add_heat(load_.drain(r, share) +
-                                (r == 0 ? load_.pay_jets() : 0.0));
+        (*uniform_)[r].add_heat(load_.drain(r, share) + (r == 0 ? load_.pay_jets() : 0.0));
     if (!openings_.empty() || !heat_loss_.empty()) let_out_uniform(t, dt, x);
 }
 

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "gas/bag_gas.hpp"
-#include "gas/thermo/control_volume.hpp"
+#include "gas/cards/uniform_card.hpp"
 #include "gas/enclosure/enclosure.hpp"
 #include "gas/inflow/flow_curve.hpp"
-#include "gas/cards/uniform_card.hpp"
+#include "gas/thermo/control_volume.hpp"
 
 namespace corpuscle::gas {
 

@@ -61,8 +61,7 @@ double UniformGas::moles(std::size_t species) const {
 double UniformGas::energy(std::size_t species) const {
     double sum = 0.0;
     for (const ControlVolume& room : rooms_)
-        sum += room.moles(species) *
-               room.species()[species].molar_energy()(room.temperature());
+        sum += room.moles(species) * room.species()[species].molar_energy()(room.temperature());
     return sum;
 }
 

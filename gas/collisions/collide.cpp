@@ -71,8 +71,9 @@ double Collider::cross_section() const {
 
 CollisionReport Collider::collide(std::uint64_t step, double dt, double heat,
                                   Particles& particles) const {
-    return collide({groups_.lists(), mixture_, heat, dt, cell_volume_, cross_section(), seed_, step},
-                   particles);
+    return collide(
+        {groups_.lists(), mixture_, heat, dt, cell_volume_, cross_section(), seed_, step},
+        particles);
 }
 
 CollisionReport Collider::collide(std::uint64_t step, double dt,

@@ -155,8 +155,7 @@ bool collide_group(const CollisionStep& step, Swarm& swarm, Random& draw) {
     if (has_heat) E_1 = share(energy - E_gradient, freedom, step.mixture, swarm, draw);
     if (!E_1) {
         swarm.add_gradient(G);
-        return has_heat ? leave_unrelaxed(step, swarm, draw)
-                        : heat_rigid(step, E_all, swarm, draw);
+        return has_heat ? leave_unrelaxed(step, swarm, draw) : heat_rigid(step, E_all, swarm, draw);
     }
 
     if (swarm.is_mixed()) exchange(*fit, 2.0 * E_0 / freedom, swarm, draw);
@@ -211,7 +210,7 @@ CollisionReport collide_lin(const CollisionStep& step, Particles& particles) {
             const auto rows = step.groups[g];
             if (g + AHEAD < end) fetch(step.groups[g + AHEAD], particles);
             const Random draw(step.seed, Stream::COLLISION, step.step, g);
-            if (rows.size() < LinLanes::FEWEST || 
+            if (rows.size() < LinLanes::FEWEST ||
                 !four.add(rows, g, step.heat_of(rows, particles), draw, particles))
                 report += plainly(g);
             else if (four.size() == lanes::LANES)

@@ -15,8 +15,8 @@ namespace corpuscle::gas {
 
 /// The fabric among particles that are sorted by the grid of its lists.
 struct FabricInCells {
-    const FacetLists* lists = nullptr;  ///< none: no fabric at all
-    std::span<const Vec3> x;            ///< nodes at the particles' instant            [m]
+    const FacetLists* lists = nullptr;        ///< none: no fabric at all
+    std::span<const Vec3> x;                  ///< nodes at the particles' instant            [m]
     std::span<const std::uint8_t> is_open{};  ///< by facet: 1 where it hides nothing; empty: none
 };
 

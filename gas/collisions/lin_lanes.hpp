@@ -5,9 +5,9 @@
 #include <array>
 #include <span>
 
-#include "solver/base/lanes.hpp"
 #include "gas/particles.hpp"
 #include "gas/thermo/species.hpp"
+#include "solver/base/lanes.hpp"
 #include "solver/base/random.hpp"
 
 namespace corpuscle::gas {

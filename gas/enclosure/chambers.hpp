@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "gas/cards/bag.hpp"
-#include "gas/enclosure/enclosure.hpp"
 #include "gas/enclosure/bag_walls.hpp"
+#include "gas/enclosure/enclosure.hpp"
 
 namespace corpuscle::gas {
 

@@ -288,7 +288,8 @@ std::vector<Index> WettedSurface::rooms_of(std::span<const Vec3> points,
     parallel::for_each(points.size(), [&](std::size_t i) {
         for (std::size_t r = 0; r < tests.size(); ++r) {
             const auto winding = tests[r].winding(points[i]);
-            if (winding ? *winding > 0 : solid_angle(walls[r], points[i], x) > 2.0 * std::numbers::pi) {
+            if (winding ? *winding > 0
+                        : solid_angle(walls[r], points[i], x) > 2.0 * std::numbers::pi) {
                 found[i] = static_cast<Index>(r);
                 return;
             }
@@ -307,7 +308,8 @@ void WettedSurface::point_areas(std::span<const Vec3> x, std::span<Vec3> area) c
     });
     parallel::for_each(points(), [&](std::size_t p) {
         Vec3 sum = Vec3::Zero();
-        for (const Index s : around(p)) sum += sign(static_cast<std::size_t>(s)) * of_facet[facet_[s]];
+        for (const Index s : around(p))
+            sum += sign(static_cast<std::size_t>(s)) * of_facet[facet_[s]];
         area[p] = sum / 3.0;
     });
 }

@@ -183,8 +183,8 @@ End fly_one(const Scene& scene, double born, Flyer& who) {
         const double stop = std::max(now, meeting.where.tau - SHORT_OF);
         const Vec3 turn = from + (stop - now) * scene.dt * who.v;
         const auto row = static_cast<Index>(who.row);
-        who.hits.push_back({meeting.facet, row, meeting.where.at, passage.push * impulse, given,
-                            turn});
+        who.hits.push_back(
+            {meeting.facet, row, meeting.where.at, passage.push * impulse, given, turn});
         if (passage.gate >= 0)
             who.arrivals.push_back(
                 {who.row, meeting.facet, passage, before - given + who.internal});

@@ -11,8 +11,8 @@
 #include "gas/flight/facet_lists.hpp"
 #include "gas/flight/free_ways.hpp"
 #include "gas/flight/gates.hpp"
-#include "gas/particles.hpp"
 #include "gas/flight/rough_wall.hpp"
+#include "gas/particles.hpp"
 
 namespace corpuscle::gas {
 

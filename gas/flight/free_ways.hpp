@@ -10,8 +10,8 @@
 #include <span>
 
 #include "gas/flight/facet_lists.hpp"
-#include "solver/base/lanes.hpp"
 #include "gas/particles.hpp"
+#include "solver/base/lanes.hpp"
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {

@@ -213,9 +213,8 @@ void Openings::grow_rings(const Opening& opening, const WettedSurface& surface,
 }
 
 /// The collar keeps off the sides that tell the state at the vent: where gas leaves, hits tell less.
-void Openings::add_collar(Opening& opening, Index row, double wanted,
-                          std::span<const Index> sides, const WettedSurface& surface,
-                          std::span<const Vec3> x) {
+void Openings::add_collar(Opening& opening, Index row, double wanted, std::span<const Index> sides,
+                          const WettedSurface& surface, std::span<const Vec3> x) {
     std::vector<Index> near;
     for (const Index side : sides) near.push_back(surface.facet(static_cast<std::size_t>(side)));
     grow_rings(opening, surface, x, wanted + area_of(near, x), [&](Index f) {

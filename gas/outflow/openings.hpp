@@ -103,9 +103,9 @@ public:
 
     /// What the last flight let out.
     struct Passed {
-        double energy = 0.0;            ///< that the particles carried with them            [J]
-        std::vector<double> still_owed; ///< by opening: enthalpy that they should have, less that
-        std::vector<std::size_t> rows;  ///< of the particles, ascending
+        double energy = 0.0;             ///< that the particles carried with them            [J]
+        std::vector<double> still_owed;  ///< by opening: enthalpy that they should have, less that
+        std::vector<std::size_t> rows;   ///< of the particles, ascending
     };
     const Passed& count(const FlightResult& flight, double dt, std::span<const Inside> inside,
                         std::span<const std::int32_t> species);

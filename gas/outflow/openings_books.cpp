@@ -125,9 +125,9 @@ std::vector<std::string> Openings::shortages() const {
     std::vector<std::string> found;
     for (const auto& [part, sum] : parts)
         if (sum.missing > WORTH_A_WORD * sum.out + PARTICLES * heaviest_)
-            found.push_back(fmt::format(
-                "{}: part {} let out {:.6g} of {:.6g}: too little gas came to it", name_,
-                part_ids_[part], sum.out, sum.out + sum.missing));
+            found.push_back(
+                fmt::format("{}: part {} let out {:.6g} of {:.6g}: too little gas came to it",
+                            name_, part_ids_[part], sum.out, sum.out + sum.missing));
     return found;
 }
 

@@ -137,9 +137,9 @@ void Openings::set_isentropic(Index row, double area, double dt, const Inside& i
     Opening& opening = openings_[row];
     Gates::Gate& gate = gates_.all[row];
     if (opening.is_internal) return;  // the same gas on both sides, after TSW
-    const double flow = area * orifice_flow(beyond_chance(inside.pressure, p_atm_, inside.error),
-                                            p_atm_, inside.temperature, inside.gamma,
-                                            gas_constant_ / inside.molar_mass);
+    const double flow =
+        area * orifice_flow(beyond_chance(inside.pressure, p_atm_, inside.error), p_atm_,
+                            inside.temperature, inside.gamma, gas_constant_ / inside.molar_mass);
     if (inside.is_uniform) {
         opening.air_flow = flow;
         opening.air_heat = 1.0;

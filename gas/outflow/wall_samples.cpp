@@ -30,8 +30,8 @@ constexpr double CHANCE = 2.0;
 
 WallSamples::WallSamples(std::shared_ptr<const WettedSurface> surface, const BagWalls& walls,
                          std::span<const Species> species, std::span<const double> particle_mass,
-                         double gas_constant, double longest,
-                         std::span<const char> passes, std::span<const Vec3> x)
+                         double gas_constant, double longest, std::span<const char> passes,
+                         std::span<const Vec3> x)
     : surface_(std::move(surface)),
       species_(species.begin(), species.end()),
       particle_mass_(particle_mass.begin(), particle_mass.end()),
@@ -63,7 +63,8 @@ void WallSamples::cut_into_patches(const BagWalls& walls, std::span<const Vec3> 
         for (const std::size_t other : {facet - 1, facet + 1})
             if (other < walls.shell.size() && walls.shell[other] == walls.shell[facet] &&
                 s.closes(other) == s.closes(facet))
-                visit(static_cast<Index>(s.side(other, s.is_front(static_cast<std::size_t>(side)))));
+                visit(
+                    static_cast<Index>(s.side(other, s.is_front(static_cast<std::size_t>(side)))));
     };
     std::vector<char> taken(s.sides(), 0);
     for (std::size_t seed = 0; seed < s.sides(); ++seed) {
@@ -211,9 +212,9 @@ void WallSamples::Memory::renew(double kept, const Memory& more) {
 void WallSamples::remember(Sample& s, double dt, const Inside& room) {
     s.now.exposure = s.area * dt;
     s.now.excess = s.now.push - (room.pressure - room.air_pressure) * s.area * dt;
-    const double rate = s.area > 0.0 ? (s.quick.count + s.now.count) /
-                                           (s.quick.exposure + s.now.exposure) * s.area
-                                     : 0.0;
+    const double rate =
+        s.area > 0.0 ? (s.quick.count + s.now.count) / (s.quick.exposure + s.now.exposure) * s.area
+                     : 0.0;
     const double memory = std::max(STEPS * dt, rate * longest_ > HITS ? HITS / rate : longest_);
     s.quick.renew(std::exp(-dt / memory), s.now);
     s.steady.renew(std::exp(-dt / (STEADIER * longest_)), s.now);
@@ -269,21 +270,20 @@ void WallSamples::state(std::size_t sample, const Inside& room, Inside& out) con
     if (!(s.exposure > 0.0) || !room.holds_gas()) return;
     const Spread& spread = spread_[samples_[sample].room];
     const double variance = s.variance();
-    const Memory& q = samples_[sample].quick;  // temperatures even out sooner than the steady one fades
+    const Memory& q =
+        samples_[sample].quick;  // temperatures even out sooner than the steady one fades
     const double weight =
         spread.pressure > 0.0 ? spread.pressure / (spread.pressure + variance) : 0.0;
     const double of_room = room.pressure - room.air_pressure;
-    const double apart =
-        samples_[sample].follows_room() ? s.difference() : s.pressure() - of_room;
+    const double apart = samples_[sample].follows_room() ? s.difference() : s.pressure() - of_room;
     double pressure = of_room + weight * apart;
     pressure = std::max(0.0, pressure);
     out.error = std::hypot(room.error, std::sqrt(weight * variance));
 
     const double heat_variance = q.slope > 0.0 ? 0.5 * q.energy2 / (q.slope * q.slope) : 0.0;
-    const double heat_weight =
-        spread.temperature > 0.0 && q.slope > 0.0
-            ? spread.temperature / (spread.temperature + heat_variance)
-            : 0.0;
+    const double heat_weight = spread.temperature > 0.0 && q.slope > 0.0
+                                   ? spread.temperature / (spread.temperature + heat_variance)
+                                   : 0.0;
     double T = room.temperature;
     // Carried energy holds the energy of motion along the wall, too.
     if (heat_weight > 0.0) T = std::max(0.0, T + heat_weight * q.energy / q.slope);
@@ -327,7 +327,8 @@ void WallSamples::state(std::size_t sample, const Inside& room, Inside& out) con
     if (own > 0.0 && q.mass > 0.0 && gamma > 1.0) {
         // U² without what chance makes of it; where that is not beyond chance, none.
         const double scatter = 0.5 * q.square / (q.mass * q.mass);
-        const double square = q.momentum.squaredNorm() / (q.mass * q.mass), drift = square - scatter;
+        const double square = q.momentum.squaredNorm() / (q.mass * q.mass),
+                     drift = square - scatter;
         if (square > CHANCE * CHANCE * scatter) {
             // T holds U²/2 as heat at constant volume; at constant pressure it is less warm.
             const double R = gas_constant_ / out.molar_mass;

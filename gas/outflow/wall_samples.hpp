@@ -70,7 +70,9 @@ public:
     }
     [[nodiscard]] double area(std::size_t sample) const { return samples_[sample].area; }
     /// Has gas come to it lately?
-    [[nodiscard]] bool is_reached(std::size_t sample) const { return samples_[sample].quick.count > 0.0; }
+    [[nodiscard]] bool is_reached(std::size_t sample) const {
+        return samples_[sample].quick.count > 0.0;
+    }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
@@ -103,8 +105,8 @@ private:
 
         template <class Archive>
         void visit_state(Archive& archive) {
-            archive(exposure, push, excess, push2, count, energy, energy2, slope, mass, momentum, square,
-                    of);
+            archive(exposure, push, excess, push2, count, energy, energy2, slope, mass, momentum,
+                    square, of);
         }
     };
     struct Sample {
@@ -145,9 +147,9 @@ private:
     double gas_constant_ = 0.0, longest_ = 0.0, moles_each_ = 0.0;
     std::vector<std::vector<Index>> patches_;
     std::vector<Sample> samples_;
-    std::vector<Index> start_, at_side_;  ///< samples of each side, compressed rows
-    std::vector<Spread> spread_;          ///< by room
-    std::vector<double> expected_, slope_;///< energy carried by a hit, by room × species
+    std::vector<Index> start_, at_side_;    ///< samples of each side, compressed rows
+    std::vector<Spread> spread_;            ///< by room
+    std::vector<double> expected_, slope_;  ///< energy carried by a hit, by room × species
 };
 
 }  // namespace corpuscle::gas

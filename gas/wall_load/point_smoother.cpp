@@ -40,9 +40,8 @@ void PointSmoother::prepare(const WettedSurface& surface, std::span<const Vec3> 
         const double gate = std::clamp((cosine - SHUT) / (OPEN - SHUT), 0.0, 1.0);
         link_[e] = share_[e] * gate * std::min(size[a], size[b]);
     });
-    parallel::for_each(surface.points(), [&](std::size_t p) {
-        per_area_[p] = size[p] > 0.0 ? 1.0 / size[p] : 0.0;
-    });
+    parallel::for_each(surface.points(),
+                       [&](std::size_t p) { per_area_[p] = size[p] > 0.0 ? 1.0 / size[p] : 0.0; });
 }
 
 void PointSmoother::spread(const WettedSurface& surface, std::vector<Brought>& field) {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "gas/cards/bag.hpp"
-#include "gas/flight/flight.hpp"
 #include "gas/enclosure/bag_walls.hpp"
+#include "gas/flight/flight.hpp"
 #include "gas/flight/rough_wall.hpp"
 #include "solver/base/curve.hpp"
 

@@ -30,9 +30,8 @@ constexpr double DRY_AFTER = 4.0;
 
 }  // namespace
 
-WallLoad::WallLoad(std::shared_ptr<const WettedSurface> surface,
-                   std::span<const std::uint8_t> held, std::span<const Index> jet_nodes,
-                   double time, double extra_damping)
+WallLoad::WallLoad(std::shared_ptr<const WettedSurface> surface, std::span<const std::uint8_t> held,
+                   std::span<const Index> jet_nodes, double time, double extra_damping)
     : surface_(std::move(surface)),
       smoother_(*surface_),
       jet_nodes_(jet_nodes.begin(), jet_nodes.end()),
@@ -137,8 +136,8 @@ void WallLoad::take_in(const Hit& hit, std::size_t side, std::span<const double>
 }
 
 void WallLoad::owe_jet(Index node, const Vec3& at, const Vec3& impulse, double energy) {
-    const auto j = static_cast<std::size_t>(
-        std::find(jet_nodes_.begin(), jet_nodes_.end(), node) - jet_nodes_.begin());
+    const auto j = static_cast<std::size_t>(std::find(jet_nodes_.begin(), jet_nodes_.end(), node) -
+                                            jet_nodes_.begin());
     jet_owed_[j] += impulse;
     jet_wrench_.add(at, impulse);
     jet_account_ += energy;
@@ -214,7 +213,8 @@ void WallLoad::release(double span, std::span<const Vec3> x, std::span<const Vec
         node_force_[nodes_[i]] = sum;
     });
     for (std::size_t j = 0; j < jet_nodes_.size(); ++j) node_force_[jet_nodes_[j]] += jet_force_[j];
-    parallel::for_each(nodes_.size(), [&](std::size_t i) { f[nodes_[i]] += node_force_[nodes_[i]]; });
+    parallel::for_each(nodes_.size(),
+                       [&](std::size_t i) { f[nodes_[i]] += node_force_[nodes_[i]]; });
 }
 
 /// Force of each point: what is kept is released, and the gas answers to flutter at once.

@@ -123,8 +123,8 @@ public:
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(kept_, along_, mass_, age_, account_, fresh_, force_, node_force_, pressure_,
-                arrived_, arrived_mass_, owed_, held_owed_, jet_owed_, jet_wrench_, jet_account_, last_given_, taken_,
-                hits_are_over_);
+                arrived_, arrived_mass_, owed_, held_owed_, jet_owed_, jet_wrench_, jet_account_,
+                last_given_, taken_, hits_are_over_);
     }
 
 private:
@@ -165,15 +165,15 @@ private:
     std::vector<double> pressure_;  ///< [Pa]
     Points arrived_;                ///< since the last release                           [N s]
     std::vector<double> arrived_mass_;
-    std::vector<Wrench> owed_;  ///< by room; without held points
-    Wrench held_owed_;          ///< of held points: given at the next release
+    std::vector<Wrench> owed_;     ///< by room; without held points
+    Wrench held_owed_;             ///< of held points: given at the next release
     Points jet_owed_, jet_force_;  ///< by jet_nodes_                                  [N s], [N]
     Wrench jet_wrench_;
     double jet_account_ = 0.0;  ///< [J]
     std::vector<std::uint8_t> jet_held_;
     std::vector<Index> sides_;
-    Wrench last_given_;       ///< by the last release
-    double taken_ = 0.0;      ///< [J]
+    Wrench last_given_;   ///< by the last release
+    double taken_ = 0.0;  ///< [J]
     bool hits_are_over_ = false;
 };
 

@@ -7,8 +7,8 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <numbers>
 #include <memory>
+#include <numbers>
 #include <numeric>
 
 #include "gas/collisions/collide.hpp"
@@ -129,9 +129,12 @@ private:
                             cell_edge(std::pow(SIDE, 3), PARTICLES, 20.0), 1000);
     FacetLists lists_{bag_.triangles(), shape_.x, FacetLists::Of::EIGHTS};
     std::vector<std::uint8_t> held_ = std::vector<std::uint8_t>(shape_.x.size(), 0);
-    WallLoad load_{std::make_shared<WettedSurface>(bag_.triangles(), bag_.triangles().size(),
-                                                   shape_.x),
-                   held_, {}, SMOOTHING, 0.0};
+    WallLoad load_{
+        std::make_shared<WettedSurface>(bag_.triangles(), bag_.triangles().size(), shape_.x),
+        held_,
+        {},
+        SMOOTHING,
+        0.0};
     Points owed_ = Points(shape_.x.size(), Vec3::Zero()), still_ = owed_;
     std::vector<double> heavy_ = std::vector<double>(shape_.x.size(), 1e9);
     Points area_ = Points(shape_.x.size(), Vec3::Zero());

@@ -19,8 +19,8 @@
 #include <sstream>
 #include <utility>
 
-#include "tests/support/scene_run.hpp"
 #include "tests/support/random_scene.hpp"
+#include "tests/support/scene_run.hpp"
 
 using namespace corpuscle;
 using corpuscle::test::SceneRun;
@@ -102,7 +102,7 @@ TEST_CASE("the tank test's inflator blows helium", "[scenes]") {
     const int air = GENERATE(1, -1, 2);
     const int particles = GENERATE(50, 500, 5000);
     const SceneRun run("tank_test_helium", deck,
-                      fmt::format("-D IAIR={} -D NP={} --until 2", air, particles));
+                       fmt::format("-D IAIR={} -D NP={} --until 2", air, particles));
     const std::string fault = run.fault(ROUNDING * (run.brought_in + run.held));
     INFO("IAIR " << air << ", NP " << particles << "\n" << fault);
     CHECK(fault.empty());
@@ -119,7 +119,7 @@ TEST_CASE("random scenes run to their end", "[.full][scenes]") {
     for (int seed = first; seed <= last; ++seed) {
         const support::RandomScene scene = support::random_scene(static_cast<unsigned>(seed));
         const SceneRun run(fmt::format("random_scene_{}", seed), scene.deck,
-                          fmt::format("--seed {}", scene.seed));
+                           fmt::format("--seed {}", scene.seed));
         // Of a few particles each brings a share of all that the gas holds in one hit
         const double all = run.brought_in + run.held;
         const double of = scene.particles < FINE ? all : run.brought_in;

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "gas/flight/crossing.hpp"
 #include "gas/enclosure/enclosure.hpp"
+#include "gas/flight/crossing.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/base/random.hpp"
 #include "tests/support/shapes.hpp"

@@ -45,8 +45,8 @@ private:
 class HitSurface {
 public:
     explicit HitSurface(bool is_plain, double mass = 1.0)
-        : surface_(std::make_shared<WettedSurface>(shape_.triangles, shape_.triangles.size(),
-                                                   shape_.x)),
+        : surface_(
+              std::make_shared<WettedSurface>(shape_.triangles, shape_.triangles.size(), shape_.x)),
           held_(shape_.x.size(), 0),
           load_(surface_, held_, {}, TIME, 0.0),
           plain_(shape_.x.size()),
@@ -74,8 +74,11 @@ public:
                 const double u = draw.uniform(), v = draw.uniform(), root = std::sqrt(u);
                 const Vec3 impulse = -std::log(draw.uniform()) * TIME *
                                      vector_area(shape_.x[a], shape_.x[b], shape_.x[c]);
-                flight_.hits[0].push_back({static_cast<Index>(f), 0,
-                                           {1 - root, root * (1 - v), root * v}, impulse, 0.0,
+                flight_.hits[0].push_back({static_cast<Index>(f),
+                                           0,
+                                           {1 - root, root * (1 - v), root * v},
+                                           impulse,
+                                           0.0,
                                            hit_place(f, root, v)});
                 brought_.add(hit_place(f, root, v), impulse);
             }
@@ -95,8 +98,8 @@ public:
             double on = 0.0;
             for (const Index n : t) on += f[n].dot(area_[n]) / area_[n].squaredNorm() / 3.0;
             out.mean += on / static_cast<double>(shape_.triangles.size());
-            out.scatter += (on - pressure) * (on - pressure) /
-                           static_cast<double>(shape_.triangles.size());
+            out.scatter +=
+                (on - pressure) * (on - pressure) / static_cast<double>(shape_.triangles.size());
         }
         for (std::size_t n = 0; n < f.size(); ++n) {
             given_.add(shape_.x[n], STEP * f[n]);
@@ -147,8 +150,7 @@ Measured measure(bool is_plain) {
         const double scatter = wall.step(1.0).scatter;
         if (s >= STEPS / 2) out.scatter += scatter / (STEPS / 2);
     }
-    while (wall.step(2.0).mean < 2.0 - std::exp(-1.0) && out.delay < 100 * STEP)
-        out.delay += STEP;
+    while (wall.step(2.0).mean < 2.0 - std::exp(-1.0) && out.delay < 100 * STEP) out.delay += STEP;
     return out;
 }
 
