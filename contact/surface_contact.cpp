@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/crossing_guard.hpp"
-#include "contact/facet_load.hpp"
-#include "contact/impulses.hpp"
-#include "contact/pair_look.hpp"
-#include "contact/step_control.hpp"
+#include "contact/response/crossing_guard.hpp"
+#include "contact/response/facet_load.hpp"
+#include "contact/response/impulses.hpp"
+#include "contact/response/pair_look.hpp"
+#include "contact/response/step_control.hpp"
 
 namespace corpuscle::contact {
 namespace {

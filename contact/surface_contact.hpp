@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "contact/cloth.hpp"
-#include "contact/movers.hpp"
-#include "contact/repulsion.hpp"
+#include "contact/response/repulsion.hpp"
+#include "contact/surface/cloth.hpp"
+#include "contact/surface/movers.hpp"
 #include "solver/base/archive.hpp"
 
 namespace corpuscle::contact {

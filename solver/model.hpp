@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "contact/cards.hpp"
-#include "contact/wall_card.hpp"
+#include "contact/rigid_walls/wall_card.hpp"
+#include "contact/surface/cards.hpp"
 #include "fabric/materials/fabric_card.hpp"
 #include "fabric/mesh.hpp"
 #include "gas/cards/bag.hpp"
-#include "gas/sensor.hpp"
 #include "gas/cards/uniform_card.hpp"
+#include "gas/sensor.hpp"
 #include "solver/base/curve.hpp"
 #include "solver/base/vec.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "contact/movers.hpp"
+#include "contact/surface/movers.hpp"
 #include "fabric/nodes.hpp"
 #include "solver/constraints.hpp"
 #include "solver/model.hpp"

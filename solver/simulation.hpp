@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "contact/movers.hpp"
-#include "contact/rigid_wall.hpp"
+#include "contact/rigid_walls/rigid_wall.hpp"
+#include "contact/surface/movers.hpp"
 #include "contact/surface_contact.hpp"
 #include "fabric/membranes.hpp"
 #include "fabric/nodes.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "contact/eight.hpp"
+#include "contact/geometry/eight.hpp"
 
 namespace corpuscle::gas {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/box.hpp"
+#include "contact/geometry/box.hpp"
 #include "gas/grid.hpp"
 #include "solver/base/surface.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "contact/patches.hpp"
+#include "contact/surface/patches.hpp"
 #include "gas/flight/each_block.hpp"
 #include "solver/base/parallel.hpp"
 

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/blocks.hpp"
+#include "contact/candidates/blocks.hpp"
 #include "gas/flight/facet_lists.hpp"
 #include "gas/flight/near_facets.hpp"
 

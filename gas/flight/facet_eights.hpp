@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "contact/eight.hpp"
-#include "contact/patches.hpp"
+#include "contact/geometry/eight.hpp"
+#include "contact/surface/patches.hpp"
 #include "solver/base/surface.hpp"
 
 namespace corpuscle::gas {

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/broad_phase.hpp"
+#include "contact/broad_phase/broad_phase.hpp"
 #include "gas/flight/block_of_cells.hpp"
 #include "gas/flight/clearance.hpp"
 #include "gas/flight/facet_eights.hpp"

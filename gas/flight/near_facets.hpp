@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "contact/eight.hpp"
+#include "contact/geometry/eight.hpp"
 #include "solver/base/surface.hpp"
 
 namespace corpuscle::gas {

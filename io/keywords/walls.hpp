@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "contact/wall_card.hpp"
+#include "contact/rigid_walls/wall_card.hpp"
 #include "io/card.hpp"
 #include "io/draft.hpp"
 

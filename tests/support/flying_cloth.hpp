@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "contact/intersections.hpp"
+#include "contact/broad_phase/intersections.hpp"
 #include "solver/base/parallel.hpp"
 #include "tests/support/spring_cloth.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "contact/intersections.hpp"
+#include "contact/broad_phase/intersections.hpp"
 #include "io/hdf5.hpp"
 
 namespace corpuscle::test {

@@ -13,7 +13,7 @@ struct FrameCrossings {
     std::size_t worst = 0;      ///< in one frame
 };
 
-/// Counts exactly (contact/intersections.hpp) where shells cross in the frames of a results.h5.
+/// Counts exactly (contact/broad_phase/intersections.hpp) where shells cross in the frames of a results.h5.
 [[nodiscard]] FrameCrossings frame_crossings(const std::filesystem::path& results);
 
 }  // namespace corpuscle::test

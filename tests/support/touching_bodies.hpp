@@ -6,7 +6,7 @@
 
 #include <functional>
 
-#include "contact/intersections.hpp"
+#include "contact/broad_phase/intersections.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/simulation.hpp"
 #include "tests/support/scenes.hpp"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "contact/distance.hpp"
-#include "contact/intersections.hpp"
-#include "contact/triangle_pairs.hpp"
+#include "contact/broad_phase/intersections.hpp"
+#include "contact/broad_phase/triangle_pairs.hpp"
+#include "contact/geometry/distance.hpp"
 #include "tools/fold/inspect.hpp"
 
 namespace corpuscle::fold {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
-#include "contact/intersections.hpp"
+#include "contact/broad_phase/intersections.hpp"
 #include "solver/base/error.hpp"
 #include "tests/support/spring_cloth.hpp"
 

@@ -1,0 +1,41 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "contact/broad_phase/intersections.hpp"
+
+#include <algorithm>
+
+#include "contact/broad_phase/triangle_pairs.hpp"
+#include "contact/geometry/orientation.hpp"
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle::contact {
+
+std::vector<std::pair<Index, Index>> crossings(std::span<const Triangle> triangles,
+                                               const Patches& patches, std::span<const Vec3> x) {
+    std::vector<Box> boxes;
+    boxes.reserve(triangles.size());
+    for (const Triangle& t : triangles) boxes.push_back(triangle_box(t, x, x, 0.0));
+    TrianglePairs near(patches);
+    near.update(boxes);
+
+    constexpr std::size_t CHUNK = 16;  // patch pairs
+    const auto pairs = near.patch_pairs();
+    std::vector<std::vector<std::pair<Index, Index>>> part(
+        parallel::chunk_count(pairs.size(), CHUNK));
+    const auto search = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        for (std::size_t i = begin; i < end; ++i)
+            near.for_each_in(pairs[i], [&](Index a, Index b) {
+                if (!share_node(triangles[a], triangles[b]) &&
+                    triangles_cross(triangles[a], triangles[b], x))
+                    part[chunk].push_back(std::minmax(a, b));
+            });
+    };
+    parallel::for_chunks(pairs.size(), search, CHUNK);
+
+    std::vector<std::pair<Index, Index>> found;
+    for (const auto& some : part) found.insert(found.end(), some.begin(), some.end());
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+}  // namespace corpuscle::contact

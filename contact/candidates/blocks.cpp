@@ -1,0 +1,192 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "contact/candidates/blocks.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle::contact {
+namespace {
+
+constexpr float HUGE_F = std::numeric_limits<float>::infinity();
+constexpr std::size_t CHUNK = 8;  ///< patches
+
+std::array<float, 3> single(const Vec3& p, const Vec3& origin) {
+    return {static_cast<float>(p.x() - origin.x()), static_cast<float>(p.y() - origin.y()),
+            static_cast<float>(p.z() - origin.z())};
+}
+
+}  // namespace
+
+void Bounds::include(const Bounds& other) {
+    for (int k = 0; k < 3; ++k) {
+        low[k] = std::min(low[k], other.low[k]);
+        high[k] = std::max(high[k], other.high[k]);
+    }
+}
+
+EightBounds::EightBounds() {
+    low.fill(all_eight(HUGE_F));
+    high.fill(all_eight(-HUGE_F));
+}
+
+void EightBounds::set(int lane, const Bounds& box) {
+    for (int k = 0; k < 3; ++k) {
+        low[k][lane] = box.low[k];
+        high[k][lane] = box.high[k];
+    }
+}
+
+Bounds EightBounds::all() const {
+    Bounds out = (*this)[0];
+    for (int lane = 1; lane < EIGHT; ++lane) out.include((*this)[lane]);
+    return out;
+}
+
+template <int CORNERS>
+struct Blocks<CORNERS>::Item {
+    Index triangle, side;
+    Vec3 middle;  ///< in the reference shape                                               [m]
+};
+
+namespace {
+
+/// Brings what lies close together next to each other, eight by eight: cuts across the longest
+/// extent, at a multiple of eight.
+template <class Item>
+void bring_together(std::span<Item> items) {
+    if (items.size() <= EIGHT) return;
+    Box all;
+    for (const Item& item : items) all.include(item.middle);
+    Index axis = 0;
+    (all.high - all.low).maxCoeff(&axis);
+    std::sort(items.begin(), items.end(), [axis](const Item& a, const Item& b) {
+        if (a.middle[axis] != b.middle[axis]) return a.middle[axis] < b.middle[axis];
+        return std::pair(a.triangle, a.side) < std::pair(b.triangle, b.side);
+    });
+    const std::size_t cut = (items.size() / 2 + EIGHT - 1) / EIGHT * EIGHT;
+    bring_together(items.first(cut));
+    bring_together(items.subspan(cut));
+}
+
+}  // namespace
+
+template <int CORNERS>
+Blocks<CORNERS>::Blocks(const Cloth& cloth)
+    : start_{0}, group_start_{0}, place_(3 * cloth.triangles.size()) {
+    constexpr Index SIDES = CORNERS == 3 ? 1 : 3;
+    std::vector<Item> items;
+    for (std::size_t p = 0; p < cloth.patches.size(); ++p) {
+        items.clear();
+        for (const Index t : cloth.patches[p])
+            for (Index side = 0; side < SIDES; ++side) {
+                if (CORNERS == 1 && !cloth.owns_node(t, side)) continue;
+                if (CORNERS == 2 && !cloth.owns_edge(t, side)) continue;
+                Vec3 middle = Vec3::Zero();
+                for (Index c = 0; c < CORNERS; ++c)
+                    middle += cloth.reference_x[cloth.triangles[t][(side + c) % 3]] / CORNERS;
+                items.push_back({t, side, middle});
+            }
+        bring_together(std::span(items));
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            const int lane = static_cast<int>(i % EIGHT);
+            if (lane == 0) {
+                block_.emplace_back().triangle.fill(-1);
+                patch_.push_back(static_cast<Index>(p));
+            }
+            const auto [t, side, middle] = items[i];
+            block_.back().triangle[lane] = t;
+            block_.back().side[lane] = side;
+            for (Index c = 0; c < CORNERS; ++c)
+                block_.back().node[lane][c] = cloth.triangles[t][(side + c) % 3];
+            place_[3 * static_cast<std::size_t>(t) + static_cast<std::size_t>(side)] = {
+                static_cast<Index>(block_.size() - 1), lane};
+        }
+        start_.push_back(static_cast<Index>(block_.size()));
+        const Index blocks = start_[p + 1] - start_[p];
+        group_start_.push_back(group_start_[p] + (blocks + EIGHT - 1) / EIGHT);
+    }
+    group_.resize(static_cast<std::size_t>(group_start_.back()));
+    patches_.resize((cloth.patches.size() + EIGHT - 1) / EIGHT);
+}
+
+template <int CORNERS>
+void Blocks<CORNERS>::move(std::span<const Index> patches, const Outline& outline) {
+    const auto place_all = [&](std::size_t i) {
+        for (Index b = start_[patches[i]]; b < start_[patches[i] + 1]; ++b)
+            place(block_[b], outline);
+    };
+    parallel::for_each(patches.size(), place_all, CHUNK);
+}
+
+template <int CORNERS>
+void Blocks<CORNERS>::place(Block& block, const Outline& outline) const {
+    for (int lane = 0; lane < EIGHT; ++lane) {
+        if (block.triangle[lane] < 0) continue;
+        double own = 0.0;
+        for (int c = 0; c < CORNERS; ++c) {
+            const Index node = block.node[lane][c];
+            const auto now = single(outline.x[node], outline.origin),
+                       late = single(outline.late[node], outline.origin);
+            for (int k = 0; k < 3; ++k) {
+                block.moving.now[c][k][lane] = now[k];
+                block.moving.late[c][k][lane] = late[k];
+            }
+            own = std::max(own, outline.own[node]);
+        }
+        block.margin[lane] =
+            static_cast<float>(outline.margin[block.triangle[lane]] + own + outline.rounding);
+    }
+}
+
+template <int CORNERS>
+void Blocks<CORNERS>::bound(Index b, const Outline& outline) {
+    Block& block = block_[b];
+    for (int lane = 0; lane < EIGHT; ++lane) {
+        if (block.triangle[lane] < 0) continue;
+        Box box;
+        for (const Index node : block.node[lane]) box.include(outline.node_box[node]);
+        box.inflate(outline.rounding);
+        block.set(lane, {single(box.low, outline.origin), single(box.high, outline.origin)});
+    }
+    block.whole = block.all();
+}
+
+template <int CORNERS>
+void Blocks<CORNERS>::set_bounds(std::span<const Index> patches, const Outline& outline) {
+    std::fill(patches_.begin(), patches_.end(), EightBounds());
+    const auto bound_all = [&](std::size_t i) {
+        const Index p = patches[i];
+        for (Index b = start_[p]; b < start_[p + 1]; ++b) {
+            const Index at = b - start_[p];
+            bound(b, outline);
+            group_[group_start_[p] + at / EIGHT].set(at % EIGHT, block_[b].whole);
+        }
+    };
+    parallel::for_each(patches.size(), bound_all, CHUNK);
+    for (const Index p : patches) {
+        Bounds of_patch = EightBounds()[0];
+        for (Index g = group_start_[p]; g < group_start_[p + 1]; ++g)
+            of_patch.include(group_[g].all());
+        set_patch(p, of_patch);
+    }
+}
+
+template <int CORNERS>
+void Blocks<CORNERS>::renew_bounds(Index b, const Outline& outline) {
+    bound(b, outline);
+    const std::size_t p = patch_[b];
+    const Index at = b - start_[p];
+    group_[group_start_[p] + at / EIGHT].set(at % EIGHT, block_[b].whole);
+    Bounds box = of_patch(p);
+    box.include(block_[b].whole);
+    set_patch(p, box);
+}
+
+template class Blocks<1>;
+template class Blocks<2>;
+template class Blocks<3>;
+
+}  // namespace corpuscle::contact

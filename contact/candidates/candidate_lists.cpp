@@ -1,0 +1,231 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// Building the lists of candidates.
+#include <algorithm>
+#include <cmath>
+
+#include "contact/broad_phase/intersections.hpp"
+#include "contact/candidates/candidates.hpp"
+#include "contact/geometry/orientation.hpp"
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle::contact {
+namespace {
+
+/// Farthest that a node may sweep while lists live, in edge lengths: in open cloth, with so many
+/// candidates a triangle at most, and in folded cloth.
+constexpr double SWEEP_OPEN = 0.25, SWEEP_FOLDED = 0.5;
+constexpr std::size_t OPEN = 8;
+/// Steps for which patches have room to move: in open cloth; more than lists have lived, in folded.
+constexpr std::size_t FEW = 2;  ///< candidates a triangle, in open cloth
+constexpr double ROOM = 28.0, MORE_ROOM = 1.25;
+constexpr std::size_t CHUNK = 8;  ///< patch pairs; some thousand triangle pairs
+/// Chunks whose findings wait at once to be put together: memory that the list has no more use for.
+constexpr std::size_t ROUND = 64;
+
+}  // namespace
+
+void Candidates::start(const Points& x, const Points& v, double t, double dt,
+                       std::span<const std::uint8_t> is_on) {
+    motion_.start(x, t);
+    was_on_.assign(is_on.size(), 0);
+    admit(x, v, t, dt, is_on);
+}
+
+void Candidates::admit(const Points& x, const Points& v, double t, double dt,
+                       std::span<const std::uint8_t> is_on) {
+    patches_.start(x);
+    patches_.foresee(v, dt);
+    bar_all_crossing(x);
+    build(x, v, t, dt);
+    meet_gently(x, t, is_on);
+}
+
+/// Crossing triangles are nobody's contact, whichever card finds them first.
+void Candidates::bar_all_crossing(const Points& x) {
+    crossing_ = crossings(cloth_.triangles, cloth_.patches, x);
+    std::erase_if(crossing_, [&](const auto& pair) {
+        const Index a = cloth_.part[pair.first], b = cloth_.part[pair.second];
+        const Index body = cloth_.body[cloth_.triangles[pair.first][0]];
+        if (body >= 0 && body == cloth_.body[cloth_.triangles[pair.second][0]]) return true;
+        return cloth_.rules.nodes_against(a, b) == Rules::NONE &&
+               cloth_.rules.nodes_against(b, a) == Rules::NONE;
+    });
+    bar_crossing_pairs(x);
+}
+
+/// Pairs of the cards that have just become valid start with the gap that they have.
+void Candidates::meet_gently(const Points& x, double t, std::span<const std::uint8_t> is_on) {
+    for (std::size_t i = 0; i < list_.size(); ++i) {
+        const auto card = static_cast<std::size_t>(list_[i].card);
+        if (was_on_[card] || !is_on[card] || !give_gentle_gap(i, x, t)) continue;
+        close_starts_.push_back(std::minmax(watch_.first[i], watch_.second[i]));
+    }
+    std::sort(close_starts_.begin(), close_starts_.end());
+    close_starts_.erase(std::unique(close_starts_.begin(), close_starts_.end()),
+                        close_starts_.end());
+    was_on_.assign(is_on.begin(), is_on.end());
+}
+
+void Candidates::build(const Points& x, const Points& v, double t, double dt) {
+    set_budget(dt);
+    const bool is_sparse = list_.size() <= FEW * cloth_.triangles.size();
+    patches_.find(x, is_sparse ? ROOM : MORE_ROOM * life_ / dt);
+    motion_.restart(x, v, budget_);
+    motion_.foresee(x, v, dt);
+    life_ = steps_ * dt;
+    const double fastest = motion_.fastest();
+    const bool is_open = list_.size() <= OPEN * cloth_.triangles.size();
+    const double most = (is_open ? SWEEP_OPEN : SWEEP_FOLDED) * cloth_.mean_edge;
+    if (fastest * life_ > most) life_ = std::max(dt, most / fastest);
+    ++builds_;
+
+    std::vector<std::uint64_t> freed;
+    if (!crossing_.empty()) {
+        freed = barred_;
+        bar_crossing_pairs(x);
+    }
+    sort_memories();
+    set_boxes(x);
+    find_late(x, life_);
+    search_.build(x, late_, node_box_, own_);
+    list_pairs(x);
+    forget_parted_pairs();
+    if (!freed.empty()) give_gentle_gaps(freed, x, t);
+}
+
+/// Boxes of what nodes may reach; of two things that may come within reach they overlap.
+void Candidates::set_boxes(const Points& x) {
+    const auto& nodes = patches_.pieces().nodes;
+    parallel::for_each(nodes.size(),
+                       [&](std::size_t i) { set_node_box(nodes[i], x[nodes[i]], life_); });
+}
+
+/// @param time  for which the node is predicted [s]
+void Candidates::set_node_box(Index node, const Vec3& from, double time) {
+    const Vec3 sweep = time * motion_.velocity(node);
+    own_[node] = budget_ * motion_.slack(node);
+    node_box_[node] = {from + sweep.cwiseMin(0.0), from + sweep.cwiseMax(0.0)};
+    node_box_[node].inflate(0.5 * reach_ * cloth_.node_thickness[node] + own_[node]);
+}
+
+/// Where nodes are predicted to be after so long.
+void Candidates::find_late(const Points& x, double time) {
+    late_.resize(x.size());
+    const auto& nodes = patches_.pieces().nodes;
+    parallel::for_each(nodes.size(), [&](std::size_t i) {
+        late_[nodes[i]] = x[nodes[i]] + time * motion_.velocity(nodes[i]);
+    });
+}
+
+void Candidates::list_pairs(const Points& x) {
+    const auto pairs = patches_.pairs();
+    chunks_.resize(std::max(chunks_.size(), ROUND));
+    const Outlook ahead{x, life_, true};
+    std::size_t first = 0;
+    const auto search = [&](std::size_t begin, std::size_t end, std::size_t c) {
+        Chunk& out = chunks_[c];
+        out.list.clear();
+        out.watch.clear();
+        for (std::size_t i = begin; i < end; ++i)
+            search_.for_each_in(
+                pairs[first + i],
+                [&](Piece a, Piece b, Distances apart) { meet_edges(a, b, apart, ahead, out); },
+                [&](Piece n, Index t, Distances apart) { meet_node(n, t, apart, ahead, out); });
+    };
+    std::size_t rows = 0;
+    for (; first < pairs.size(); first += ROUND * CHUNK) {
+        const std::size_t count = std::min(pairs.size() - first, ROUND * CHUNK);
+        parallel::for_chunks(count, search, CHUNK);
+        rows = add_chunks(rows, parallel::chunk_count(count, CHUNK));
+    }
+    list_.resize(rows);
+    watch_.resize(rows);
+    dead_ = 0;
+}
+
+/// Puts what the first chunks have found behind so many rows, in their order, in place of what is
+/// there.
+/// @returns rows up to the last of it
+std::size_t Candidates::add_chunks(std::size_t rows, std::size_t count) {
+    std::vector<std::size_t> start(count + 1, rows);
+    for (std::size_t c = 0; c < count; ++c) start[c + 1] = start[c] + chunks_[c].list.size();
+    if (start[count] > list_.size()) {
+        list_.resize(start[count]);
+        watch_.resize(start[count]);
+    }
+    const auto copy = [&](std::size_t c) {
+        const auto to = static_cast<std::ptrdiff_t>(start[c]);
+        std::copy(chunks_[c].list.begin(), chunks_[c].list.end(), list_.begin() + to);
+        for (std::size_t k = 0; k < chunks_[c].watch.size(); ++k)
+            watch_.put(start[c] + k, chunks_[c].watch[k]);
+    };
+    parallel::for_each(count, copy, CHUNK);
+    return start[count];
+}
+
+/// Bars the pairs of all triangles that crossed at the start and still do.
+void Candidates::bar_crossing_pairs(const Points& x) {
+    std::erase_if(crossing_, [&](const auto& pair) {
+        return !triangles_cross(cloth_.triangles[pair.first], cloth_.triangles[pair.second], x);
+    });
+    barred_.clear();
+    for (const auto& [a, b] : crossing_)
+        for (int k = 0; k < 3; ++k) {
+            barred_.push_back(key_of(false, cloth_.triangles[a][k], b));
+            barred_.push_back(key_of(false, cloth_.triangles[b][k], a));
+            for (int m = 0; m < 3; ++m) {
+                const auto [first, second] = std::minmax(cloth_.edge[a][k], cloth_.edge[b][m]);
+                barred_.push_back(key_of(true, first, second));
+            }
+        }
+    std::sort(barred_.begin(), barred_.end());
+}
+
+/// Keeps the memories that say something, in the order of their keys.
+void Candidates::sort_memories() {
+    std::erase_if(memories_, [](const PairMemory& m) { return m.is_empty(); });
+    std::sort(memories_.begin(), memories_.end(),
+              [](const auto& a, const auto& b) { return a.key < b.key; });
+}
+
+/// Forgets the memories of pairs that are not in the list any more; their accounts are not lost.
+void Candidates::forget_parted_pairs() {
+    std::vector<std::uint8_t> is_used(memories_.size(), 0);
+    for (const Candidate& c : list_)
+        if (c.memory >= 0) is_used[c.memory] = 1;
+    for (std::size_t m = 0; m < memories_.size(); ++m) {
+        if (is_used[m]) continue;
+        parted_accounts_ += memories_[m].account;
+        memories_[m].account = memories_[m].short_by = 0.0;
+    }
+}
+
+Index Candidates::find_memory(std::uint64_t key) const {
+    const auto by_key = [](const PairMemory& memory, std::uint64_t k) { return memory.key < k; };
+    const auto known = std::lower_bound(memories_.begin(), memories_.end(), key, by_key);
+    const bool is_known = known != memories_.end() && known->key == key;
+    return is_known ? static_cast<Index>(known - memories_.begin()) : -1;
+}
+
+/// Pairs that are nearer than their contact thickness start with the gap that they have.
+void Candidates::give_gentle_gaps(const std::vector<std::uint64_t>& keys, const Points& x,
+                                  double t) {
+    for (std::size_t i = 0; i < list_.size(); ++i) {
+        if (!std::binary_search(keys.begin(), keys.end(), list_[i].key)) continue;
+        give_gentle_gap(i, x, t);
+    }
+}
+
+bool Candidates::give_gentle_gap(std::size_t i, const Points& x, double t) {
+    if (least_distance(i) >= thickness(i)) return false;
+    const double short_by = thickness(i) - nearest(list_[i].pair, x).apart.norm();
+    if (short_by <= 0.0) return false;
+    PairMemory& memory = make_memory(i);
+    memory.short_by = short_by;
+    memory.born = t;
+    return true;
+}
+
+}  // namespace corpuscle::contact

@@ -1,0 +1,91 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// What becomes a row of the lists, and when a row has to be looked at.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/candidates/candidates.hpp"
+
+namespace corpuscle::contact {
+namespace {
+
+/// A float that is not below x >= 0.
+float above(double x) {
+    return static_cast<float>(x) * (1.0F + std::numeric_limits<float>::epsilon());
+}
+
+}  // namespace
+
+/// Lists two edges without a common node, if a card has them touch.
+void Candidates::meet_edges(Piece a, Piece b, Distances apart, const Outlook& ahead,
+                            Chunk& out) const {
+    // its name does not depend on who found whom
+    if (cloth_.edge[b.triangle][b.side] < cloth_.edge[a.triangle][a.side]) std::swap(a, b);
+    const Triangle &ta = cloth_.triangles[a.triangle], &tb = cloth_.triangles[b.triangle];
+    const Index i = ta[a.side], j = ta[(a.side + 1) % 3];
+    const Index r = tb[b.side], s = tb[(b.side + 1) % 3];
+    const int card = cloth_.rules.edges_against(cloth_.part[a.triangle], cloth_.part[b.triangle]);
+    const std::uint64_t key =
+        key_of(true, cloth_.edge[a.triangle][a.side], cloth_.edge[b.triangle][b.side]);
+    list({{i, j, r, s}, true}, card, key, {a.triangle, b.triangle, apart, ahead, out});
+}
+
+/// Lists a node and a triangle that is not its own, if a card has them touch.
+void Candidates::meet_node(Piece n, Index triangle, Distances apart, const Outlook& ahead,
+                           Chunk& out) const {
+    const Index node = cloth_.triangles[n.triangle][n.side];
+    const Triangle& t = cloth_.triangles[triangle];
+    const int card = cloth_.rules.nodes_against(cloth_.part[n.triangle], cloth_.part[triangle]);
+    list({{node, t[0], t[1], t[2]}, false}, card, key_of(false, node, triangle),
+         {n.triangle, triangle, apart, ahead, out});
+}
+
+/// Lists a pair that may come within reach while the lists live.
+void Candidates::list(const Pair& pair, int card, std::uint64_t key, const Meeting& where) const {
+    if (card == Rules::NONE || cloth_.is_held(pair) ||
+        std::binary_search(barred_.begin(), barred_.end(), key))
+        return;
+    const double thickness = cloth_.gap(card, where.a, where.b);
+    const Outlook& ahead = where.ahead;
+    double gap = where.apart.now, approach = 0.0;
+    if (ahead.is_build) {
+        approach = std::max(0.0, (gap - where.apart.late) / ahead.life);
+    } else {
+        const Vec3 apart = nearest(pair, ahead.now).apart;
+        gap = apart.norm();
+        approach = closing_rate(pair, apart, gap, ahead.now, ahead.life);
+    }
+    // only what is near has anything to remember
+    const bool may_know = ahead.is_build && gap <= reach_ * thickness;
+    const Index memory = may_know ? find_memory(key) : -1;
+    const int side = cloth_.rules.side_of(card, cloth_.part[where.a], cloth_.part[where.b]);
+    Watch watch{gap, above(reach_ * thickness), above(approach), where.a, where.b};
+    watch.sum += motion_.age() * static_cast<double>(watch.approach) +
+                 (motion_.way(where.a) + motion_.way(where.b));
+    where.out.list.push_back({pair, memory, thickness, key, static_cast<std::int16_t>(card),
+                              static_cast<std::int16_t>(side), false});
+    where.out.watch.push_back(watch);
+}
+
+/// Bound of the rate at which a gap shrinks while nodes move as predicted. Seen along a fixed
+/// direction, here that of the gap, each node of the one side leaves each of the other linearly in
+/// time, so their least separation is never below the line from what it is now to what it is late.
+/// @param time  from now until late                                                          [s]
+double Candidates::closing_rate(const Pair& pair, const Vec3& apart, double gap, const Points& x,
+                                double time) const {
+    if (gap == 0.0) return 0.0;  // is within reach as it is
+    Corners late;
+    for (int k = 0; k < 4; ++k) late[k] = x[pair.node[k]] + time * motion_.velocity(pair.node[k]);
+    return std::max(0.0, (gap - separation(pair, apart / gap, late)) / time);
+}
+
+void Candidates::tell_distance(std::size_t i, const Vec3& apart, double distance, const Points& x) {
+    const double left = life_ - motion_.age();
+    if (distance > static_cast<double>(watch_.reach[i]) && left > 0.0)
+        watch_.set_approach(i, above(closing_rate(list_[i].pair, apart, distance, x, left)));
+    watch_.sum[i] = distance + spent(i);
+}
+
+}  // namespace corpuscle::contact

@@ -1,0 +1,122 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// Listing the pairs of a few nodes anew, while the lists of all others live on.
+#include <algorithm>
+
+#include "contact/candidates/candidates.hpp"
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle::contact {
+namespace {
+
+constexpr std::size_t ROWS = 8192, TRIANGLES = 4;  ///< a chunk, of pairs and of renewed triangles
+
+}  // namespace
+
+/// Nodes that are about to overspend are predicted anew, from where they are to the end of the
+/// lists' life. The boxes of all others still hold, so what the renewed ones may meet is found
+/// among them, by the same rules as in a build, with every node where it is predicted to be now.
+void Candidates::renew(const Points& x) {
+    ++renewals_;
+    motion_.renew(strayed_, x);
+    find_renewed_triangles();
+    drop_renewed_pairs();
+    list_renewed_pairs(x);
+    for (const Index t : renewed_) is_renewed_[t] = 0;
+}
+
+void Candidates::find_renewed_triangles() {
+    is_renewed_.resize(cloth_.triangles.size(), 0);
+    renewed_.clear();
+    for (const Index n : strayed_)
+        for (const Index t : cloth_.triangles_of(n)) {
+            if (is_renewed_[t]) continue;
+            is_renewed_[t] = 1;
+            renewed_.push_back(t);
+        }
+    std::sort(renewed_.begin(), renewed_.end());
+}
+
+/// Their rows stay, as pairs that are infinitely far apart.
+void Candidates::drop_renewed_pairs() {
+    handed_on_.clear();
+    const std::size_t chunks = parallel::chunk_count(list_.size(), ROWS);
+    dropped_.resize(std::max(dropped_.size(), chunks));
+    const auto find = [&](std::size_t begin, std::size_t end, std::size_t c) {
+        dropped_[c].clear();
+        for (std::size_t i = begin; i < end; ++i) {
+            if ((is_renewed_[watch_.first[i]] | is_renewed_[watch_.second[i]]) &&
+                watch_.sum[i] < INF)
+                dropped_[c].push_back(i);
+        }
+    };
+    parallel::for_chunks(list_.size(), find, ROWS);
+    for (std::size_t c = 0; c < chunks; ++c)
+        for (const std::size_t i : dropped_[c]) {
+            Candidate& dropped = list_[i];
+            if (dropped.memory >= 0)
+                handed_on_.emplace_back(dropped.key, std::exchange(dropped.memory, -1));
+            watch_.sum[i] = INF;
+            ++dead_;
+        }
+    std::sort(handed_on_.begin(), handed_on_.end());
+}
+
+void Candidates::list_renewed_pairs(const Points& x) {
+    const double rest_of_life = life_ - motion_.age();
+    for (const Index n : strayed_) set_node_box(n, motion_.predicted(n), rest_of_life);
+    predicted_.resize(x.size());
+    const auto& nodes = patches_.pieces().nodes;
+    parallel::for_each(nodes.size(),
+                       [&](std::size_t i) { predicted_[nodes[i]] = motion_.predicted(nodes[i]); });
+    find_late(predicted_, rest_of_life);
+    search_.renew(renewed_, predicted_, late_, node_box_, own_);
+
+    const Outlook ahead{x, rest_of_life, false};
+    const std::size_t count = parallel::chunk_count(renewed_.size(), TRIANGLES);
+    chunks_.resize(std::max(chunks_.size(), count));
+    const auto search = [&](std::size_t begin, std::size_t end, std::size_t c) {
+        Chunk& out = chunks_[c];
+        out.list.clear();
+        out.watch.clear();
+        for (std::size_t i = begin; i < end; ++i) {
+            const Index mine = renewed_[i];
+            // two renewed triangles find each other twice
+            const auto is_the_others = [&](Index other) {
+                return is_renewed_[other] && other < mine;
+            };
+            search_.for_each_near(
+                mine,
+                [&](Piece a, Piece b, Distances apart) {
+                    if (!is_the_others(b.triangle)) meet_edges(a, b, apart, ahead, out);
+                },
+                [&](Piece n, Index t, Distances apart) {
+                    if (!is_the_others(n.triangle == mine ? t : n.triangle))
+                        meet_node(n, t, apart, ahead, out);
+                });
+        }
+    };
+    parallel::for_chunks(renewed_.size(), search, TRIANGLES);
+    const std::size_t first = list_.size();
+    add_chunks(first, count);
+    hand_on_memories(first);
+}
+
+/// Pairs that were listed before keep what they know; what those know that are not listed again is
+/// forgotten, but for their accounts.
+void Candidates::hand_on_memories(std::size_t first) {
+    for (std::size_t i = first; i < list_.size(); ++i) {
+        const auto known = std::lower_bound(handed_on_.begin(), handed_on_.end(),
+                                            std::pair(list_[i].key, Index{0}));
+        if (known == handed_on_.end() || known->first != list_[i].key) continue;
+        list_[i].memory = std::exchange(known->second, -1);
+    }
+    for (const auto& [key, memory] : handed_on_) {
+        if (memory < 0) continue;
+        parted_accounts_ += std::exchange(memories_[memory].account, 0.0);
+        memories_[memory].short_by = 0.0;
+    }
+}
+
+}  // namespace corpuscle::contact

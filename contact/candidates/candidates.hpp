@@ -1,0 +1,225 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "contact/candidates/motion.hpp"
+#include "contact/candidates/near_search.hpp"
+#include "contact/candidates/watch_list.hpp"
+#include "contact/culling/patch_pairs.hpp"
+#include "contact/geometry/distance.hpp"
+#include "contact/surface/cloth.hpp"
+
+namespace corpuscle::contact {
+
+/// What a pair remembers.
+struct PairMemory {
+    std::uint64_t key;      ///< names the pair
+    double account = 0.0;   ///< energy that repulsion has taken and not given back            [J]
+    double short_by = 0.0;  ///< contact thickness less the gap it was first seen with         [m]
+    double born = 0.0;      ///< when that was                                                 [s]
+
+    [[nodiscard]] bool is_empty() const { return account == 0.0 && short_by == 0.0; }
+};
+
+/// Pairs that are near enough to be looked at.
+///
+/// Patches that cannot meet are left alone. Of the others, lists are built for what is ahead: each
+/// node flies on as it moves, and may stray from that within a budget. They live until that time is
+/// over. A few nodes that are
+/// about to overspend are predicted anew, and their pairs alone are listed again; only when many
+/// are, all is. Between builds a pair is looked at only when the motion since could have brought it
+/// within reach: a sum of two numbers tells.
+class Candidates {
+public:
+    /// @param reach  gap below which pairs matter, in contact thicknesses
+    Candidates(const Cloth& cloth, double reach);
+
+    /// Lists all pairs at x, at the beginning; those nearer than their contact thickness are
+    /// remembered with the gap that they have. Pairs of triangles that cross are left out, see
+    /// crossing().
+    /// @param is_on  by card
+    void start(const Points& x, const Points& v, double t, double dt,
+               std::span<const std::uint8_t> is_on);
+
+    /// Does the same for cards that have become valid since: those that were keep what they know.
+    void admit(const Points& x, const Points& v, double t, double dt,
+               std::span<const std::uint8_t> is_on);
+
+    /// Follows the cloth to x.
+    void follow(const Points& x, double t) {
+        patches_.follow(x);
+        motion_.follow(x, t);
+    }
+
+    /// Makes sure that the lists hold all pairs that can meet in the step ahead, from x to x + dt
+    /// v.
+    void foresee(const Points& x, const Points& v, double t, double dt);
+
+    /// Rows, among them some that are no pairs any more.
+    [[nodiscard]] std::size_t size() const { return list_.size(); }
+    [[nodiscard]] std::size_t pairs() const { return list_.size() - dead_; }
+    [[nodiscard]] const Pair& operator[](std::size_t i) const { return list_[i].pair; }
+
+    /// Has pair i, or what it remembers, brought near, to be read soon.
+    void prefetch(std::size_t i) const { __builtin_prefetch(&list_[i]); }
+    void prefetch_memory(std::size_t i) const {
+        if (list_[i].memory >= 0) __builtin_prefetch(&memories_[list_[i].memory], 1);
+    }
+
+    /// Row of the card by which pair i touches.
+    [[nodiscard]] int card(std::size_t i) const { return list_[i].card; }
+
+    /// 1: the first of pair i is on its card's SURFA, -1: the second is; 0: a single surface.
+    [[nodiscard]] int side(std::size_t i) const { return list_[i].side; }
+
+    /// Gap below which pair i pushes, at most.                                                 [m]
+    [[nodiscard]] double thickness(std::size_t i);
+
+    /// visit(i) for the pairs in rows begin ... end - 1 that may be within reach now.
+    template <class Visit>
+    void for_each_due(std::size_t begin, std::size_t end, Visit&& visit) const {
+        watch_.for_each_within<true>(begin, end, motion_.age(), motion_.ways(), visit);
+    }
+
+    /// Likewise those that may meet in the step that was foreseen last.
+    template <class Visit>
+    void for_each_meeting(std::size_t begin, std::size_t end, Visit&& visit) const {
+        watch_.for_each_within<false>(begin, end, motion_.age(), motion_.ways_ahead(), visit);
+    }
+
+    /// Takes how far the sides of pair i are apart at the present x, as a vector and a distance.
+    void tell_distance(std::size_t i, const Vec3& apart, double distance, const Points& x);
+
+    /// What pair i remembers, or nothing.
+    [[nodiscard]] PairMemory* memory(std::size_t i) {
+        return list_[i].memory < 0 ? nullptr : &memories_[list_[i].memory];
+    }
+    /// Row of that, or -1; until the lists change.
+    [[nodiscard]] Index memory_row(std::size_t i) const { return list_[i].memory; }
+    [[nodiscard]] PairMemory& memory_at(Index row) { return memories_[row]; }
+    PairMemory& make_memory(std::size_t i);
+
+    /// Sum of the accounts of pairs that have gone out of reach since the last call.           [J]
+    double take_parted_accounts() { return std::exchange(parted_accounts_, 0.0); }
+
+    /// Triangles that crossed at the start and still do, rows i < j, sorted. Their pairs do not
+    /// push.
+    [[nodiscard]] const std::vector<std::pair<Index, Index>>& crossing() const { return crossing_; }
+    /// Pairs of triangles that had pairs nearer than their contact thickness when these became
+    /// valid, rows i < j, sorted.
+    [[nodiscard]] const std::vector<std::pair<Index, Index>>& close_starts() const {
+        return close_starts_;
+    }
+    /// Triangles that are searched: those of all patches that may meet.
+    [[nodiscard]] std::size_t searched() const { return patches_.pieces().triangles.size(); }
+    [[nodiscard]] std::size_t builds() const { return builds_; }
+    /// Times that the pairs of a few nodes were listed anew.
+    [[nodiscard]] std::size_t renewals() const { return renewals_; }
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(patches_, motion_, budget_, steps_, life_, list_, watch_, memories_,
+                parted_accounts_, crossing_, close_starts_, was_on_, barred_, builds_, renewals_,
+                dead_, node_box_, own_, search_);
+    }
+
+private:
+    struct Candidate {
+        Pair pair;
+        Index memory;      ///< row in memories_, or -1
+        double thickness;  ///< [m]
+        std::uint64_t key;
+        std::int16_t card, side;
+        bool is_settled;  ///< thickness allows for neighbours on the cloth
+    };
+    struct Chunk {
+        std::vector<Candidate> list;
+        std::vector<Watch> watch;
+    };
+
+    /// By what a pair's distance has shrunk at most since the lists were built, and more. [m]
+    [[nodiscard]] double spent(std::size_t i) const {
+        return watch_.spent(i, motion_.age(), motion_.ways());
+    }
+    [[nodiscard]] double least_distance(std::size_t i) const { return watch_.sum[i] - spent(i); }
+    void build(const Points& x, const Points& v, double t, double dt);
+    void set_budget(double dt);
+    void set_boxes(const Points& x);
+    void set_node_box(Index node, const Vec3& from, double time);
+    void list_pairs(const Points& x);
+    void renew(const Points& x);
+    void find_renewed_triangles();
+    void drop_renewed_pairs();
+    void list_renewed_pairs(const Points& x);
+    void hand_on_memories(std::size_t first);
+    std::size_t add_chunks(std::size_t rows, std::size_t count);
+    struct Outlook {        ///< how far it is looked ahead
+        const Points& now;  ///< where the nodes are                                        [m]
+        double life;        ///< [s]
+        bool is_build;      ///< nodes are where they are predicted, and memories are sorted
+    };
+    struct Meeting {  ///< of two triangles
+        Index a, b;   ///< rows; the pair's first is of a
+        Distances apart;
+        const Outlook& ahead;
+        Chunk& out;
+    };
+    static std::uint64_t key_of(bool is_edges, Index first, Index second) {
+        return static_cast<std::uint64_t>(is_edges) << 63 |
+               static_cast<std::uint64_t>(first) << 32 | static_cast<std::uint64_t>(second);
+    }
+    void find_late(const Points& x, double time);
+    void meet_edges(Piece a, Piece b, Distances apart, const Outlook& ahead, Chunk& out) const;
+    void meet_node(Piece n, Index triangle, Distances apart, const Outlook& ahead,
+                   Chunk& out) const;
+    void list(const Pair& pair, int card, std::uint64_t key, const Meeting& where) const;
+    [[nodiscard]] double closing_rate(const Pair& pair, const Vec3& apart, double gap,
+                                      const Points& x, double time) const;
+    [[nodiscard]] double neighbours_thickness(const Pair& pair) const;
+    void bar_all_crossing(const Points& x);
+    void bar_crossing_pairs(const Points& x);
+    void sort_memories();
+    void forget_parted_pairs();
+    [[nodiscard]] Index find_memory(std::uint64_t key) const;
+    void give_gentle_gaps(const std::vector<std::uint64_t>& keys, const Points& x, double t);
+    bool give_gentle_gap(std::size_t i, const Points& x, double t);
+    void meet_gently(const Points& x, double t, std::span<const std::uint8_t> is_on);
+
+    const Cloth& cloth_;
+    double reach_;
+    PatchPairs patches_;
+    Motion motion_;
+    NearSearch search_;
+    double budget_;              ///< stray at which the lists are spent             [m]
+    double steps_ = 4.0;         ///< that they are meant to live
+    double life_ = 0.0;          ///< age at which they are spent                    [s]
+    std::vector<Box> node_box_;  ///< of what they may reach                               [m]
+    std::vector<double> own_;    ///< by node: its part of the budget                      [m]
+    Points late_;                ///< N × 3                                                [m]
+    std::vector<Candidate> list_;
+    WatchList watch_;
+    std::vector<Chunk> chunks_;
+    std::vector<PairMemory> memories_;
+    double parted_accounts_ = 0.0;  ///< [J]
+    std::vector<std::pair<Index, Index>> crossing_, close_starts_;
+    std::vector<std::uint8_t> was_on_;   ///< by card: its pairs have met
+    std::vector<std::uint64_t> barred_;  ///< pairs of crossing triangles, ascending
+    std::size_t builds_ = 0, renewals_ = 0;
+
+    /// Of what is listed anew between builds.
+    std::vector<Index> strayed_, renewed_;                    ///< nodes, triangles, ascending
+    std::vector<std::uint8_t> is_renewed_;                    ///< by triangle
+    std::vector<std::pair<std::uint64_t, Index>> handed_on_;  ///< key and memory of dropped pairs
+    std::vector<std::vector<std::size_t>> dropped_;           ///< by chunk: rows of those pairs
+    Points predicted_;                                        ///< N × 3                     [m]
+    std::size_t dead_ = 0;                                    ///< rows of dropped pairs
+};
+
+}  // namespace corpuscle::contact

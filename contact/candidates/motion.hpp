@@ -1,0 +1,86 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/culling/patch_pairs.hpp"
+#include "contact/surface/cloth.hpp"
+
+namespace corpuscle::contact {
+
+/// How the cloth that is searched moves, as bounds. Motion that all of it has in common is left out
+/// of everything, so a bag that flies freely spends nothing.
+class Motion {
+public:
+    /// @param pieces  what is searched; may change at a restart
+    Motion(const Cloth& cloth, const Pieces& pieces);
+
+    /// Starts at x and t.
+    void start(const Points& x, double t);
+
+    /// Adds the motion since the last call.
+    void follow(const Points& x, double t);
+
+    /// Looks at the step ahead, from x to x + dt v.
+    void foresee(const Points& x, const Points& v, double dt);
+
+    /// Predicts from x on: each node keeps its velocity, less that of all. Nodes that have used
+    /// much of their part of the budget get more of it, others less.
+    void restart(const Points& x, const Points& v, double budget);
+
+    /// Predicts some nodes anew, from x on as they were foreseen last; they get more slack.
+    void renew(std::span<const Index> nodes, const Points& x);
+
+    /// Nodes that will be farther from their prediction after the step ahead than the budget and
+    /// their slack allow, ascending.
+    void list_strayed(double budget, std::vector<Index>& out) const;
+
+    /// Where a node is predicted to be now, less the motion of all since the restart.        [m]
+    [[nodiscard]] Vec3 predicted(Index node) const { return base_[node] + age_ * velocity_[node]; }
+
+    /// Bound of how far a triangle's nodes have left their predictions, summed since the start: two
+    /// triangles a and b cannot have come nearer to each other than predicted by more than what
+    /// way(a) + way(b) has grown. [m]
+    [[nodiscard]] double way(Index triangle) const { return way_[triangle]; }
+
+    /// That of all triangles.                                                                 [m]
+    [[nodiscard]] const std::vector<double>& ways() const { return way_; }
+
+    /// Likewise, and the greatest displacement of its nodes in the step that was foreseen last,
+    /// less that of all. [m]
+    [[nodiscard]] const std::vector<double>& ways_ahead() const { return way_ahead_; }
+
+    /// How far at most a node will be from its prediction after the step ahead, over its slack. [m]
+    [[nodiscard]] double stray() const { return stray_; }
+    /// Share of the budget that a node has for itself: above 1 where it flutters.             [-]
+    [[nodiscard]] double slack(Index node) const { return slack_[node]; }
+    [[nodiscard]] const Vec3& velocity(Index node) const {
+        return velocity_[node];
+    }                                                  ///< predicted [m/s]
+    [[nodiscard]] double fastest() const;              ///< of them  [m/s]
+    [[nodiscard]] double age() const { return age_; }  ///< of the prediction                  [s]
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(base_, last_, velocity_, relative_, common_, t_, age_, stray_, way_, way_ahead_,
+                node_ahead_, slack_, strays_);
+    }
+
+private:
+    const Cloth& cloth_;
+    const Pieces& pieces_;
+    Points base_, last_;          ///< positions at the restart and at the last call, N × 3   [m]
+    Points velocity_, relative_;  ///< predicted, and ahead; less that of all, N × 3          [m/s]
+    Vec3 common_ = Vec3::Zero();  ///< mean displacement of all since the restart             [m]
+    double t_ = 0.0, age_ = 0.0;  ///< [s]
+    double stray_ = 0.0;          ///< [m]
+    std::vector<double> way_, way_ahead_;  ///< by triangle                                [m]
+    std::vector<double> node_stepped_;  ///< by node: way from its prediction in the last step [m]
+    std::vector<double> node_ahead_, chunk_stray_;
+    std::vector<double> slack_, strays_;  ///< by node: share of the budget, and what it uses   [m]
+};
+
+}  // namespace corpuscle::contact

@@ -1,0 +1,158 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "contact/culling/patch_pairs.hpp"
+
+#include <algorithm>
+
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle::contact {
+namespace {
+
+constexpr Index SEVERAL = -1;
+constexpr std::size_t CHUNK = 32;   ///< patches
+constexpr int MOST_LOOKS = 6;       ///< for a plane between two patches
+constexpr double LEAST_ROOM = 0.5;  ///< in edge lengths: where cloth rests, a node may dash off
+
+/// What `of(triangle)` is for all triangles of a patch, or SEVERAL.
+template <class Of>
+Index common_of(std::span<const Index> triangles, Of&& of) {
+    const Index first = of(triangles.front());
+    const auto is_other = [&](Index t) { return of(t) != first; };
+    return std::any_of(triangles.begin(), triangles.end(), is_other) ? SEVERAL : first;
+}
+
+}  // namespace
+
+PatchPairs::PatchPairs(const Cloth& cloth, std::span<const double> margin)
+    : cloth_(cloth),
+      motion_(cloth),
+      open_(cloth, margin),
+      margin_(cloth.patches.size(), 0.0),
+      room_(margin_),
+      tree_(margin_.size()),
+      box_(margin_.size()),
+      middle_(margin_.size()) {
+    const auto body_of = [&](Index t) {
+        const auto& [a, b, c] = cloth.triangles[t];
+        const Index body = cloth.body[a];
+        return body == cloth.body[b] && body == cloth.body[c] ? body : SEVERAL;
+    };
+    for (std::size_t p = 0; p < margin_.size(); ++p) {
+        const auto triangles = cloth.patches[p];
+        part_.push_back(common_of(triangles, [&](Index t) { return cloth.part[t]; }));
+        body_.push_back(common_of(triangles, body_of));
+        for (const Index t : triangles) margin_[p] = std::max(margin_[p], margin[t]);
+    }
+}
+
+bool PatchPairs::holds(const Points& x) {
+    for (std::size_t i = 0; i < room_.size(); ++i) {
+        const auto p = static_cast<Index>(i);
+        const auto is_over = [&] {
+            return motion_.gone(p).drift + motion_.ahead(p).drift > room_[p];
+        };
+        if (!is_over()) continue;
+        motion_.measure_drift(p, x);
+        if (is_over()) return false;
+    }
+    return open_.holds(x, motion_);
+}
+
+void PatchPairs::find(const Points& x, double steps) {
+    motion_.mark(x);
+    const auto bound = [&](std::size_t p) {
+        const double ahead = motion_.ahead(static_cast<Index>(p)).drift;
+        room_[p] = std::max(steps * ahead, LEAST_ROOM * cloth_.mean_edge);
+        box_[p] = {};
+        for (const Index n : motion_.nodes(p)) box_[p].include(x[n]);
+        middle_[p] = 0.5 * (box_[p].low + box_[p].high);
+        box_[p].inflate(room_[p] + margin_[p]);
+    };
+    parallel::for_each(room_.size(), bound, CHUNK);
+    tree_.update(box_);
+    tree_.self_pairs(pairs_);
+    for (std::size_t p = 0; p < room_.size(); ++p)
+        pairs_.emplace_back(static_cast<Index>(p), static_cast<Index>(p));
+    drop_apart(x);
+    open_.drop_open(x, motion_, pairs_);
+    std::sort(pairs_.begin(), pairs_.end());
+    list_pieces();
+}
+
+/// Leaves out pairs that may not touch, or between which there is a plane.
+void PatchPairs::drop_apart(const Points& x) {
+    is_met_.resize(pairs_.size());
+    const auto look = [&](std::size_t i) {
+        const auto& [p, q] = pairs_[i];
+        is_met_[i] = may_touch(p, q) && !are_apart(p, q, x);
+    };
+    parallel::for_each(pairs_.size(), look, CHUNK);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+        if (is_met_[i]) pairs_[kept++] = pairs_[i];
+    pairs_.resize(kept);
+}
+
+/// Not a body with itself, and only parts that a card has touch.
+bool PatchPairs::may_touch(Index p, Index q) const {
+    if (body_[p] != SEVERAL && body_[p] == body_[q]) return false;
+    const Index a = part_[p], b = part_[q];
+    if (a == SEVERAL || b == SEVERAL) return true;
+    const Rules& rules = cloth_.rules;
+    return rules.nodes_against(a, b) != Rules::NONE || rules.nodes_against(b, a) != Rules::NONE ||
+           rules.edges_against(a, b) != Rules::NONE;
+}
+
+/// Whether a plane lies between two patches and their rooms: corners of boxes overlap though what
+/// is in them does not. Seen from the one, the other's nodes are at z; the nearest z of their hull
+/// is approached along straight lines [Gilbert 1966].
+bool PatchPairs::are_apart(Index p, Index q, const Points& x) const {
+    if (p == q || open_.are_neighbours(p, q)) return false;
+    const double needed = margin_[p] + room_[p] + margin_[q] + room_[q];
+    Vec3 z = middle_[q] - middle_[p];
+    for (int look = 0; look < MOST_LOOKS; ++look) {
+        const double length = z.norm();
+        if (length <= needed) return false;
+        const Vec3 s = farthest(q, -z, x) - farthest(p, z, x);
+        if (z.dot(s) > needed * length) return true;
+        const Vec3 on = s - z;
+        z += std::clamp(-z.dot(on) / on.squaredNorm(), 0.0, 1.0) * on;
+    }
+    return false;
+}
+
+/// A patch's node that lies farthest along a direction.                                     [m]
+const Vec3& PatchPairs::farthest(Index patch, const Vec3& along, const Points& x) const {
+    double most = -INF;
+    Index at = 0;
+    for (const Index n : motion_.nodes(patch))
+        if (const double far = along.dot(x[n]); far > most) {
+            most = far;
+            at = n;
+        }
+    return x[at];
+}
+
+void PatchPairs::list_pieces() {
+    auto& [patches, nodes, triangles] = pieces_;
+    patches.clear();
+    nodes.clear();
+    triangles.clear();
+    is_met_.assign(room_.size(), 0);
+    for (const auto& [p, q] : pairs_) is_met_[p] = is_met_[q] = 1;
+    for (std::size_t p = 0; p < is_met_.size(); ++p)
+        if (is_met_[p]) patches.push_back(static_cast<Index>(p));
+    if (patches.empty()) return;
+    is_met_.assign(cloth_.inverse_mass.size(), 0);
+    for (const Index p : patches) {
+        for (const Index n : motion_.nodes(p)) is_met_[n] = 1;
+        const auto some = cloth_.patches[p];
+        triangles.insert(triangles.end(), some.begin(), some.end());
+    }
+    for (const Index n : cloth_.nodes)
+        if (is_met_[n]) nodes.push_back(n);
+    std::sort(triangles.begin(), triangles.end());
+}
+
+}  // namespace corpuscle::contact

@@ -1,0 +1,88 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "contact/candidates/candidates.hpp"
+#include "contact/response/facet_load.hpp"
+#include "contact/response/impulses.hpp"
+
+namespace corpuscle::contact {
+
+/// The last look before the cloth moves: no pair of nodes and triangles, or of edges, passes
+/// through another between x and x + dt v.
+///
+/// Pairs with a time of impact in the step are stopped by impulses, for a few rounds; what still
+/// collides then, in tangles of many layers, is joined into rigid clumps for this step [Provot
+/// 1997, impact zones], which always ends: nodes of one clump do not move against each other.
+/// Momentum is kept, energy only lost. Pairs that touch exactly (gap 0) are beyond help.
+class CrossingGuard {
+public:
+    explicit CrossingGuard(const Cloth& cloth);
+
+    /// Changes velocities so that the step is safe. Pairs whose card is off at t are left alone.
+    /// @param load  takes what stops the others
+    void stop(double t, double dt, Candidates& pairs, Impulses& impulses, FacetLoad& load,
+              Movement& motion);
+
+    [[nodiscard]] std::size_t impacts() const { return impacts_; }  ///< stopped by impulses so far
+    [[nodiscard]] std::size_t clumps() const { return clumps_; }    ///< made so far
+
+    /// Pairs that could not be stopped, summed over the steps: held nodes drive them through each
+    /// other.
+    [[nodiscard]] std::size_t unstopped() const { return unstopped_; }
+
+    /// Pairs stopped or joined in the last step, some more than once, and the row of a card by
+    /// which one of them touches.
+    [[nodiscard]] std::vector<std::array<Index, 4>>& stopped() { return stopped_; }
+    [[nodiscard]] int card() const { return card_; }
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(impacts_, clumps_, unstopped_);
+    }
+
+private:
+    struct Impact {
+        std::size_t pair;  ///< candidate row
+        double time;       ///< part of the step
+    };
+
+    bool stop_dangers(int rounds, double dt, Candidates& pairs, Impulses& impulses, FacetLoad& load,
+                      Movement& motion);
+    void list_dangers(double t, const Candidates& pairs);
+    bool find_impacts(double dt, const Candidates& pairs, const Movement& motion);
+    void stop_impacts(double dt, const Candidates& pairs, Impulses& impulses, FacetLoad& load,
+                      Movement& motion);
+    bool make_clumps(const Candidates& pairs, Impulses& impulses, Movement& motion);
+    Index root(Index node);
+    /// @returns whether they were of two clumps before
+    bool unite(Index node, Index other) {
+        const Index a = root(node), b = root(other);
+        parent_[std::max(a, b)] = std::min(a, b);
+        return a != b;
+    }
+    /// A body's nodes change together: its first one speaks for all.
+    [[nodiscard]] Index speaker(Index node) const {
+        const Index body = cloth_.body[node];
+        return body < 0 ? node : cloth_.nodes_of_body(body).front();
+    }
+    void mark(Index node) { changed_[speaker(node)] = round_; }
+
+    const Cloth& cloth_;
+    std::vector<double> mass_;  ///< by node row; of free nodes                    [kg]
+    std::vector<std::vector<std::size_t>> near_;  ///< by chunk: candidates that may meet
+    std::vector<std::vector<Impact>> found_;      ///< by chunk
+    std::vector<unsigned> changed_;  ///< round in which a node's velocity was changed last
+    unsigned round_ = 0, checked_ = 0;
+    std::vector<Index> parent_;  ///< of a node in its clump
+    std::vector<Index> joined_;  ///< nodes in clumps
+    bool is_hub_ = false;        ///< all that hits a body, wherever, is one clump with it
+    std::size_t impacts_ = 0, clumps_ = 0, unstopped_ = 0;
+    std::vector<std::array<Index, 4>> stopped_;
+    int card_ = -1;
+};
+
+}  // namespace corpuscle::contact

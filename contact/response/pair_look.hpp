@@ -1,0 +1,60 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "contact/candidates/candidates.hpp"
+#include "contact/response/columns.hpp"
+#include "contact/surface/contact_list.hpp"
+#include "contact/surface/movers.hpp"
+
+namespace corpuscle::contact {
+
+/// Looks at candidate pairs: which are near, which touch.
+class PairLook {
+public:
+    /// @param reach  gap below which pairs are kept, in contact thicknesses
+    PairLook(const Cloth& cloth, double reach) : cloth_(cloth), reach_(reach) {}
+
+    /// @param time  in which gaps that start below the contact thickness grow to it            [s]
+    void set_growth(double time) { growth_time_ = time; }
+
+    struct Scene {
+        const Points &x, &v;                  ///< N × 3                                  [m, m/s]
+        double t;                             ///< [s]
+        std::span<const RigidMover> bodies;   ///< by number
+        std::span<const std::uint8_t> is_on;  ///< by card
+        std::span<const double> most;         ///< contact thickness now, by card          [m]
+    };
+    /// Fills the list, which is empty.
+    void find(const Scene& scene, const Columns& columns, Candidates& pairs,
+              ContactList& contacts) const;
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(growth_time_);
+    }
+
+private:
+    class Batch;
+    struct Found {
+        std::size_t row;
+        Nearest places;
+        double gap;  ///< [m]
+    };
+    struct RestGap {
+        double now;   ///< [m]
+        double rate;  ///< at which it grows                                               [m/s]
+    };
+    void take(const Found& found, const Scene& scene, const Columns& columns, Candidates& pairs,
+              ContactList& contacts, std::size_t chunk) const;
+    [[nodiscard]] RestGap rest_gap(double thickness, double t, PairMemory* memory) const;
+
+    const Cloth& cloth_;
+    double reach_;
+    double growth_time_ = NaN;  ///< [s]
+};
+
+}  // namespace corpuscle::contact

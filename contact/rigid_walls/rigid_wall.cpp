@@ -1,0 +1,166 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "contact/rigid_walls/rigid_wall.hpp"
+
+#include <algorithm>
+
+namespace corpuscle::contact {
+
+RigidWall::RigidWall(const WallCard& card, const Curve* curve, double end_time) : card_(card) {
+    const WallMotion& motion = card_.motion;
+    if (curve != nullptr) curve_ = curve->continued_beyond(end_time - card_.birth);
+    if (!curve_)
+        velocity_ = motion.speed * motion.direction;
+    else if (motion.is_displacement)
+        shift_ = next_shift_ = (*curve_)(0.0) * motion.direction;
+    stops_.reserve(card_.nodes.size());
+    touching_.reserve(card_.nodes.size());
+}
+
+void RigidWall::hold(const Points& x, std::span<const double> mass, double t, double dt, Points& v,
+                     const WallBodies& bodies) {
+    velocity_before_ = velocity_;
+    set_out(t, dt);
+    if (t <= 0.0) velocity_before_ = velocity_;  // a driven wall has its speed from the start
+    stops_.clear();
+    touching_.clear();
+    Vec3 impulse = Vec3::Zero();
+    if (t >= card_.birth && t <= card_.death) {
+        if (is_behind_.size() != card_.nodes.size()) note_nodes_behind(x);
+        find_stops(x, dt, v, bodies);
+        slow_down(mass);
+        stop(mass, v, impulse);
+        stop_bodies(x, dt, v, bodies, impulse);
+        if (!(card_.motion.mass > 0.0)) driving_work_ -= impulse.dot(velocity_);
+    }
+    impulse_ = impulse;
+    force_ = impulse / dt;
+    if (!curve_) next_shift_ = shift_ + dt * velocity_;
+}
+
+/// Takes the place that the last step led to, and the velocity of the next one: exactly the way
+/// that a curve gives for it.
+void RigidWall::set_out(double t, double dt) {
+    shift_ = next_shift_;
+    if (!curve_) return;
+    const WallMotion& motion = card_.motion;
+    const double from = std::max(t - card_.birth, 0.0), to = std::max(t + dt - card_.birth, 0.0);
+    double way = 0.0;
+    if (t < card_.death && to > from)
+        way = motion.is_displacement ? (*curve_)(to) - (*curve_)(from)
+                                     : curve_->mean(from, to) * (to - from);
+    velocity_ = way / dt * motion.direction;
+    next_shift_ = shift_ + way * motion.direction;
+}
+
+void RigidWall::note_nodes_behind(const Points& x) {
+    const bool is_plate = std::holds_alternative<Plate>(card_.shape);
+    for (const Index node : card_.nodes) {
+        const Vec3 at = x[node] - shift_;
+        is_behind_.push_back(nearest(card_.shape, at).gap < 0.0);
+        if (is_plate) last_.push_back(at);
+    }
+}
+
+std::vector<Index> RigidWall::nodes_behind() const {
+    std::vector<Index> behind;
+    for (std::size_t i = 0; i < is_behind_.size(); ++i)
+        if (is_behind_[i]) behind.push_back(card_.nodes[i]);
+    return behind;
+}
+
+/// Is the node one of those that are let alone? A node gets behind a plate round its edges; one
+/// that something else has driven through it is still in front.
+bool RigidWall::passes(std::size_t i, const Vec3& at, double gap) {
+    if (gap >= 0.0) is_behind_[i] = 0;
+    if (const auto* plate = std::get_if<Plate>(&card_.shape)) {
+        if (gap < 0.0 && !is_behind_[i]) {
+            const bool came_through = nearest(card_.shape, last_[i]).gap < 0.0
+                                          ? covers(*plate, at)
+                                          : entry(card_.shape, last_[i], at).has_value();
+            is_behind_[i] = !came_through;
+        }
+        last_[i] = at;
+    }
+    return is_behind_[i] != 0;
+}
+
+/// The plane that keeps the node out, if its way leads in.
+std::optional<RigidWall::Plane> RigidWall::plane_before(std::size_t i, const Vec3& at,
+                                                        const Vec3& way) {
+    const Nearby now = nearest(card_.shape, at);
+    if (passes(i, at, now.gap)) return {};
+    if (now.gap <= 0.0) return Plane{now.normal, now.gap};
+    const auto in = entry(card_.shape, at, at + way);
+    if (!in) return {};
+    return Plane{in->normal, -in->share * in->normal.dot(way)};
+}
+
+void RigidWall::find_stops(const Points& x, double dt, const Points& v, const WallBodies& bodies) {
+    for (std::size_t i = 0; i < card_.nodes.size(); ++i) {
+        const Index node = card_.nodes[i];
+        if (bodies.has(node)) continue;
+        const auto plane = plane_before(i, x[node] - shift_, dt * (v[node] - velocity_));
+        if (!plane) continue;
+        const double spare = plane->normal.dot(v[node]) + plane->gap / dt;
+        if (spare < plane->normal.dot(velocity_)) stops_.push_back({node, plane->normal, spare});
+    }
+}
+
+/// The common speed of a wall that has mass and of the nodes that it meets: the root of
+///
+///     M (w - w_0) + sum m max(0, w - spare) = 0
+///
+/// by Newton's method, which comes down to it without overshooting, for the sum is convex.
+void RigidWall::slow_down(std::span<const double> mass) {
+    const double own = card_.motion.mass;
+    if (!(own > 0.0) || stops_.empty()) return;
+    const Vec3& along = card_.motion.direction;
+    const double first = velocity_.dot(along);
+    double speed = first;
+    for (bool is_found = false; !is_found;) {
+        double sum = own, momentum = own * first;
+        for (const Stop& stop : stops_) {
+            if (stop.spare >= speed) continue;
+            sum += mass[stop.node];
+            momentum += mass[stop.node] * stop.spare;
+        }
+        is_found = !(momentum / sum < speed);
+        if (!is_found) speed = momentum / sum;
+    }
+    velocity_ = speed * along;
+    stopping_energy_ += 0.5 * own * (first - speed) * (first - speed);
+}
+
+void RigidWall::stop(std::span<const double> mass, Points& v, Vec3& impulse) {
+    for (const Stop& stop : stops_) {
+        const double push = stop.normal.dot(velocity_) - stop.spare;
+        if (!(push > 0.0)) continue;  // the wall was slowed down before it met this node
+        Vec3& now = v[stop.node];
+        const double m = mass[stop.node];
+        // as seen from the wall
+        const Vec3 before = now - velocity_;
+        const Vec3 slid = before + push * stop.normal;
+        const Vec3 after = rubbed(slid, stop.normal, push);
+        stopping_energy_ += 0.5 * m * (before.squaredNorm() - slid.squaredNorm());
+        friction_energy_ += 0.5 * m * (slid.squaredNorm() - after.squaredNorm());
+        impulse += m * (before - after);
+        touching_.push_back(stop.node);
+        now = after + velocity_;
+    }
+}
+
+/// Velocity after friction, `stop` being the normal velocity that the wall took away.
+Vec3 RigidWall::rubbed(const Vec3& v, const Vec3& normal, double stop) const {
+    const Vec3 off = normal.dot(v) * normal;
+    const Vec3 sliding = v - off;
+    const double speed = sliding.norm();
+    if (card_.friction == 1.0 || speed <= card_.friction * stop) return off;
+    return off + (1.0 - card_.friction * stop / speed) * sliding;
+}
+
+double RigidWall::kinetic_energy() const {
+    return 0.5 * card_.motion.mass * velocity_.squaredNorm();
+}
+
+}  // namespace corpuscle::contact

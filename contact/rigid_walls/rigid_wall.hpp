@@ -1,0 +1,126 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "contact/rigid_walls/wall_card.hpp"
+#include "contact/surface/movers.hpp"
+#include "solver/base/curve.hpp"
+
+namespace corpuscle::contact {
+
+/// Rigid bodies that walls may meet.
+struct WallBodies {
+    std::span<const Index> of_node;  ///< by node row: number of its body, or -1; empty: no bodies
+    std::span<RigidMover> movers;    ///< by number
+
+    [[nodiscard]] bool has(Index node) const { return !of_node.empty() && of_node[node] >= 0; }
+    [[nodiscard]] RigidMover& of(Index node) const { return movers[of_node[node]]; }
+};
+
+/// *RIGIDWALL: a convex shape that nodes cannot enter, whatever their speed. The impact is
+/// perfectly plastic: a node that would come in during the step ahead arrives at the wall and has
+/// the wall's normal velocity from then on.
+///
+/// The way of a node in a step is straight; where it enters the shape first, at the share s, the
+/// tangent plane n keeps it out, for a convex shape lies behind its tangent planes:
+///
+///     n·(v - w) >= s n·(v_0 - w),   friction impulse <= mu · normal impulse (FRIC = 1: sticks)
+///
+/// w is the wall's velocity. A wall of mass M gets it from M w + sum m n·v = const.
+class RigidWall {
+public:
+    /// @param curve     of the card's motion; nullptr when it has none
+    /// @param end_time  of the run, beyond which a curve that reaches it goes on               [s]
+    explicit RigidWall(const WallCard& card, const Curve* curve = nullptr, double end_time = INF);
+
+    /// Stops nodes, between the kick and the drift from t to t + dt, and moves the wall likewise.
+    ///
+    /// Nodes that are inside (behind a plane) when it is born are let alone until they have come
+    /// out. A node of a rigid body passes its impulse on to the body; v is then left to the body.
+    void hold(const Points& x, std::span<const double> mass, double t, double dt, Points& v,
+              const WallBodies& bodies = {});
+
+    /// On the wall in the last step: impulse / dt.                                              [N]
+    [[nodiscard]] const Vec3& force() const { return force_; }
+    /// On the wall in the last step.                                                           [Ns]
+    [[nodiscard]] const Vec3& impulse() const { return impulse_; }
+    /// Nodes that the last hold() stopped.
+    [[nodiscard]] std::span<const Index> touching() const { return touching_; }
+    [[nodiscard]] double stopping_energy() const { return stopping_energy_; }  ///< so far      [J]
+    [[nodiscard]] double friction_energy() const { return friction_energy_; }  ///< so far      [J]
+    /// Done so far on nodes by a wall whose motion is given.                                    [J]
+    [[nodiscard]] double driving_work() const { return driving_work_; }
+    /// Done so far by what holds or drives bodies that it pushed.                             [J]
+    [[nodiscard]] double held_work() const { return held_work_; }
+    [[nodiscard]] double kinetic_energy() const;  ///< of its mass                              [J]
+
+    [[nodiscard]] bool moves() const { return !card_.motion.direction.isZero(0.0); }
+    [[nodiscard]] const Vec3& displacement() const { return shift_; }  ///< at t                [m]
+    [[nodiscard]] const Vec3& velocity() const { return velocity_; }   ///< at t + dt/2       [m/s]
+    /// At t, between the steps before and ahead.
+    /// @param weight  of the step ahead, Clock::weight()                                       [-]
+    [[nodiscard]] Vec3 velocity_at_t(double weight) const {
+        return velocity_before_ + weight * (velocity_ - velocity_before_);
+    }
+
+    /// Rows of nodes that are still behind it; known from the first hold() on.
+    [[nodiscard]] std::vector<Index> nodes_behind() const;
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(shift_, next_shift_, velocity_, is_behind_, last_, touching_, force_,
+                stopping_energy_, friction_energy_, driving_work_);
+    }
+
+private:
+    /// A node that would come in.
+    struct Stop {
+        Index node;
+        Vec3 normal;
+        double spare;  ///< n·v + gap / dt: the wall's speed at which it is just not stopped
+    };
+    struct Bump {  ///< of a body's node
+        Index node;
+        Vec3 normal;
+        double gap_rate;             ///< gap / dt                                       [m/s]
+        double taken = 0.0;          ///< along the normal                               [N s]
+        Vec3 rubbed = Vec3::Zero();  ///< by friction                                    [N s]
+    };
+    struct Plane {
+        Vec3 normal;
+        double gap;  ///< from the node to it [m]
+    };
+
+    void set_out(double t, double dt);
+    void note_nodes_behind(const Points& x);
+    [[nodiscard]] bool passes(std::size_t i, const Vec3& at, double gap);
+    [[nodiscard]] std::optional<Plane> plane_before(std::size_t i, const Vec3& at, const Vec3& way);
+    void find_stops(const Points& x, double dt, const Points& v, const WallBodies& bodies);
+    void slow_down(std::span<const double> mass);
+    void stop(std::span<const double> mass, Points& v, Vec3& impulse);
+    double find_bumps(const Points& x, double dt, const Points& v, const WallBodies& bodies);
+    void stop_bodies(const Points& x, double dt, const Points& v, const WallBodies& bodies,
+                     Vec3& impulse);
+    [[nodiscard]] Vec3 rubbed(const Vec3& v, const Vec3& normal, double stop) const;
+
+    WallCard card_;
+    std::optional<Curve> curve_;
+    Vec3 shift_ = Vec3::Zero(), next_shift_ = Vec3::Zero();  ///< since the start, at t, t + dt [m]
+    Vec3 velocity_ = Vec3::Zero();                           ///< [m/s]
+    Vec3 velocity_before_ = Vec3::Zero();                    ///< in the last step         [m/s]
+    std::vector<std::uint8_t> is_behind_;  ///< by row in card_.nodes; empty before birth
+    Points last_;                          ///< of a plate: where the nodes were, seen from it  [m]
+    std::vector<Stop> stops_;
+    std::vector<Bump> bumps_;
+    std::vector<Index> touching_;
+    Vec3 force_ = Vec3::Zero(), impulse_ = Vec3::Zero();
+    double stopping_energy_ = 0.0, friction_energy_ = 0.0, driving_work_ = 0.0, held_work_ = 0.0;
+};
+
+}  // namespace corpuscle::contact

@@ -1,0 +1,95 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/geometry/distance.hpp"
+#include "contact/surface/cards.hpp"
+#include "contact/surface/patches.hpp"
+#include "contact/surface/rules.hpp"
+#include "solver/base/surface.hpp"
+
+namespace corpuscle::contact {
+
+/// What contact is built from. Spans need to live during construction only.
+struct ContactSetup {
+    std::vector<ContactCard> cards;
+    std::vector<Triangle> triangles;
+    std::vector<Index> part;        ///< row of each triangle's part
+    std::vector<double> thickness;  ///< of the section, per triangle; 0: a skin              [m]
+    std::size_t parts = 1;          ///< in the scene
+    std::span<const double> node_mass;   ///< N; of rigid bodies' nodes: any               [kg]
+    std::span<const Vec3> reference_x;   ///< stress-free node positions, N × 3            [m]
+    std::span<const Vec3> x0;            ///< node positions at the start, N × 3           [m]
+    std::span<const Curve> curves;       ///< of the scene
+    std::span<const std::uint8_t> held;  ///< N: 1 = moves as prescribed, whatever hits it
+    std::span<const Index> body = {};  ///< N: number of the rigid body it is of, or -1; empty: none
+};
+
+/// What contact knows of the fabric and of rigid bodies' surfaces, and what never changes.
+struct Cloth {
+    Rules rules;
+    std::vector<Triangle> triangles;
+    std::vector<Index> part;                     ///< by triangle: row of its part
+    std::vector<std::vector<double>> thickness;  ///< contact thickness by card and triangle   [m]
+    std::vector<double> node_thickness;          ///< by node: the greatest of its triangles   [m]
+    double greatest_thickness = 0.0;             ///< [m]
+    double mean_edge = 0.0;  ///< mean length of the edges, each seen from its triangles  [m]
+    std::vector<double> inverse_mass;  ///< by node row; 0: held, or of a rigid body     [1/kg]
+    std::vector<Index> body;           ///< by node row: number of its rigid body, or -1
+    Points reference_x, x0;            ///< by node row, N × 3                           [m]
+
+    /// Each node and each edge belongs to just one of the triangles that have it, so that a pair of
+    /// them is met once. Bits 0-2: node k is this triangle's; bits 3-5: edge k -> k + 1 is.
+    std::vector<std::uint8_t> owned;
+    std::vector<std::array<Index, 3>> edge;  ///< by triangle: names of its edges k -> k + 1
+
+    Patches patches;
+    std::vector<Index> nodes;  ///< that triangles have, ascending
+
+    /// By node row: least height over the opposite side of its triangles in the reference shape.
+    /// Along the cloth, what does not have the node is at least this far from it.             [m]
+    std::vector<double> star_height;
+
+    std::vector<Index> node_triangle;  ///< triangles of node n, ascending
+    std::vector<Index> node_start;
+
+    std::vector<Index> body_node;   ///< nodes of body b: body_node[body_start[b]] ...
+    std::vector<Index> body_start;  ///< of numbers 0 ... greatest, and the end
+
+    std::vector<Index> near_node;  ///< nodes beside node i on the cloth, ascending
+    std::vector<Index> near_start;
+
+    explicit Cloth(const ContactSetup& setup);
+
+    [[nodiscard]] std::span<const Index> triangles_of(Index node) const {
+        return std::span(node_triangle)
+            .subspan(node_start[node], node_start[node + 1] - node_start[node]);
+    }
+    [[nodiscard]] bool owns_node(Index triangle, int k) const { return owned[triangle] >> k & 1; }
+    [[nodiscard]] bool owns_edge(Index triangle, int k) const {
+        return owned[triangle] >> (3 + k) & 1;
+    }
+    /// Whether nothing can move the pair's nodes against each other.
+    [[nodiscard]] bool is_held(const Pair& pair) const;
+    [[nodiscard]] std::span<const Index> nodes_of_body(std::size_t b) const {
+        return std::span(body_node).subspan(body_start[b], body_start[b + 1] - body_start[b]);
+    }
+    [[nodiscard]] bool has_body(const Pair& pair) const {
+        return body_start.size() > 1 && std::any_of(pair.node.begin(), pair.node.end(),
+                                                    [&](Index n) { return body[n] >= 0; });
+    }
+    /// Contact thickness between two triangles by a card.                                  [m]
+    [[nodiscard]] double gap(int card, Index a, Index b) const {
+        const auto& of = thickness[static_cast<std::size_t>(card)];
+        return 0.5 * (of[a] + of[b]);
+    }
+    [[nodiscard]] bool are_beside(Index node, Index other) const;
+};
+
+}  // namespace corpuscle::contact

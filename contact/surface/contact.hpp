@@ -1,0 +1,56 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "contact/geometry/distance.hpp"
+
+namespace corpuscle::contact {
+
+/// Two places of the cloth, or of rigid bodies, that are near each other: gap = |sum of weight x|,
+/// rate = normal · sum of weight v. The weights add up to zero, so forces along them keep momentum.
+struct Contact {
+    static constexpr std::uint8_t ALONE = 64;  ///< name of no column
+
+    std::array<Index, 4> node;
+    std::array<double, 4> weight;
+    Vec3 normal;  ///< from the second place to the first
+    double gap;   ///< [m]
+    double mass;  ///< 1 / (what an impulse of one makes of the rate)             [kg]
+    std::uint8_t column = ALONE;  ///< name of its column (contact/response/columns.hpp)
+    bool on_body = false;         ///< on a rigid body, where `mass` holds for the normal only
+    int card = 0;                 ///< row of the card by which they touch
+    int side = 0;       ///< 1: the first place is on SURFA, -1: the second is; 0: a single surface
+    double rest = 0.0;  ///< gap below which it pushes                                  [m]
+    double rest_rate = 0.0;  ///< growth of `rest`                                           [m/s]
+    double stiffness = 0.0;  ///< [N/m]
+    double share =
+        0.0;  ///< (omega)² that it was found for, all contacts of its softest node  [1/s^2]
+    double force = 0.0;    ///< repulsion, >= 0                                            [N]
+    double impulse = 0.0;  ///< of the repulsion and of what follows it, normal            [N s]
+    Vec3 rubbed = Vec3::Zero();  ///< by friction, on the first place                          [N s]
+    double rate_before = 0.0;    ///< before the kick                                          [m/s]
+    double rate_kicked = 0.0;    ///< after it, before all impulses                            [m/s]
+    std::size_t pair = 0;        ///< candidate row
+    Index memory = -1;           ///< row of what the pair remembers, or -1; until lists change
+
+    [[nodiscard]] Vec3 relative(const Points& v) const {
+        return weight[0] * v[node[0]] + weight[1] * v[node[1]] + weight[2] * v[node[2]] +
+               weight[3] * v[node[3]];
+    }
+    [[nodiscard]] double rate(const Points& v) const { return normal.dot(relative(v)); }
+};
+
+/// Contact between the nearest places of a pair that do not quite touch, its mass that of free
+/// nodes alone.
+/// @param inverse_mass  by node row; 0: held [1/kg]
+[[nodiscard]] inline Contact contact_at(const Pair& pair, const Nearest& nearest, double gap,
+                                        const std::vector<double>& inverse_mass) {
+    double inverse = 0.0;
+    for (int i = 0; i < 4; ++i)
+        inverse += nearest.weight[i] * nearest.weight[i] * inverse_mass[pair.node[i]];
+    return {pair.node, nearest.weight, nearest.apart / gap, gap, 1.0 / inverse};
+}
+
+}  // namespace corpuscle::contact

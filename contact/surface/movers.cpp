@@ -1,0 +1,118 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "contact/surface/movers.hpp"
+
+#include <Eigen/Eigenvalues>
+
+namespace corpuscle::contact {
+namespace {
+
+Mat3 cross_matrix(const Vec3& a) {
+    Mat3 out;
+    out << 0.0, -a[2], a[1], a[2], 0.0, -a[0], -a[1], a[0], 0.0;
+    return out;
+}
+
+/// A⁻¹ b of a symmetric A >= 0, as far as it has one: along axes of no mobility nothing is given.
+Vec3 solve(const Mat3& A, const Vec3& b) {
+    constexpr double LEAST = 1e-12;  ///< of the greatest eigenvalue
+    const Eigen::SelfAdjointEigenSolver<Mat3> principal(A);
+    Vec3 out = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+        const double value = principal.eigenvalues()[k];
+        const Vec3 axis = principal.eigenvectors().col(k);
+        if (value > LEAST * principal.eigenvalues()[2]) out += axis.dot(b) / value * axis;
+    }
+    return out;
+}
+
+}  // namespace
+
+Mat3 RigidMover::mobility(const Vec3& at) const {
+    const Mat3 arm = cross_matrix(at - centre);
+    return inverse_mass - arm * inverse_inertia * arm;
+}
+
+double RigidMover::push(const Vec3& by, const Vec3& at) {
+    const Vec3 arm = at - centre, moment = arm.cross(by);
+    impulse += by;
+    turning += moment;
+    velocity_change += inverse_mass * by;
+    spin_change += inverse_inertia * moment;
+    return -by.dot(held_velocity) - moment.dot(held_spin);
+}
+
+double inverse_mass(const RigidMover& body, Index number, const Cloth& cloth, const Points& x,
+                    const Contact& c, const Vec3& direction) {
+    double weight = 0.0;
+    Vec3 arm = Vec3::Zero();
+    for (int i = 0; i < 4; ++i) {
+        if (cloth.body[c.node[i]] != number) continue;
+        weight += c.weight[i];
+        arm += c.weight[i] * (x[c.node[i]] - body.centre);
+    }
+    const Vec3 moment = arm.cross(direction);
+    return weight * weight * direction.dot(body.inverse_mass * direction) +
+           moment.dot(body.inverse_inertia * moment);
+}
+
+double mass_along(const Cloth& cloth, std::span<const RigidMover> bodies, const Points& x,
+                  const Contact& c, const Vec3& direction) {
+    double inverse = 0.0;
+    for (int i = 0; i < 4; ++i)
+        inverse += c.weight[i] * c.weight[i] * cloth.inverse_mass[c.node[i]];
+    for_bodies_of(cloth, c,
+                  [&](Index b) { inverse += inverse_mass(bodies[b], b, cloth, x, c, direction); });
+    return 1.0 / inverse;
+}
+
+Contact contact_at(const Cloth& cloth, std::span<const RigidMover> bodies, const Points& x,
+                   const Pair& pair, const Nearest& nearest, double gap) {
+    Contact c = contact_at(pair, nearest, gap, cloth.inverse_mass);
+    if (!cloth.has_body(pair)) return c;
+    c.on_body = true;
+    c.mass = mass_along(cloth, bodies, x, c, c.normal);
+    return c;
+}
+
+double Movement::push(Index node, const Vec3& impulse) {
+    assert(has_begun_);
+    if (const Index body = cloth_.body[node]; body >= 0)
+        return bodies_[body].push(impulse, x_[node]);
+    if (const double inverse = cloth_.inverse_mass[node]; inverse > 0.0) {
+        v_[node] += inverse * impulse;
+        return 0.0;
+    }
+    return -impulse.dot(v_[node]);
+}
+
+Movement::Joined Movement::join(Index node, Index body) {
+    const Index own = cloth_.body[node];
+    if (own == body) return {};
+    const Vec3& at = x_[node];
+    RigidMover& anchor = bodies_[body];
+    const Vec3 apart = velocity(node) - anchor.velocity_at(at);
+    Mat3 mobility = anchor.mobility(at);
+    if (own >= 0)
+        mobility += bodies_[own].mobility(at);
+    else
+        mobility += cloth_.inverse_mass[node] * Mat3::Identity();
+    const Vec3 impulse = solve(mobility, apart);
+    Joined out;
+    out.held_work = push(node, -impulse) + anchor.push(impulse, at);
+    out.taken = 0.5 * impulse.dot(apart + velocity(node) - anchor.velocity_at(at));
+    return out;
+}
+
+void Movement::settle() {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        RigidMover& body = bodies_[b];
+        if (body.velocity_change.isZero(0.0) && body.spin_change.isZero(0.0)) continue;
+        for (const Index n : cloth_.nodes_of_body(b)) v_[n] += body.change_at(x_[n]);
+        body.velocity += body.velocity_change;
+        body.spin += body.spin_change;
+        body.velocity_change = body.spin_change = Vec3::Zero();
+    }
+}
+
+}  // namespace corpuscle::contact

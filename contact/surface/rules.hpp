@@ -1,0 +1,74 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/surface/cards.hpp"
+#include "solver/base/curve.hpp"
+
+namespace corpuscle::contact {
+
+/// Who may touch whom, by which card, and from how far: the cards, worked out for pairs of parts.
+/// Where several cards hold for a pair the first one in the deck does.
+class Rules {
+public:
+    static constexpr int NONE = -1;
+
+    /// @param parts  in the scene
+    Rules(std::vector<ContactCard> cards, std::span<const Curve> curves, std::size_t parts);
+
+    [[nodiscard]] const std::vector<ContactCard>& cards() const { return cards_; }
+    [[nodiscard]] const ContactCard& card(int row) const {
+        return cards_[static_cast<std::size_t>(row)];
+    }
+
+    /// Row of the card for nodes of part `a` against facets of part `b`, or NONE.
+    [[nodiscard]] int nodes_against(Index a, Index b) const { return nodes_[at(a, b)]; }
+    /// Row of the card for edges of the two parts, or NONE.
+    [[nodiscard]] int edges_against(Index a, Index b) const { return edges_[at(a, b)]; }
+
+    /// Of two parts that touch by a card: 1: a is on its SURFA, -1: b is; 0: it is a single
+    /// surface.
+    [[nodiscard]] int side_of(int card, Index a, Index b) const {
+        if (this->card(card).kind == ContactCard::Kind::SINGLE_SURFACE) return 0;
+        return is_first(card, a, b) ? 1 : -1;
+    }
+
+    /// Does the card speak of the part at all?
+    [[nodiscard]] bool concerns(int card, Index part) const {
+        return is_on_side(card, 0, part) || is_on_side(card, 1, part);
+    }
+
+    /// Greatest contact thickness that a facet of part `part` has by a card: that of the card, or
+    /// its curve's greatest, or its section's.                                                  [m]
+    [[nodiscard]] double thickness(int card, Index part, double of_section) const;
+    /// Bound on the contact thickness at t: that of LCIDAB; INF without a curve.                [m]
+    [[nodiscard]] double most(int card, double t) const;
+
+    [[nodiscard]] bool is_on(int card, double t) const {
+        return t >= this->card(card).birth && t <= this->card(card).death;
+    }
+
+private:
+    [[nodiscard]] std::size_t at(Index a, Index b) const {
+        return static_cast<std::size_t>(a) * parts_ + static_cast<std::size_t>(b);
+    }
+    [[nodiscard]] bool is_on_side(int card, int side, Index part) const {
+        return side_[static_cast<std::size_t>(2 * card + side)][static_cast<std::size_t>(part)];
+    }
+    /// Is part `a` on the card's SURFA, and b on its SURFB?
+    [[nodiscard]] bool is_first(int card, Index a, Index b) const {
+        return is_on_side(card, 0, a) && is_on_side(card, 1, b);
+    }
+    void enter(int row);
+
+    std::vector<ContactCard> cards_;
+    std::vector<Curve> curve_;  ///< by card; empty: none
+    std::size_t parts_;
+    std::vector<std::vector<bool>> side_;  ///< cards × 2: parts on SURFA, on SURFB
+    std::vector<int> nodes_, edges_;       ///< parts × parts: row of a card or NONE
+};
+
+}  // namespace corpuscle::contact
