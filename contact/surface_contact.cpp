@@ -7,6 +7,7 @@
 
 #include "contact/response/crossing_guard.hpp"
 #include "contact/response/facet_load.hpp"
+#include "contact/response/implicit_response.hpp"
 #include "contact/response/impulses.hpp"
 #include "contact/response/pair_look.hpp"
 #include "contact/response/step_control.hpp"
@@ -33,6 +34,8 @@ struct SurfaceContact::State {
     Candidates pairs;
     Repulsion repulsion;
     Impulses impulses;
+    ImplicitResponse response;
+    bool is_implicit;
     CrossingGuard guard;
     FacetLoad load;
     ContactList contacts;
@@ -51,6 +54,8 @@ struct SurfaceContact::State {
           pairs(cloth, REACH),
           repulsion(cloth),
           impulses(cloth),
+          response(cloth),
+          is_implicit(setup.is_implicit),
           guard(cloth),
           load(cloth),
           columns(cloth),
@@ -60,8 +65,8 @@ struct SurfaceContact::State {
 
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(pairs, impulses, guard, load, contacts, look, step, counts, most, is_on, t, dt_last,
-                span, is_started);
+        archive(pairs, impulses, response, guard, load, contacts, look, step, counts, most, is_on,
+                t, dt_last, span, is_started);
     }
     bool look_at_cards(double now);
     struct Shortest {
@@ -109,11 +114,13 @@ void SurfaceContact::find(const Points& x, const Points& v, double t, double dt,
     } else {
         s.pairs.follow(x, t);
         if (is_born) s.pairs.admit(x, v, t, dt, s.is_on);
+        if (s.is_implicit) s.pairs.foresee(x, v, t, dt);
     }
     s.counts.close_starts = s.pairs.close_starts().size();
     if (s.pairs.size() > 0) {
         s.columns.lay(x);
-        s.look.find({x, v, t, bodies, s.is_on, s.most}, s.columns, s.pairs, s.contacts);
+        s.look.find({x, v, t, s.is_implicit ? dt : 0.0, bodies, s.is_on, s.most}, s.columns,
+                    s.pairs, s.contacts);
     }
     s.columns.sort(s.contacts);
     s.count();
@@ -147,9 +154,11 @@ void SurfaceContact::State::count() {
 void SurfaceContact::add_force(const Points& x, const Points& /*v*/, double dt, Points& f,
                                std::span<const RigidMover> bodies, const OwnRates& own) {
     State& s = *state_;
-    s.repulsion.find(std::max(dt, s.dt_last), x, bodies, own, s.columns, s.contacts);
-    s.let_debtors_part();
-    s.repulsion.add(s.columns, s.contacts, f);
+    if (!s.is_implicit) {
+        s.repulsion.find(std::max(dt, s.dt_last), x, bodies, own, s.columns, s.contacts);
+        s.let_debtors_part();
+        s.repulsion.add(s.columns, s.contacts, f);
+    }
     s.span = 0.5 * (s.dt_last + dt);
     s.dt_last = dt;
 }
@@ -161,7 +170,10 @@ bool SurfaceContact::filter(const Points& x, double dt, Points& v, std::span<Rig
     if (!s.any_on()) return false;
     Movement motion(s.cloth, x, v, bodies, v_before);
     if (s.counts.near > 0) motion.begin();
-    s.impulses.apply(s.span, dt, s.contacts, s.columns, s.pairs, motion);
+    if (s.is_implicit)
+        s.response.apply(s.span, dt, s.contacts, s.columns, s.pairs, motion, s.impulses.books());
+    else
+        s.impulses.apply(s.span, dt, s.contacts, s.columns, s.pairs, motion);
     s.columns.for_each(s.contacts, [&](const Contact& c) { s.load.add(c); });
     s.guard.stop(s.t, dt, s.pairs, s.impulses, s.load, motion);
     s.step.follow(dt, s.guard.stopped(), s.counts.touching, s.guard.card());
@@ -195,13 +207,13 @@ SurfaceContact::State::Shortest SurfaceContact::State::shortest_step(const Point
 }
 
 double SurfaceContact::stable_step(const Points& v) const {
-    return state_->shortest_step(v).step;
+    return state_->is_implicit ? INF : state_->shortest_step(v).step;
 }
 int SurfaceContact::limiting_card(const Points& v) const {
     return state_->shortest_step(v).card;
 }
 double SurfaceContact::holding_step() const {
-    return state_->step.longest();
+    return state_->is_implicit ? INF : state_->step.longest();
 }
 int SurfaceContact::pressed_card() const {
     return static_cast<int>(state_->step.card());
@@ -232,7 +244,7 @@ double SurfaceContact::friction_work(const Points& v_mid) const {
 double SurfaceContact::damping_energy() const {
     double energy = 0.0;
     for (const ImpulseBooks& book : state_->impulses.books()) energy += book.normal;
-    return energy;
+    return state_->is_implicit ? energy - stored_energy() : energy;
 }
 double SurfaceContact::held_work() const {
     double work = 0.0;
@@ -246,7 +258,9 @@ Vec3 SurfaceContact::force(int card) const {
 }
 double SurfaceContact::energy_of(int card) const {
     const ImpulseBooks& book = state_->impulses.books()[static_cast<std::size_t>(card)];
-    return contact::stored_energy(state_->contacts, card) + book.friction + book.normal;
+    const double stored =
+        state_->is_implicit ? 0.0 : contact::stored_energy(state_->contacts, card);
+    return stored + book.friction + book.normal;
 }
 SurfaceContact::Depth SurfaceContact::depth(int card) const {
     Depth now;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "solver/scene_surface.hpp"
 #include "solver/simulation.hpp"
@@ -16,6 +17,33 @@ namespace {
 
 double contact_thickness(const Part& part) {
     return std::isnan(part.contact_thickness) ? part.thickness : part.contact_thickness;
+}
+
+/// Modulus through the thickness over the lesser one in the plane: of woven fabric of 300 MPa it is
+/// 10 MPa, which gives way by 1 % at 1 bar.
+constexpr double THROUGH_THICKNESS = 1.0 / 30.0;
+
+/// Modulus of each material; of those that have none the greatest of the others.            [Pa]
+std::vector<double> contact_moduli(const std::vector<fabric::Material>& materials) {
+    struct Modulus {
+        double operator()(const fabric::FabricCard& card) const {
+            return std::min(card.E_warp, card.E_weft);
+        }
+        double operator()(const fabric::ElasticCard& card) const { return card.E; }
+        double operator()(const fabric::NullCard&) const { return 0.0; }
+        double operator()(const fabric::RigidCard& card) const { return card.E; }
+    };
+    constexpr double OF_NONE = 3e8;  ///< where no material has a modulus
+    std::vector<double> out;
+    double greatest = 0.0;
+    for (const fabric::Material& material : materials) {
+        const double E = std::visit(Modulus{}, material.card);
+        out.push_back(E > 0.0 ? E : 0.0);
+        greatest = std::max(greatest, out.back());
+    }
+    for (double& E : out)
+        if (E == 0.0) E = greatest > 0.0 ? greatest : OF_NONE;
+    return out;
 }
 
 }  // namespace
@@ -39,6 +67,7 @@ void Simulation::build_contacts() {
     for (std::size_t s = 0; s < reference_.size(); ++s)
         for (int c = 0; c < 4; ++c) reference[model_.shells[s].nodes[c]] = reference_[s][c];
 
+    const std::vector<double> modulus = contact_moduli(model_.materials);
     contact::ContactSetup setup;
     setup.cards = model_.contacts;
     setup.triangles = std::move(facets.triangles);
@@ -46,8 +75,11 @@ void Simulation::build_contacts() {
         const Index part = model_.shells[shell].part;
         setup.part.push_back(part);
         setup.thickness.push_back(contact_thickness(model_.parts[part]));
+        setup.modulus.push_back(THROUGH_THICKNESS * modulus[model_.parts[part].material]);
     }
     setup.parts = model_.parts.size();
+    setup.is_implicit = std::getenv("OLD_CONTACT") == nullptr;
+    setup.held_axes = supports_.held();
     setup.node_mass = nodes_.mass;
     setup.reference_x = reference;
     setup.x0 = model_.x;

@@ -198,7 +198,7 @@ void Candidates::forget_parted_pairs() {
     for (std::size_t m = 0; m < memories_.size(); ++m) {
         if (is_used[m]) continue;
         parted_accounts_ += memories_[m].account;
-        memories_[m].account = memories_[m].short_by = 0.0;
+        memories_[m].account = memories_[m].short_by = memories_[m].area = 0.0;
     }
 }
 

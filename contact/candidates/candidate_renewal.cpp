@@ -115,7 +115,7 @@ void Candidates::hand_on_memories(std::size_t first) {
     for (const auto& [key, memory] : handed_on_) {
         if (memory < 0) continue;
         parted_accounts_ += std::exchange(memories_[memory].account, 0.0);
-        memories_[memory].short_by = 0.0;
+        memories_[memory].short_by = memories_[memory].area = 0.0;
     }
 }
 

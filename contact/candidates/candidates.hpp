@@ -23,8 +23,12 @@ struct PairMemory {
     double account = 0.0;   ///< energy that repulsion has taken and not given back            [J]
     double short_by = 0.0;  ///< contact thickness less the gap it was first seen with         [m]
     double born = 0.0;      ///< when that was                                                 [s]
+    double force = 0.0;     ///< normal, in its last step                                      [N]
+    double area = 0.0;      ///< that it stood for then                                      [m^2]
+    Vec3 friction = Vec3::Zero();  ///< then, on the first place                               [N]
+    std::uint32_t step = 0;        ///< that last step's number
 
-    [[nodiscard]] bool is_empty() const { return account == 0.0 && short_by == 0.0; }
+    [[nodiscard]] bool is_empty() const { return account == 0.0 && short_by == 0.0 && area == 0.0; }
 };
 
 /// Pairs that are near enough to be looked at.
@@ -78,6 +82,12 @@ public:
     /// 1: the first of pair i is on its card's SURFA, -1: the second is; 0: a single surface.
     [[nodiscard]] int side(std::size_t i) const { return list_[i].side; }
 
+    /// Modulus of both sides through their thickness, one behind the other.                    [Pa]
+    [[nodiscard]] double modulus(std::size_t i) const {
+        const double a = cloth_.modulus[watch_.first[i]], b = cloth_.modulus[watch_.second[i]];
+        return 2.0 * a * b / (a + b);
+    }
+
     /// Gap below which pair i pushes, at most.                                                 [m]
     [[nodiscard]] double thickness(std::size_t i);
 
@@ -85,6 +95,12 @@ public:
     template <class Visit>
     void for_each_due(std::size_t begin, std::size_t end, Visit&& visit) const {
         watch_.for_each_within<true>(begin, end, motion_.age(), motion_.ways(), visit);
+    }
+
+    /// Likewise those that may be within reach at the end of the step that was foreseen last.
+    template <class Visit>
+    void for_each_due_ahead(std::size_t begin, std::size_t end, Visit&& visit) const {
+        watch_.for_each_within<true>(begin, end, motion_.age(), motion_.ways_ahead(), visit);
     }
 
     /// Likewise those that may meet in the step that was foreseen last.

@@ -40,6 +40,13 @@ public:
     }
     [[nodiscard]] std::size_t size() const { return order_.size(); }
 
+    /// Those of a column are in rows begin(column) ... begin(column + 1) - 1 of all.
+    [[nodiscard]] std::size_t begin(std::size_t column) const { return start_[column]; }
+    template <class List>
+    [[nodiscard]] auto& at(std::size_t row, List& contacts) const {
+        return contacts.chunk(order_[row].chunk)[order_[row].row];
+    }
+
     /// body(contact), one after the other wherever two have a node in common, always in the same
     /// order. List: ContactList, const or not, as it was sorted.
     template <class List, class Body>

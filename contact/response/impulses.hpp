@@ -63,6 +63,7 @@ public:
 
     /// By card.
     [[nodiscard]] const std::vector<ImpulseBooks>& books() const { return books_; }
+    [[nodiscard]] std::vector<ImpulseBooks>& books() { return books_; }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>

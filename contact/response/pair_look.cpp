@@ -8,6 +8,12 @@
 #include "contact/geometry/nearest_four.hpp"
 
 namespace corpuscle::contact {
+namespace {
+
+/// What the kick may add to an approach.
+constexpr double MARGIN = 1.25;
+
+}  // namespace
 
 /// Rows that are due, whose nearest places are found four at a time, edges and others apart. What
 /// they need lies far apart in memory: it is asked for well ahead.
@@ -71,10 +77,14 @@ void PairLook::find(const Scene& scene, const Columns& columns, Candidates& pair
                 take(found, scene, columns, pairs, contacts, chunk);
             });
         };
-        pairs.for_each_due(begin, end, [&](std::size_t i) {
+        const auto add = [&](std::size_t i) {
             batch.add(i, pairs);
             if (batch.is_full()) finish();
-        });
+        };
+        if (scene.dt > 0.0)
+            pairs.for_each_due_ahead(begin, end, add);
+        else
+            pairs.for_each_due(begin, end, add);
         finish();
     };
     parallel::for_chunks(pairs.size(), look, ContactList::CHUNK);
@@ -87,7 +97,12 @@ void PairLook::take(const Found& found, const Scene& scene, const Columns& colum
     if (!scene.is_on[card]) return;
     pairs.tell_distance(row, places.apart, gap, scene.x);
     const double thickness = std::min(pairs.thickness(row), scene.most[card]);
-    if (!places.is_inside || gap >= reach_ * thickness || gap == 0.0) return;
+    if (!places.is_inside || gap == 0.0) return;
+    if (gap >= reach_ * thickness) {
+        if (scene.dt == 0.0) return;
+        const double approach = greatest_approach(pairs[row], corners(pairs[row], scene.v));
+        if (gap - MARGIN * scene.dt * approach >= thickness) return;
+    }
     PairMemory* const memory = pairs.memory(row);
     const RestGap rest = rest_gap(thickness, scene.t, memory);
     if (gap >= rest.now) {
@@ -103,6 +118,8 @@ void PairLook::take(const Found& found, const Scene& scene, const Columns& colum
     contact.side = pairs.side(row);
     contact.rest = rest.now;
     contact.rest_rate = rest.rate;
+    contact.thickness = thickness;
+    contact.modulus = pairs.modulus(row);
     contact.rate_before = contact.rate(scene.v);
 }
 

@@ -23,6 +23,7 @@ public:
     struct Scene {
         const Points &x, &v;                  ///< N × 3                                  [m, m/s]
         double t;                             ///< [s]
+        double dt;                            ///< looked ahead; 0: not                        [s]
         std::span<const RigidMover> bodies;   ///< by number
         std::span<const std::uint8_t> is_on;  ///< by card
         std::span<const double> most;         ///< contact thickness now, by card          [m]

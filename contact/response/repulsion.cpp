@@ -96,7 +96,8 @@ void Repulsion::add(const Columns& columns, const ContactList& contacts, Points&
 
 double stored_energy(const ContactList& contacts, int card) {
     return contacts.sum([&](const Contact& c) {
-        return c.card == card && c.force > 0.0 ? 0.5 * c.force * (c.rest - c.gap) : 0.0;
+        const double missing = std::max(0.0, c.rest - c.gap);
+        return c.card == card ? 0.5 * c.stiffness * missing * missing : 0.0;
     });
 }
 

@@ -12,6 +12,8 @@
 namespace corpuscle::contact {
 namespace {
 
+constexpr double MODULUS = 1e7;  ///< through the thickness, where nothing is said         [Pa]
+
 /// By card and triangle. A skin (of solids: no thickness of its own) takes a small part of the mean
 /// edge where the card gives none, so that there is a gap to keep.
 std::vector<std::vector<double>> contact_thickness(const ContactSetup& setup, const Rules& rules,
@@ -162,6 +164,16 @@ void list_nodes(Cloth& cloth) {
     cloth.nodes.erase(std::unique(cloth.nodes.begin(), cloth.nodes.end()), cloth.nodes.end());
 }
 
+void set_mobility(const ContactSetup& setup, Cloth& cloth) {
+    cloth.mobility.resize(cloth.inverse_mass.size());
+    for (std::size_t n = 0; n < cloth.mobility.size(); ++n) {
+        cloth.mobility[n].setConstant(cloth.inverse_mass[n]);
+        if (setup.held_axes.empty()) continue;
+        for (int k = 0; k < 3; ++k)
+            if (setup.held_axes[n] >> k & 1) cloth.mobility[n][k] = 0.0;
+    }
+}
+
 }  // namespace
 
 Cloth::Cloth(const ContactSetup& setup)
@@ -174,7 +186,10 @@ Cloth::Cloth(const ContactSetup& setup)
       x0(setup.x0.begin(), setup.x0.end()),
       patches(make_patches(setup.reference_x, triangles)) {
     thickness = contact_thickness(setup, rules, mean_edge);
+    modulus = setup.modulus;
+    if (modulus.empty()) modulus.assign(triangles.size(), MODULUS);
     inverse_mass = inverse_masses(setup, body);
+    set_mobility(setup, *this);
     node_thickness.assign(inverse_mass.size(), 0.0);
     for (std::size_t c = 0; c < thickness.size(); ++c)
         for (std::size_t t = 0; t < triangles.size(); ++t) {

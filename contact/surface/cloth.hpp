@@ -22,12 +22,15 @@ struct ContactSetup {
     std::vector<Triangle> triangles;
     std::vector<Index> part;        ///< row of each triangle's part
     std::vector<double> thickness;  ///< of the section, per triangle; 0: a skin              [m]
+    std::vector<double> modulus;    ///< through the thickness, per triangle; empty: 10 MPa   [Pa]
     std::size_t parts = 1;          ///< in the scene
+    bool is_implicit = true;        ///< response: ImplicitResponse, else Repulsion and Impulses
     std::span<const double> node_mass;   ///< N; of rigid bodies' nodes: any               [kg]
     std::span<const Vec3> reference_x;   ///< stress-free node positions, N × 3            [m]
     std::span<const Vec3> x0;            ///< node positions at the start, N × 3           [m]
     std::span<const Curve> curves;       ///< of the scene
     std::span<const std::uint8_t> held;  ///< N: 1 = moves as prescribed, whatever hits it
+    std::span<const std::uint8_t> held_axes = {};  ///< N: bits 0-2: x, y, z of free nodes held
     std::span<const Index> body = {};  ///< N: number of the rigid body it is of, or -1; empty: none
 };
 
@@ -39,10 +42,12 @@ struct Cloth {
     std::vector<std::vector<double>> thickness;  ///< contact thickness by card and triangle   [m]
     std::vector<double> node_thickness;          ///< by node: the greatest of its triangles   [m]
     double greatest_thickness = 0.0;             ///< [m]
-    double mean_edge = 0.0;  ///< mean length of the edges, each seen from its triangles  [m]
+    double mean_edge = 0.0;       ///< mean length of the edges, each seen from its triangles  [m]
+    std::vector<double> modulus;  ///< by triangle: through the thickness            [Pa]
     std::vector<double> inverse_mass;  ///< by node row; 0: held, or of a rigid body     [1/kg]
-    std::vector<Index> body;           ///< by node row: number of its rigid body, or -1
-    Points reference_x, x0;            ///< by node row, N × 3                           [m]
+    Points mobility;  ///< by node row and axis: likewise, 0 also along axes that are held [1/kg]
+    std::vector<Index> body;  ///< by node row: number of its rigid body, or -1
+    Points reference_x, x0;   ///< by node row, N × 3                           [m]
 
     /// Each node and each edge belongs to just one of the triangles that have it, so that a pair of
     /// them is met once. Bits 0-2: node k is this triangle's; bits 3-5: edge k -> k + 1 is.

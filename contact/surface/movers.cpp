@@ -60,7 +60,7 @@ double mass_along(const Cloth& cloth, std::span<const RigidMover> bodies, const 
                   const Contact& c, const Vec3& direction) {
     double inverse = 0.0;
     for (int i = 0; i < 4; ++i)
-        inverse += c.weight[i] * c.weight[i] * cloth.inverse_mass[c.node[i]];
+        inverse += c.weight[i] * c.weight[i] * direction.cwiseAbs2().dot(cloth.mobility[c.node[i]]);
     for_bodies_of(cloth, c,
                   [&](Index b) { inverse += inverse_mass(bodies[b], b, cloth, x, c, direction); });
     return 1.0 / inverse;
@@ -69,9 +69,12 @@ double mass_along(const Cloth& cloth, std::span<const RigidMover> bodies, const 
 Contact contact_at(const Cloth& cloth, std::span<const RigidMover> bodies, const Points& x,
                    const Pair& pair, const Nearest& nearest, double gap) {
     Contact c = contact_at(pair, nearest, gap, cloth.inverse_mass);
-    if (!cloth.has_body(pair)) return c;
-    c.on_body = true;
-    c.mass = mass_along(cloth, bodies, x, c, c.normal);
+    const bool has_held_axis = std::any_of(pair.node.begin(), pair.node.end(), [&](Index n) {
+        const Vec3& m = cloth.mobility[n];
+        return m.minCoeff() < m.maxCoeff();
+    });
+    c.on_body = cloth.has_body(pair);
+    if (has_held_axis || c.on_body) c.mass = mass_along(cloth, bodies, x, c, c.normal);
     return c;
 }
 
@@ -79,11 +82,21 @@ double Movement::push(Index node, const Vec3& impulse) {
     assert(has_begun_);
     if (const Index body = cloth_.body[node]; body >= 0)
         return bodies_[body].push(impulse, x_[node]);
-    if (const double inverse = cloth_.inverse_mass[node]; inverse > 0.0) {
-        v_[node] += inverse * impulse;
-        return 0.0;
+    const double work = held_work(node, impulse);
+    v_[node] += cloth_.mobility[node].cwiseProduct(impulse);
+    return work;
+}
+
+double Movement::held_work(Index node, const Vec3& impulse) const {
+    if (const Index body = cloth_.body[node]; body >= 0) {
+        const RigidMover& of = bodies_[body];
+        const Vec3 moment = (x_[node] - of.centre).cross(impulse);
+        return -impulse.dot(of.held_velocity) - moment.dot(of.held_spin);
     }
-    return -impulse.dot(v_[node]);
+    double work = 0.0;
+    for (int k = 0; k < 3; ++k)
+        if (cloth_.mobility[node][k] == 0.0) work -= impulse[k] * v_[node][k];
+    return work;
 }
 
 Movement::Joined Movement::join(Index node, Index body) {

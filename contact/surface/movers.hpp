@@ -99,7 +99,8 @@ public:
     /// Gives a node that is no body's a velocity.
     void set(Index node, const Vec3& velocity) {
         assert(has_begun_);
-        v_[node] = velocity;
+        for (int k = 0; k < 3; ++k)
+            if (cloth_.mobility[node][k] > 0.0) v_[node][k] = velocity[k];
     }
     /// Joins a node to a body's place where it is: an impulse that leaves no velocity between them.
     struct Joined {
@@ -107,6 +108,11 @@ public:
         double held_work = 0.0;  ///< of what is held                                      [J]
     };
     Joined join(Index node, Index body);
+
+    /// Velocities of nodes, those of bodies without what these have taken since.             [m/s]
+    [[nodiscard]] Points& node_velocities() { return v_; }
+    /// Work that what holds a node does against an impulse on it.                             [J]
+    [[nodiscard]] double held_work(Index node, const Vec3& impulse) const;
 
     /// Hands what bodies have taken to their nodes' v.
     void settle();

@@ -1,0 +1,82 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "contact/response/area_shares.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace corpuscle::contact {
+namespace {
+
+constexpr int PASSES = 2;          ///< a step; the areas live on
+constexpr double STRONGEST = 2.0;  ///< change of an area in a pass
+
+}  // namespace
+
+AreaShares::AreaShares(const Cloth& cloth)
+    : cloth_(cloth),
+      area_(cloth.inverse_mass.size(), 0.0),
+      normal_(area_.size(), Vec3::Zero()),
+      sum_(area_.size()) {
+    for (const Triangle& t : cloth.triangles) {
+        const auto& x = cloth.reference_x;
+        const double third = (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).norm() / 6.0;
+        for (const Index n : t) area_[n] += third;
+    }
+}
+
+void AreaShares::find(const Points& x, const Columns& columns, ContactList& contacts) {
+    if (columns.size() == 0) return;
+    set_normals(x);
+    set_sides(contacts);
+    for (int pass = 0; pass < PASSES; ++pass) {
+        add_up(columns, contacts);
+        contacts.for_each_apart([&](Contact& c) {
+            std::array<double, 2> ratio{};
+            for (int i = 0; i < 4; ++i) {
+                const double sum = sum_[c.node[i]][c.sides >> i & 1U];
+                if (c.weight[i] != 0.0 && sum > 0.0)
+                    ratio[c.weight[i] > 0.0 ? 0 : 1] +=
+                        std::abs(c.weight[i]) * area_[c.node[i]] / sum;
+            }
+            c.area *= std::clamp(std::min(ratio[0], ratio[1]), 1.0 / STRONGEST, STRONGEST);
+        });
+    }
+}
+
+void AreaShares::set_normals(const Points& x) {
+    parallel::for_each(cloth_.nodes.size(), [&](std::size_t i) {
+        const Index node = cloth_.nodes[i];
+        Vec3 sum = Vec3::Zero();
+        for (const Index t : cloth_.triangles_of(node)) {
+            const Triangle& n = cloth_.triangles[t];
+            sum += (x[n[1]] - x[n[0]]).cross(x[n[2]] - x[n[0]]);
+        }
+        normal_[node] = sum;
+    });
+}
+
+/// On which side of its nodes a contact is; and a first area for those that are new.
+void AreaShares::set_sides(ContactList& contacts) const {
+    contacts.for_each_apart([&](Contact& c) {
+        c.sides = 0;
+        std::array<double, 2> mean{};
+        for (int i = 0; i < 4; ++i) {
+            const bool is_first = c.weight[i] > 0.0;
+            mean[is_first ? 0 : 1] += std::abs(c.weight[i]) * area_[c.node[i]];
+            const bool is_above = (normal_[c.node[i]].dot(c.normal) > 0.0) != is_first;
+            c.sides |= static_cast<std::uint8_t>((is_above ? 1U : 0U) << static_cast<unsigned>(i));
+        }
+        if (!(c.area > 0.0)) c.area = 0.25 * std::min(mean[0], mean[1]);
+    });
+}
+
+void AreaShares::add_up(const Columns& columns, const ContactList& contacts) {
+    parallel::for_each(sum_.size(), [&](std::size_t n) { sum_[n] = {}; });
+    columns.for_each(contacts, [&](const Contact& c) {
+        for (int i = 0; i < 4; ++i)
+            sum_[c.node[i]][c.sides >> i & 1U] += std::abs(c.weight[i]) * c.area;
+    });
+}
+
+}  // namespace corpuscle::contact

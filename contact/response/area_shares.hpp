@@ -1,0 +1,44 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "contact/response/columns.hpp"
+#include "contact/surface/cloth.hpp"
+
+namespace corpuscle::contact {
+
+/// Area of cloth that each contact stands for, so that a pressure-thickness law gives the same
+/// pressure on any mesh.
+///
+/// Contacts of one side of a node share out the node's area A_i, a third of its triangles':
+///
+///     sum over contacts c on that side of |w_ci| A_c <= A_i,
+///
+/// with equality on at least one side of each contact: a fine sheet on a coarse one is loaded as
+/// its own area says. A_c is found by iterative proportional fitting [Deming & Stephan 1940],
+///
+///     A_c <- A_c · min over c's two places of (sum of |w_ci| A_i / S_i),  S_i = sum of |w_ci| A_c,
+///
+/// from the areas of the step before.
+class AreaShares {
+public:
+    explicit AreaShares(const Cloth& cloth);
+
+    /// Sets the areas of all contacts.
+    void find(const Points& x, const Columns& columns, ContactList& contacts);
+
+private:
+    void set_normals(const Points& x);
+    void set_sides(ContactList& contacts) const;
+    void add_up(const Columns& columns, const ContactList& contacts);
+
+    const Cloth& cloth_;
+    std::vector<double> area_;                ///< by node                               [m^2]
+    Points normal_;                           ///< by node: twice the area around it     [m^2]
+    std::vector<std::array<double, 2>> sum_;  ///< by node and side: S                   [m^2]
+};
+
+}  // namespace corpuscle::contact

@@ -1,0 +1,256 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "contact/response/implicit_response.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace corpuscle::contact {
+namespace {
+
+constexpr int SWEEPS = 8;
+constexpr double QUARTER = 0.25;  ///< of the rest gap that approach may not use up
+constexpr double HALF = 0.5;      ///< of the remaining gap that one step may use up
+
+/// Least rate of a gap in the step ahead.                                                 [m/s]
+double approach_limit(double dt, double gap, double rest) {
+    const double spare = gap - QUARTER * rest;
+    return spare > 0.0 ? -HALF * spare / dt : 0.0;
+}
+
+}  // namespace
+
+ImplicitResponse::ImplicitResponse(const Cloth& cloth) : cloth_(cloth), areas_(cloth) {
+    for (Share& share : share_) {
+        share.books.reserve(cloth.rules.cards().size() + 2);  // no two in one cache line
+        share.books.resize(cloth.rules.cards().size());
+    }
+}
+
+void ImplicitResponse::apply(double span, double dt, ContactList& contacts, Columns& columns,
+                             Candidates& pairs, Movement& motion,
+                             std::vector<ImpulseBooks>& books) {
+    for (ImpulseBooks& book : books) book.given.setZero();
+    ++step_;
+    residual_ = 0.0;
+    take_up(dt, contacts, columns, pairs, motion);
+    columns.sort(contacts);
+    if (columns.size() == 0) return;
+    motion.begin();
+    set_rows(span, dt, contacts, columns, pairs, motion);
+    for (int k = 0; k < SWEEPS; ++k) sweep(columns, motion);
+    close(span, columns, pairs, motion, books);
+}
+
+/// Makes contacts of pairs that are near and whose nodes are so fast that they may come within
+/// rest.
+void ImplicitResponse::take_up(double dt, ContactList& contacts, const Columns& columns,
+                               const Candidates& pairs, const Movement& motion) {
+    contacts.for_each_chunk([&](std::size_t chunk) {
+        for (const NearPair& near : contacts.near(chunk)) {
+            const Pair& pair = near.nodes;
+            Corners v;
+            for (int k = 0; k < 4; ++k) v[k] = motion.velocity(pair.node[k]);
+            if (dt * greatest_approach(pair, v) <= near.gap - near.rest) continue;
+            const Contact found = contact_at(cloth_, motion.bodies(), motion.x(), pair,
+                                             nearest(pair, motion.x()), near.gap);
+            Contact& c = contacts.add(chunk, columns.of(found, motion.x()), found);
+            c.pair = near.pair;
+            c.memory = pairs.memory_row(near.pair);
+            c.card = pairs.card(near.pair);
+            c.side = pairs.side(near.pair);
+            c.rest = near.rest;
+            c.thickness = near.rest;
+            c.modulus = pairs.modulus(near.pair);
+        }
+    });
+}
+
+void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
+                                const Columns& columns, Candidates& pairs, const Movement& motion) {
+    const auto last = [&](const Contact& c) -> const PairMemory* {
+        if (c.memory < 0) return nullptr;
+        const PairMemory& memory = pairs.memory_at(c.memory);
+        return memory.step + 1 == step_ ? &memory : nullptr;
+    };
+    contacts.for_each_apart([&](Contact& c) {
+        const PairMemory* const memory = last(c);
+        c.area = memory != nullptr ? memory->area : 0.0;
+    });
+    areas_.find(motion.x(), columns, contacts);
+    rows_.resize(columns.size());
+    const auto set = [&](std::size_t i) {
+        Contact& c = columns.at(i, contacts);
+        c.stiffness = c.modulus * c.area / c.thickness;
+        const double zeta = 0.01 * cloth_.rules.card(c.card).damping;
+        const double damping = c.mass < INF ? 2.0 * zeta * std::sqrt(c.stiffness * c.mass) : 0.0;
+        Row& row = rows_[i];
+        row.node = c.node;
+        row.weight = c.weight;
+        row.normal = c.normal;
+        row.mass = c.mass;
+        row.offer = span * c.stiffness * (c.rest + dt * c.rest_rate - c.gap);
+        row.fall = span * (c.stiffness * dt + damping);
+        double most = 0.0;
+        for (int k = 0; k < 4; ++k)
+            most += c.weight[k] * c.weight[k] * cloth_.mobility[c.node[k]].maxCoeff();
+        row.rub_mass = most > 0.0 ? 1.0 / most : 0.0;
+        row.give = 1.0 / (1.0 + row.fall / row.mass);
+        row.limit = approach_limit(dt, c.gap, c.rest);
+        row.before = motion.relative(c);
+        row.contact = &c;
+        row.card = &cloth_.rules.card(c.card);
+        row.impulse = 0.0;
+        row.rubbed.setZero();
+        if (const PairMemory* const memory = last(c)) {
+            row.impulse = std::max(0.0, std::min(span * memory->force, row.offer));
+            row.rubbed = span * memory->friction;
+            row.rubbed -= row.normal.dot(row.rubbed) * row.normal;
+            const double mu = std::max(row.card->friction_static, row.card->friction_dynamic);
+            const double strength = row.rubbed.norm(), most = mu * row.impulse;
+            if (strength > most) row.rubbed *= most > 0.0 ? most / strength : 0.0;
+        }
+        c.rate_kicked = row.normal.dot(row.before);
+    };
+    parallel::for_each(rows_.size(), set, 256);
+    columns.for_each([&](std::size_t column) {
+        for (std::size_t i = columns.begin(column); i < columns.begin(column + 1); ++i)
+            begin(rows_[i], const_cast<Movement&>(motion));
+    });
+}
+
+/// Gives what a row starts with.
+void ImplicitResponse::begin(Row& row, Movement& motion) {
+    if (row.mass == INF) {
+        row.impulse = 0.0;
+        row.rubbed.setZero();
+        return;
+    }
+    const Vec3 whole = row.impulse * row.normal + row.rubbed;
+    if (whole.isZero(0.0)) return;
+    for (int i = 0; i < 4; ++i) motion.push(row.node[i], row.weight[i] * whole);
+}
+
+void ImplicitResponse::sweep(const Columns& columns, Movement& motion) {
+    columns.for_each([&](std::size_t column) {
+        Share& share = share_[column];
+        share.changed = share.all = 0.0;
+        const bool is_alone = column == Columns::COUNT;
+        for (std::size_t i = columns.begin(column); i < columns.begin(column + 1); ++i) {
+            Row& row = rows_[i];
+            if (row.mass == INF) continue;
+            share.changed += std::abs(is_alone ? solve_on_body(row, motion) : solve(row, motion));
+            share.all += row.impulse;
+        }
+    });
+    double changed = 0.0, all = 0.0;
+    for (const Share& share : share_) {
+        changed += share.changed;
+        all += share.all;
+    }
+    residual_ = all > 0.0 ? changed / all : 0.0;
+}
+
+/// Brings a row between free or held nodes to its law, all else as it is; returns the change of J.
+double ImplicitResponse::solve(Row& row, Movement& motion) {
+    Points& v = motion.node_velocities();
+    Vec3 relative = row.weight[0] * v[row.node[0]] + row.weight[1] * v[row.node[1]] +
+                    row.weight[2] * v[row.node[2]] + row.weight[3] * v[row.node[3]];
+    const double rate = row.normal.dot(relative);
+    double change = (row.offer - row.fall * rate - row.impulse) * row.give;
+    change = std::max(change, -row.impulse);
+    const double after = rate + change / row.mass;
+    if (after < row.limit) change += row.mass * (row.limit - after);
+    const double mu = std::max(row.card->friction_static, row.card->friction_dynamic);
+    if (change == 0.0 && mu == 0.0) return 0.0;
+    row.impulse += change;
+    Vec3 whole = change * row.normal;
+    if (mu > 0.0) {
+        const Vec3 sliding = relative - rate * row.normal;
+        Vec3 wanted = row.rubbed - row.rub_mass * sliding;
+        const double speed = sliding.norm(), strength = wanted.norm();
+        const double most =
+            row.impulse *
+            (row.card->friction_dynamic + (row.card->friction_static - row.card->friction_dynamic) *
+                                              std::exp(-row.card->friction_decay * speed));
+        if (strength > most) wanted *= most / strength;
+        whole += wanted - row.rubbed;
+        row.rubbed = wanted;
+    }
+    for (int i = 0; i < 4; ++i)
+        v[row.node[i]] += row.weight[i] * cloth_.mobility[row.node[i]].cwiseProduct(whole);
+    return change;
+}
+
+/// Likewise where a body takes part, whose mass is another in each direction.
+double ImplicitResponse::solve_on_body(Row& row, Movement& motion) {
+    Contact& c = *row.contact;
+    const double rate = motion.rate(c);
+    double change = (row.offer - row.fall * rate - row.impulse) * row.give;
+    change = std::max(change, -row.impulse);
+    const double after = rate + change / row.mass;
+    if (after < row.limit) change += row.mass * (row.limit - after);
+    row.impulse += change;
+    for (int i = 0; i < 4; ++i)
+        if (row.weight[i] != 0.0) motion.push(row.node[i], row.weight[i] * change * row.normal);
+    const double mu = std::max(row.card->friction_static, row.card->friction_dynamic);
+    if (mu == 0.0) return change;
+    const Vec3 relative = motion.relative(c);
+    const Vec3 sliding = relative - row.normal.dot(relative) * row.normal;
+    const double speed = sliding.norm();
+    double mass = 0.0;
+    if (speed > 0.0) mass = motion.mass(c, sliding / speed);
+    if (mass == INF) return change;
+    Vec3 wanted = row.rubbed - mass * sliding;
+    const double strength = wanted.norm();
+    const double most = row.impulse * (row.card->friction_dynamic +
+                                       (row.card->friction_static - row.card->friction_dynamic) *
+                                           std::exp(-row.card->friction_decay * speed));
+    if (strength > most) wanted *= most / strength;
+    const Vec3 rub = wanted - row.rubbed;
+    row.rubbed = wanted;
+    for (int i = 0; i < 4; ++i)
+        if (row.weight[i] != 0.0) motion.push(row.node[i], row.weight[i] * rub);
+    return change;
+}
+
+/// Books what the impulses have taken, exactly: of all together, J · (velocity before + after) / 2.
+void ImplicitResponse::close(double span, const Columns& columns, Candidates& pairs,
+                             const Movement& motion, std::vector<ImpulseBooks>& books) {
+    columns.for_each([&](std::size_t column) {
+        for (ImpulseBooks& book : share_[column].books) book = {};
+        for (std::size_t i = columns.begin(column); i < columns.begin(column + 1); ++i) {
+            const Row& row = rows_[i];
+            Contact& c = *row.contact;
+            c.impulse = row.impulse;
+            c.force = row.impulse / span;
+            c.rubbed = row.rubbed;
+            const Vec3 whole = row.impulse * row.normal + row.rubbed;
+            if (whole.isZero(0.0)) continue;
+            ImpulseBooks& book = share_[column].books[static_cast<std::size_t>(c.card)];
+            const Vec3 mean = 0.5 * (row.before + motion.relative(c));
+            book.normal -= row.impulse * row.normal.dot(mean);
+            book.friction -= row.rubbed.dot(mean);
+            for (int k = 0; k < 4; ++k)
+                book.held_work += motion.held_work(row.node[k], row.weight[k] * whole);
+            if (c.side != 0) {
+                book.given += c.side * whole;
+            } else {
+                for (int k = 0; k < 4; ++k)
+                    if (cloth_.inverse_mass[row.node[k]] > 0.0) book.given += row.weight[k] * whole;
+            }
+        }
+    });
+    for (const Share& share : share_)
+        for (std::size_t c = 0; c < books.size(); ++c) books[c] += share.books[c];
+    for (const Row& row : rows_) {
+        const Contact& c = *row.contact;
+        PairMemory& memory = pairs.make_memory(c.pair);
+        memory.force = c.force;
+        memory.friction = row.rubbed / span;
+        memory.area = c.area;
+        memory.step = step_;
+    }
+}
+
+}  // namespace corpuscle::contact

@@ -1,0 +1,90 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/candidates/candidates.hpp"
+#include "contact/response/area_shares.hpp"
+#include "contact/response/columns.hpp"
+#include "contact/response/impulses.hpp"
+#include "contact/surface/movers.hpp"
+
+namespace corpuscle::contact {
+
+/// Contact as a law of the cloth, taken at the end of the step [backward Euler].
+///
+/// Law: pressure on the area A of a contact
+///
+///     p = E_t (rest - gap) / h,   K = E_t A / h,   C = 2 zeta sqrt(K m)
+///
+/// with the cloth's modulus E_t through its thickness, the contact thickness h, VDC = 100 zeta
+/// and the mass m that the contact moves. For the impulse J >= 0 of the step along the normal,
+///
+///     J = span · (K (rest - gap - dt r) - C r),   r = r_free + (n M⁻¹ nᵀ J)
+///
+/// with r the rate of the gap after all impulses. Rows are solved one after the other
+/// [projected Gauss-Seidel], in sweeps, from the impulses of the step before; friction is the same
+/// row along the surface, |J_t| <= mu J. No gap shrinks in the step by more than half of what
+/// it has above a quarter of rest. The scheme asks nothing of the time step.
+class ImplicitResponse {
+public:
+    explicit ImplicitResponse(const Cloth& cloth);
+
+    /// Changes velocities, and writes into contacts and memories what each has given.
+    /// @param span  time for which the impulses stand                                         [s]
+    /// @param dt    the step ahead                                                            [s]
+    /// @param books  by card
+    void apply(double span, double dt, ContactList& contacts, Columns& columns, Candidates& pairs,
+               Movement& motion, std::vector<ImpulseBooks>& books);
+
+    /// What the last sweep still changed, over all impulses of the step.                      [-]
+    [[nodiscard]] double residual() const { return residual_; }
+
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(step_);
+    }
+
+private:
+    struct Row {
+        std::array<Index, 4> node;
+        std::array<double, 4> weight;
+        Vec3 normal;
+        double offer;    ///< impulse of the law where nothing moves                     [N s]
+        double fall;     ///< of it with the rate: -dJ/dr                                 [kg]
+        double give;     ///< 1 / (1 + fall / mass)                                        [-]
+        double mass;     ///< 1 / (n M⁻¹ n)                                               [kg]
+        double rub_mass;  ///< likewise along the surface, or less                    [kg]
+        double limit;    ///< least rate                                                 [m/s]
+        double impulse;  ///< J                                                          [N s]
+        Vec3 rubbed;     ///< J_t on the first place                                     [N s]
+        Vec3 before;     ///< velocity of the first place against the second, kicked     [m/s]
+        Contact* contact;
+        const ContactCard* card;
+    };
+    struct alignas(64) Share {
+        std::vector<ImpulseBooks> books;
+        double changed = 0.0, all = 0.0;
+    };
+    void take_up(double dt, ContactList& contacts, const Columns& columns, const Candidates& pairs,
+                 const Movement& motion);
+    void set_rows(double span, double dt, ContactList& contacts, const Columns& columns,
+                  Candidates& pairs, const Movement& motion);
+    void sweep(const Columns& columns, Movement& motion);
+    double solve(Row& row, Movement& motion);
+    double solve_on_body(Row& row, Movement& motion);
+    void begin(Row& row, Movement& motion);
+    void close(double span, const Columns& columns, Candidates& pairs, const Movement& motion,
+               std::vector<ImpulseBooks>& books);
+
+    const Cloth& cloth_;
+    AreaShares areas_;
+    std::array<Share, Columns::COUNT + 1> share_;
+    std::vector<Row> rows_;  ///< in the columns' order
+    double residual_ = 0.0;
+    std::uint32_t step_ = 0;
+};
+
+}  // namespace corpuscle::contact
