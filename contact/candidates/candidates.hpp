@@ -88,6 +88,7 @@ public:
         return 2.0 * a * b / (a + b);
     }
 
+    [[nodiscard]] double thickness_of(std::size_t i) const { return list_[i].thickness; }
     /// Gap below which pair i pushes, at most.                                                 [m]
     [[nodiscard]] double thickness(std::size_t i);
 

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace corpuscle::contact {
 namespace {
 
+const double FROZEN = std::getenv("FROZEN") ? std::atof(std::getenv("FROZEN")) : 0.95;
 constexpr int PASSES = 2;          ///< a step; the areas live on
 constexpr double STRONGEST = 2.0;  ///< change of an area in a pass
 
@@ -32,9 +34,11 @@ void AreaShares::find(const Points& x, const Columns& columns, ContactList& cont
     for (int pass = 0; pass < PASSES; ++pass) {
         add_up(columns, contacts);
         contacts.for_each_apart([&](Contact& c) {
+            if (c.is_known && c.gap < FROZEN * c.rest) return;
             std::array<double, 2> ratio{};
             for (int i = 0; i < 4; ++i) {
-                const double sum = sum_[c.node[i]][c.sides >> i & 1U];
+                double sum = sum_[c.node[i]][c.sides >> i & 1U];
+                if (c.gap >= c.rest) sum += std::abs(c.weight[i]) * c.area;
                 if (c.weight[i] != 0.0 && sum > 0.0)
                     ratio[c.weight[i] > 0.0 ? 0 : 1] +=
                         std::abs(c.weight[i]) * area_[c.node[i]] / sum;
@@ -60,6 +64,7 @@ void AreaShares::set_normals(const Points& x) {
 void AreaShares::set_sides(ContactList& contacts) const {
     contacts.for_each_apart([&](Contact& c) {
         c.sides = 0;
+        c.is_known = c.area > 0.0;
         std::array<double, 2> mean{};
         for (int i = 0; i < 4; ++i) {
             const bool is_first = c.weight[i] > 0.0;
@@ -74,6 +79,7 @@ void AreaShares::set_sides(ContactList& contacts) const {
 void AreaShares::add_up(const Columns& columns, const ContactList& contacts) {
     parallel::for_each(sum_.size(), [&](std::size_t n) { sum_[n] = {}; });
     columns.for_each(contacts, [&](const Contact& c) {
+        if (c.gap >= c.rest) return;
         for (int i = 0; i < 4; ++i)
             sum_[c.node[i]][c.sides >> i & 1U] += std::abs(c.weight[i]) * c.area;
     });

@@ -4,19 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace corpuscle::contact {
 namespace {
 
-constexpr int SWEEPS = 8;
-constexpr double QUARTER = 0.25;  ///< of the rest gap that approach may not use up
-constexpr double HALF = 0.5;      ///< of the remaining gap that one step may use up
-
-/// Least rate of a gap in the step ahead.                                                 [m/s]
-double approach_limit(double dt, double gap, double rest) {
-    const double spare = gap - QUARTER * rest;
-    return spare > 0.0 ? -HALF * spare / dt : 0.0;
-}
+int SWEEPS = std::getenv("SWEEPS") ? std::atoi(std::getenv("SWEEPS")) : 8;
 
 }  // namespace
 
@@ -81,7 +74,7 @@ void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
     rows_.resize(columns.size());
     const auto set = [&](std::size_t i) {
         Contact& c = columns.at(i, contacts);
-        c.stiffness = c.modulus * c.area / c.thickness;
+        c.stiffness = c.modulus * c.area * c.rest / (std::min(c.gap, c.rest) * std::min(c.gap, c.rest));
         const double zeta = 0.01 * cloth_.rules.card(c.card).damping;
         const double damping = c.mass < INF ? 2.0 * zeta * std::sqrt(c.stiffness * c.mass) : 0.0;
         Row& row = rows_[i];
@@ -89,21 +82,22 @@ void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
         row.weight = c.weight;
         row.normal = c.normal;
         row.mass = c.mass;
-        row.offer = span * c.stiffness * (c.rest + dt * c.rest_rate - c.gap);
-        row.fall = span * (c.stiffness * dt + damping);
+        row.rest = c.rest + dt * c.rest_rate;
+        row.push = span * c.modulus * c.area;
+        row.gap = c.gap;
+        row.dt = dt;
+        row.heft = (row.mass + span * damping) / dt;
         double most = 0.0;
         for (int k = 0; k < 4; ++k)
             most += c.weight[k] * c.weight[k] * cloth_.mobility[c.node[k]].maxCoeff();
         row.rub_mass = most > 0.0 ? 1.0 / most : 0.0;
-        row.give = 1.0 / (1.0 + row.fall / row.mass);
-        row.limit = approach_limit(dt, c.gap, c.rest);
         row.before = motion.relative(c);
         row.contact = &c;
         row.card = &cloth_.rules.card(c.card);
         row.impulse = 0.0;
         row.rubbed.setZero();
         if (const PairMemory* const memory = last(c)) {
-            row.impulse = std::max(0.0, std::min(span * memory->force, row.offer));
+            row.impulse = std::max(0.0, std::min(span * memory->force, row.push * (row.rest / row.gap - 1.0)));
             row.rubbed = span * memory->friction;
             row.rubbed -= row.normal.dot(row.rubbed) * row.normal;
             const double mu = std::max(row.card->friction_static, row.card->friction_dynamic);
@@ -157,10 +151,7 @@ double ImplicitResponse::solve(Row& row, Movement& motion) {
     Vec3 relative = row.weight[0] * v[row.node[0]] + row.weight[1] * v[row.node[1]] +
                     row.weight[2] * v[row.node[2]] + row.weight[3] * v[row.node[3]];
     const double rate = row.normal.dot(relative);
-    double change = (row.offer - row.fall * rate - row.impulse) * row.give;
-    change = std::max(change, -row.impulse);
-    const double after = rate + change / row.mass;
-    if (after < row.limit) change += row.mass * (row.limit - after);
+    const double change = row.change(rate);
     const double mu = std::max(row.card->friction_static, row.card->friction_dynamic);
     if (change == 0.0 && mu == 0.0) return 0.0;
     row.impulse += change;
@@ -186,10 +177,7 @@ double ImplicitResponse::solve(Row& row, Movement& motion) {
 double ImplicitResponse::solve_on_body(Row& row, Movement& motion) {
     Contact& c = *row.contact;
     const double rate = motion.rate(c);
-    double change = (row.offer - row.fall * rate - row.impulse) * row.give;
-    change = std::max(change, -row.impulse);
-    const double after = rate + change / row.mass;
-    if (after < row.limit) change += row.mass * (row.limit - after);
+    const double change = row.change(rate);
     row.impulse += change;
     for (int i = 0; i < 4; ++i)
         if (row.weight[i] != 0.0) motion.push(row.node[i], row.weight[i] * change * row.normal);

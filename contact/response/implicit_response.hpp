@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -52,17 +53,28 @@ private:
         std::array<Index, 4> node;
         std::array<double, 4> weight;
         Vec3 normal;
-        double offer;    ///< impulse of the law where nothing moves                     [N s]
-        double fall;     ///< of it with the rate: -dJ/dr                                 [kg]
-        double give;     ///< 1 / (1 + fall / mass)                                        [-]
-        double mass;     ///< 1 / (n M⁻¹ n)                                               [kg]
+        double gap, rest;  ///< now; at the end of the step                               [m]
+        double push;       ///< span · E_t A                                            [N s]
+        double dt;         ///< [s]
+        double heft;       ///< (mass + span C) / dt                                   [kg/s]
+        double mass;       ///< 1 / (n M⁻¹ n)                                            [kg]
         double rub_mass;  ///< likewise along the surface, or less                    [kg]
-        double limit;    ///< least rate                                                 [m/s]
         double impulse;  ///< J                                                          [N s]
         Vec3 rubbed;     ///< J_t on the first place                                     [N s]
         Vec3 before;     ///< velocity of the first place against the second, kicked     [m/s]
         Contact* contact;
         const ContactCard* card;
+
+        /// Change of the impulse that brings the row to its law, the rate being as it is.
+        [[nodiscard]] double change(double rate) const {
+            const double half = 0.5 * (heft * gap + mass * rate - push - impulse);
+            const double root = std::sqrt(half * half + heft * push * rest);
+            const double at = half > 0.0 ? (half + root) / heft : push * rest / (root - half);
+            const double least = gap > 0.25 * rest ? 0.5 * (gap + 0.25 * rest) : gap;
+            if (at < least) return std::max(mass * (least - gap) / dt - mass * rate, -impulse);
+            const double wanted = mass * (at - gap) / dt - mass * rate;
+            return std::max(wanted, -impulse);
+        }
     };
     struct alignas(64) Share {
         std::vector<ImpulseBooks> books;

@@ -29,6 +29,7 @@ struct Contact {
     double thickness = 0.0;  ///< of contact, at full                                        [m]
     double modulus = 0.0;    ///< through the thickness                                     [Pa]
     double area = 0.0;       ///< that it stands for                                       [m^2]
+    bool is_known = false;   ///< its area is that of the last step
     std::uint8_t sides = 0;  ///< bit i: it is above node i
     double share =
         0.0;  ///< (omega)² that it was found for, all contacts of its softest node  [1/s^2]
