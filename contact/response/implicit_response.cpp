@@ -5,11 +5,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstdio>
 
 namespace corpuscle::contact {
 namespace {
 
 int SWEEPS = std::getenv("SWEEPS") ? std::atoi(std::getenv("SWEEPS")) : 8;
+
+const double SHALLOW = std::getenv("SHALLOW") ? std::atof(std::getenv("SHALLOW")) : 0.95;
+
+/// Energy of the law: E_t A (rest ln(rest / gap) - (rest - gap)).                            [J]
+double potential(const Contact& c) {
+    if (c.gap >= c.rest) return 0.0;
+    return c.modulus * c.area * (c.rest * std::log(c.rest / c.gap) - (c.rest - c.gap));
+}
 
 }  // namespace
 
@@ -71,6 +80,7 @@ void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
         c.area = memory != nullptr ? memory->area : 0.0;
     });
     areas_.find(motion.x(), columns, contacts);
+    admit(contacts, columns, pairs);
     rows_.resize(columns.size());
     const auto set = [&](std::size_t i) {
         Contact& c = columns.at(i, contacts);
@@ -111,6 +121,37 @@ void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
         for (std::size_t i = columns.begin(column); i < columns.begin(column + 1); ++i)
             begin(rows_[i], const_cast<Movement&>(motion));
     });
+}
+
+/// Areas that grow where cloth is pressed need energy: as much as others have left that shrank or
+/// ended, and as the scheme has lost.
+void ImplicitResponse::admit(ContactList& contacts, const Columns& columns, Candidates& pairs) {
+    double known = 0.0, demand = 0.0, stored = 0.0;
+    const auto is_deep = [](const Contact& c) { return c.gap < SHALLOW * c.rest; };
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        Contact& c = columns.at(i, contacts);
+        PairMemory& memory = pairs.make_memory(c.pair);
+        c.memory = pairs.memory_row(c.pair);
+        if (!c.is_known) memory.area = memory.potential = 0.0;
+        known += memory.potential;
+        const double change = (1.0 - memory.area / c.area) * potential(c);
+        if (change < 0.0) pool_ -= change;
+        if (change > 0.0 && is_deep(c)) demand += change;
+    }
+    pool_ += stored_ - known;
+    const double part = demand > pool_ ? pool_ / demand : 1.0;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        Contact& c = columns.at(i, contacts);
+        PairMemory& memory = pairs.memory_at(c.memory);
+        if (c.area > memory.area && is_deep(c))
+            c.area = std::max(memory.area + part * (c.area - memory.area), 1e-3 * c.area);
+        memory.potential = potential(c);
+        stored += memory.potential;
+    }
+    pool_ -= part * demand;
+    stored_ = stored;
+    if (std::getenv("DBG") && step_ % 50 == 0)
+        std::fprintf(stderr, "DBG pool %g demand %g part %g stored %g\n", pool_, demand, part, stored_);
 }
 
 /// Gives what a row starts with.
@@ -233,11 +274,14 @@ void ImplicitResponse::close(double span, const Columns& columns, Candidates& pa
         for (std::size_t c = 0; c < books.size(); ++c) books[c] += share.books[c];
     for (const Row& row : rows_) {
         const Contact& c = *row.contact;
-        PairMemory& memory = pairs.make_memory(c.pair);
+        PairMemory& memory = pairs.memory_at(c.memory);
         memory.force = c.force;
         memory.friction = row.rubbed / span;
         memory.area = c.area;
         memory.step = step_;
+        Contact after = c;
+        after.gap = c.gap + (row.dt * row.normal.dot(motion.relative(c)));
+        if (after.gap > 0.0) pool_ += row.impulse / span * (c.gap - after.gap) - (potential(after) - potential(c));
     }
 }
 

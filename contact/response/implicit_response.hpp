@@ -45,7 +45,7 @@ public:
 
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(step_);
+        archive(stored_, pool_, step_);
     }
 
 private:
@@ -87,6 +87,7 @@ private:
     void sweep(const Columns& columns, Movement& motion);
     double solve(Row& row, Movement& motion);
     double solve_on_body(Row& row, Movement& motion);
+    void admit(ContactList& contacts, const Columns& columns, Candidates& pairs);
     void begin(Row& row, Movement& motion);
     void close(double span, const Columns& columns, Candidates& pairs, const Movement& motion,
                std::vector<ImpulseBooks>& books);
@@ -96,6 +97,8 @@ private:
     std::array<Share, Columns::COUNT + 1> share_;
     std::vector<Row> rows_;  ///< in the columns' order
     double residual_ = 0.0;
+    double stored_ = 0.0;  ///< by all contacts of the last step                            [J]
+    double pool_ = 0.0;    ///< that contacts held which ended, less that of those begun     [J]
     std::uint32_t step_ = 0;
 };
 
