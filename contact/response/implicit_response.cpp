@@ -10,8 +10,11 @@
 namespace corpuscle::contact {
 namespace {
 
-int SWEEPS = std::getenv("SWEEPS") ? std::atoi(std::getenv("SWEEPS")) : 8;
+int SWEEPS = std::getenv("SWEEPS") ? std::atoi(std::getenv("SWEEPS")) : 16;
 
+const double CONVERGED = std::getenv("CONV") ? std::atof(std::getenv("CONV")) : 2e-3;
+const double BIRTH = std::getenv("BIRTH") ? std::atof(std::getenv("BIRTH")) : 0;
+const bool LOSS = std::getenv("LOSS") != nullptr;
 const double SHALLOW = std::getenv("SHALLOW") ? std::atof(std::getenv("SHALLOW")) : 0.95;
 
 /// Energy of the law: E_t A (rest ln(rest / gap) - (rest - gap)).                            [J]
@@ -40,7 +43,8 @@ void ImplicitResponse::apply(double span, double dt, ContactList& contacts, Colu
     if (columns.size() == 0) return;
     motion.begin();
     set_rows(span, dt, contacts, columns, pairs, motion);
-    for (int k = 0; k < SWEEPS; ++k) sweep(columns, motion);
+    for (int k = 0; k < SWEEPS; ++k)
+        if (sweep(columns, motion) < CONVERGED && k >= 3) break;
     close(span, columns, pairs, motion, books);
 }
 
@@ -103,14 +107,17 @@ void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
         row.rub_mass = most > 0.0 ? 1.0 / most : 0.0;
         row.before = motion.relative(c);
         row.contact = &c;
-        row.card = &cloth_.rules.card(c.card);
+        const ContactCard& card = cloth_.rules.card(c.card);
+        row.friction_static = card.friction_static;
+        row.friction_dynamic = card.friction_dynamic;
+        row.friction_decay = card.friction_decay;
         row.impulse = 0.0;
         row.rubbed.setZero();
         if (const PairMemory* const memory = last(c)) {
             row.impulse = std::max(0.0, std::min(span * memory->force, row.push * (row.rest / row.gap - 1.0)));
             row.rubbed = span * memory->friction;
             row.rubbed -= row.normal.dot(row.rubbed) * row.normal;
-            const double mu = std::max(row.card->friction_static, row.card->friction_dynamic);
+            const double mu = std::max(row.friction_static, row.friction_dynamic);
             const double strength = row.rubbed.norm(), most = mu * row.impulse;
             if (strength > most) row.rubbed *= most > 0.0 ? most / strength : 0.0;
         }
@@ -123,35 +130,29 @@ void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
     });
 }
 
-/// Areas that grow where cloth is pressed need energy: as much as others have left that shrank or
-/// ended, and as the scheme has lost.
+/// Contacts that begin when they are pressed already begin with the gap that they have.
 void ImplicitResponse::admit(ContactList& contacts, const Columns& columns, Candidates& pairs) {
-    double known = 0.0, demand = 0.0, stored = 0.0;
-    const auto is_deep = [](const Contact& c) { return c.gap < SHALLOW * c.rest; };
+    double known = 0.0, stored = 0.0;
+    static double S[4] = {};
     for (std::size_t i = 0; i < columns.size(); ++i) {
         Contact& c = columns.at(i, contacts);
         PairMemory& memory = pairs.make_memory(c.pair);
         c.memory = pairs.memory_row(c.pair);
-        if (!c.is_known) memory.area = memory.potential = 0.0;
-        known += memory.potential;
-        const double change = (1.0 - memory.area / c.area) * potential(c);
-        if (change < 0.0) pool_ -= change;
-        if (change > 0.0 && is_deep(c)) demand += change;
-    }
-    pool_ += stored_ - known;
-    const double part = demand > pool_ ? pool_ / demand : 1.0;
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        Contact& c = columns.at(i, contacts);
-        PairMemory& memory = pairs.memory_at(c.memory);
-        if (c.area > memory.area && is_deep(c))
-            c.area = std::max(memory.area + part * (c.area - memory.area), 1e-3 * c.area);
+        if (c.is_known) {
+            known += memory.potential;
+            S[0] += potential(c) * (1.0 - memory.area / c.area);
+        } else if (BIRTH && c.gap < BIRTH * c.rest) {
+            memory.short_by = c.thickness - c.gap;
+            memory.born = -1.0;
+            c.rest = c.gap;
+        } else S[1] += potential(c);
         memory.potential = potential(c);
         stored += memory.potential;
     }
-    pool_ -= part * demand;
+    S[2] += stored_ - known;
     stored_ = stored;
     if (std::getenv("DBG") && step_ % 50 == 0)
-        std::fprintf(stderr, "DBG pool %g demand %g part %g stored %g\n", pool_, demand, part, stored_);
+        std::fprintf(stderr, "DBG stored %g areas %g births %g deaths %g\n", stored_, S[0], S[1], S[2]);
 }
 
 /// Gives what a row starts with.
@@ -166,7 +167,7 @@ void ImplicitResponse::begin(Row& row, Movement& motion) {
     for (int i = 0; i < 4; ++i) motion.push(row.node[i], row.weight[i] * whole);
 }
 
-void ImplicitResponse::sweep(const Columns& columns, Movement& motion) {
+double ImplicitResponse::sweep(const Columns& columns, Movement& motion) {
     columns.for_each([&](std::size_t column) {
         Share& share = share_[column];
         share.changed = share.all = 0.0;
@@ -183,7 +184,7 @@ void ImplicitResponse::sweep(const Columns& columns, Movement& motion) {
         changed += share.changed;
         all += share.all;
     }
-    residual_ = all > 0.0 ? changed / all : 0.0;
+    return residual_ = all > 0.0 ? changed / all : 0.0;
 }
 
 /// Brings a row between free or held nodes to its law, all else as it is; returns the change of J.
@@ -193,18 +194,15 @@ double ImplicitResponse::solve(Row& row, Movement& motion) {
                     row.weight[2] * v[row.node[2]] + row.weight[3] * v[row.node[3]];
     const double rate = row.normal.dot(relative);
     const double change = row.change(rate);
-    const double mu = std::max(row.card->friction_static, row.card->friction_dynamic);
-    if (change == 0.0 && mu == 0.0) return 0.0;
+    const bool rubs = row.rubs() && (row.impulse > 0.0 || change > 0.0);
+    if (change == 0.0 && !rubs) return 0.0;
     row.impulse += change;
     Vec3 whole = change * row.normal;
-    if (mu > 0.0) {
+    if (rubs) {
         const Vec3 sliding = relative - rate * row.normal;
         Vec3 wanted = row.rubbed - row.rub_mass * sliding;
         const double speed = sliding.norm(), strength = wanted.norm();
-        const double most =
-            row.impulse *
-            (row.card->friction_dynamic + (row.card->friction_static - row.card->friction_dynamic) *
-                                              std::exp(-row.card->friction_decay * speed));
+        const double most = row.impulse * row.mu(speed);
         if (strength > most) wanted *= most / strength;
         whole += wanted - row.rubbed;
         row.rubbed = wanted;
@@ -222,8 +220,7 @@ double ImplicitResponse::solve_on_body(Row& row, Movement& motion) {
     row.impulse += change;
     for (int i = 0; i < 4; ++i)
         if (row.weight[i] != 0.0) motion.push(row.node[i], row.weight[i] * change * row.normal);
-    const double mu = std::max(row.card->friction_static, row.card->friction_dynamic);
-    if (mu == 0.0) return change;
+    if (!row.rubs()) return change;
     const Vec3 relative = motion.relative(c);
     const Vec3 sliding = relative - row.normal.dot(relative) * row.normal;
     const double speed = sliding.norm();
@@ -232,9 +229,7 @@ double ImplicitResponse::solve_on_body(Row& row, Movement& motion) {
     if (mass == INF) return change;
     Vec3 wanted = row.rubbed - mass * sliding;
     const double strength = wanted.norm();
-    const double most = row.impulse * (row.card->friction_dynamic +
-                                       (row.card->friction_static - row.card->friction_dynamic) *
-                                           std::exp(-row.card->friction_decay * speed));
+    const double most = row.impulse * row.mu(speed);
     if (strength > most) wanted *= most / strength;
     const Vec3 rub = wanted - row.rubbed;
     row.rubbed = wanted;
@@ -281,7 +276,7 @@ void ImplicitResponse::close(double span, const Columns& columns, Candidates& pa
         memory.step = step_;
         Contact after = c;
         after.gap = c.gap + (row.dt * row.normal.dot(motion.relative(c)));
-        if (after.gap > 0.0) pool_ += row.impulse / span * (c.gap - after.gap) - (potential(after) - potential(c));
+        if (LOSS && after.gap > 0.0) pool_ += row.impulse / span * (c.gap - after.gap) - (potential(after) - potential(c));
     }
 }
 

@@ -63,10 +63,19 @@ private:
         Vec3 rubbed;     ///< J_t on the first place                                     [N s]
         Vec3 before;     ///< velocity of the first place against the second, kicked     [m/s]
         Contact* contact;
-        const ContactCard* card;
+        double friction_static, friction_dynamic, friction_decay;
+
+        /// Friction coefficient at a sliding speed.
+        [[nodiscard]] double mu(double speed) const {
+            if (friction_static == friction_dynamic) return friction_dynamic;
+            return friction_dynamic +
+                   (friction_static - friction_dynamic) * std::exp(-friction_decay * speed);
+        }
+        [[nodiscard]] bool rubs() const { return friction_static > 0.0 || friction_dynamic > 0.0; }
 
         /// Change of the impulse that brings the row to its law, the rate being as it is.
         [[nodiscard]] double change(double rate) const {
+            if (impulse == 0.0 && gap + dt * rate >= rest) return 0.0;
             const double half = 0.5 * (heft * gap + mass * rate - push - impulse);
             const double root = std::sqrt(half * half + heft * push * rest);
             const double at = half > 0.0 ? (half + root) / heft : push * rest / (root - half);
@@ -84,7 +93,8 @@ private:
                  const Movement& motion);
     void set_rows(double span, double dt, ContactList& contacts, const Columns& columns,
                   Candidates& pairs, const Movement& motion);
-    void sweep(const Columns& columns, Movement& motion);
+    /// Returns what it changed, over all impulses.
+    double sweep(const Columns& columns, Movement& motion);
     double solve(Row& row, Movement& motion);
     double solve_on_body(Row& row, Movement& motion);
     void admit(ContactList& contacts, const Columns& columns, Candidates& pairs);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "contact/geometry/nearest_four.hpp"
 
@@ -105,7 +106,8 @@ void PairLook::take(const Found& found, const Scene& scene, const Columns& colum
     }
     PairMemory* const memory = pairs.memory(row);
     RestGap rest = rest_gap(thickness, scene.t, memory);
-    if (scene.dt > 0.0) {
+    static const bool GROW = true;
+    if (scene.dt > 0.0 && (!GROW || (memory != nullptr && memory->born < 0.0))) {
         rest = {thickness - (memory != nullptr ? memory->short_by : 0.0), 0.0};
         if (gap > rest.now && rest.now < thickness) {
             memory->short_by = std::max(0.0, thickness - gap);
