@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include "contact/response/crossing_guard.hpp"
 #include "contact/response/facet_load.hpp"
@@ -137,6 +135,12 @@ void SurfaceContact::State::count() {
     counts.impacts = guard.impacts();
     counts.clumps = guard.clumps();
     counts.unstopped = guard.unstopped();
+    const auto& solved = response.convergence();
+    if (solved.steps > 0) {
+        counts.residual = solved.sum / static_cast<double>(solved.steps);
+        counts.sweeps = static_cast<double>(solved.sweeps) / static_cast<double>(solved.steps);
+    }
+    counts.worst_residual = solved.worst;
     least_gap.assign(contacts.chunks(), INF);
     contacts.for_each_chunk([&](std::size_t c) {
         double least = INF;
@@ -177,30 +181,6 @@ bool SurfaceContact::filter(const Points& x, double dt, Points& v, std::span<Rig
     else
         s.impulses.apply(s.span, dt, s.contacts, s.columns, s.pairs, motion);
     s.columns.for_each(s.contacts, [&](const Contact& c) { s.load.add(c); });
-    if (std::getenv("DBG")) {
-        s.guard.dbg.assign(s.pairs.size(), nullptr);
-        s.contacts.for_each([&](const Contact& c) { s.guard.dbg[c.pair] = &c; });
-        s.guard.dbg_builds = s.pairs.builds() + s.pairs.renewals();
-        static int n = 0;
-        if (++n % 50 == 0) {
-            double all = 0, inv = 0; int deep = 0;
-            s.contacts.for_each([&](const Contact& c) { all += 1; if (c.gap < 0.5 * c.rest) ++deep; });
-            std::fprintf(stderr, "DBG step %d contacts %g deep %d residual %g guard:", n, all, deep, s.response.residual());
-            for (double d : s.guard.dbg_n) std::fprintf(stderr, " %g", d);
-            std::fprintf(stderr, "\n");
-            s.guard.dbg_n = {};
-            double n1[10] = {};
-            s.contacts.for_each([&](const Contact& c) {
-                if (c.gap > 0.5 * c.rest) return;
-                n1[0] += 1; n1[1] += c.rest < 0.9 * s.cloth.greatest_thickness; n1[2] += c.rest < 0.1 * s.cloth.greatest_thickness;
-                n1[3] += c.on_body; n1[4] += c.mass == INF; n1[5] += c.gap < 0.25 * c.rest; n1[6] += c.gap < 0.05 * c.rest;
-                n1[7] += c.area; double dead = 0; for (int k = 0; k < 4; ++k) dead += s.cloth.inverse_mass[c.node[k]] == 0.0; n1[8] += dead > 0;
-                n1[9] += c.force;
-            });
-            double af = 0, aa = 0; s.contacts.for_each([&](const Contact& c) { aa += c.area; af += c.force; });
-            std::fprintf(stderr, "DEEP %g short %g vshort %g body %g inf %g quarter %g 20th %g area %g held %g force %g  all area %g force %g\n", n1[0], n1[1], n1[2], n1[3], n1[4], n1[5], n1[6], n1[7]/n1[0], n1[8], n1[9]/n1[0], aa/all, af/all);
-        }
-    }
     s.guard.stop(s.t, dt, s.pairs, s.impulses, s.load, motion);
     s.step.follow(dt, s.guard.stopped(), s.counts.touching, s.guard.card());
     motion.settle();

@@ -69,6 +69,10 @@ void print_contact(const Simulation& simulation, const contact::SurfaceContact& 
         counts.builds, counts.searched, counts.candidates, counts.near, counts.touching,
         counts.impacts, counts.least_gap);
     if (counts.clumps > 0) fmt::print("    {} tangles moved as one for a step\n", counts.clumps);
+    if (counts.sweeps > 0.0)
+        fmt::print(
+            "    {:.1f} sweeps a step leave {:.2g} of its impulses in the mean, {:.2g} at worst\n",
+            counts.sweeps, counts.residual, counts.worst_residual);
     if (counts.unstopped > 0)
         fmt::print("    {} times held surfaces drove others through each other\n",
                    counts.unstopped);

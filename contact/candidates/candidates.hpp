@@ -24,7 +24,6 @@ struct PairMemory {
     double short_by = 0.0;  ///< contact thickness less the gap it was first seen with         [m]
     double born = 0.0;      ///< when that was                                                 [s]
     double force = 0.0;     ///< normal, in its last step                                      [N]
-    double potential = 0.0; ///< stored, at the last look                                     [J]
     double area = 0.0;      ///< that it stood for then                                      [m^2]
     Vec3 friction = Vec3::Zero();  ///< then, on the first place                               [N]
     std::uint32_t step = 0;        ///< that last step's number
@@ -89,7 +88,6 @@ public:
         return 2.0 * a * b / (a + b);
     }
 
-    [[nodiscard]] double thickness_of(std::size_t i) const { return list_[i].thickness; }
     /// Gap below which pair i pushes, at most.                                                 [m]
     [[nodiscard]] double thickness(std::size_t i);
 

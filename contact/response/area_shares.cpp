@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace corpuscle::contact {
 namespace {
 
-const double FROZEN = std::getenv("FROZEN") ? std::atof(std::getenv("FROZEN")) : 0.95;
+constexpr double SHALLOW = 0.95;   ///< gap over rest, from which areas of contacts change
 constexpr int PASSES = 2;          ///< a step; the areas live on
 constexpr double STRONGEST = 2.0;  ///< change of an area in a pass
 
@@ -34,7 +33,7 @@ void AreaShares::find(const Points& x, const Columns& columns, ContactList& cont
     for (int pass = 0; pass < PASSES; ++pass) {
         add_up(columns, contacts);
         contacts.for_each_apart([&](Contact& c) {
-            if (c.is_known && c.gap < FROZEN * c.rest) return;
+            if (c.is_known && c.gap < SHALLOW * c.rest) return;
             std::array<double, 2> ratio{};
             for (int i = 0; i < 4; ++i) {
                 double sum = sum_[c.node[i]][c.sides >> i & 1U];

@@ -122,27 +122,6 @@ void CrossingGuard::stop_impacts(double dt, const Candidates& pairs, Impulses& i
             for (int k = 0; k < 4; ++k) there[k] += time * move[k];
             const Nearest places = nearest(pair, there);
             const double gap = places.apart.norm();
-            if (pairs.builds() + pairs.renewals() == dbg_builds) {
-                const Contact* c = i < dbg.size() ? dbg[i] : nullptr;
-                const Nearest n0 = nearest(pair, motion.x());
-                dbg_n[0] += 1;
-                if (c == nullptr) {
-                    dbg_n[1] += 1;
-                    if (!n0.is_inside) dbg_n[2] += 1;
-                    else if (n0.apart.norm() < 1.5 * pairs.thickness_of(i)) dbg_n[3] += 1;
-                    else dbg_n[4] += 1;
-                } else {
-                    Corners vv; Vec3 rel = Vec3::Zero();
-                    for (int k = 0; k < 4; ++k) rel += c->weight[k] * motion.velocity(pair.node[k]);
-                    const double g1 = c->gap + dt * c->normal.dot(rel);
-                    if (c->gap < 0.25 * c->rest) dbg_n[7] += 1;
-                    if (g1 < 0.0) dbg_n[5] += 1; else dbg_n[6] += 1;
-                    if (pair.is_edges) dbg_n[8] += 1;
-                    const double slide = dt * (rel - c->normal.dot(rel) * c->normal).norm();
-                    if (slide > c->rest) dbg_n[9] += 1;
-                    dbg_n[10] += slide; 
-                }
-            } else dbg_n[11] += 1;
             if (gap == 0.0) continue;  // an earlier impulse has changed its course: next round
             Contact contact = contact_at(cloth_, motion.bodies(), motion.x(), pair, places, gap);
             contact.card = card_ = pairs.card(i);

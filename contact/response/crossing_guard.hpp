@@ -37,7 +37,6 @@ public:
     /// which one of them touches.
     [[nodiscard]] std::vector<std::array<Index, 4>>& stopped() { return stopped_; }
     [[nodiscard]] int card() const { return card_; }
-    std::vector<const Contact*> dbg; std::size_t dbg_builds=0; std::array<double,12> dbg_n{};
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>

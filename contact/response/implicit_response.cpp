@@ -4,24 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <cstdio>
 
 namespace corpuscle::contact {
 namespace {
 
-int SWEEPS = std::getenv("SWEEPS") ? std::atoi(std::getenv("SWEEPS")) : 16;
-
-const double CONVERGED = std::getenv("CONV") ? std::atof(std::getenv("CONV")) : 2e-3;
-const double BIRTH = std::getenv("BIRTH") ? std::atof(std::getenv("BIRTH")) : 0;
-const bool LOSS = std::getenv("LOSS") != nullptr;
-const double SHALLOW = std::getenv("SHALLOW") ? std::atof(std::getenv("SHALLOW")) : 0.95;
-
-/// Energy of the law: E_t A (rest ln(rest / gap) - (rest - gap)).                            [J]
-double potential(const Contact& c) {
-    if (c.gap >= c.rest) return 0.0;
-    return c.modulus * c.area * (c.rest * std::log(c.rest / c.gap) - (c.rest - c.gap));
-}
+constexpr int LEAST_SWEEPS = 4, MOST_SWEEPS = 32;
+constexpr double CONVERGED = 2e-3;  ///< change by a sweep over all impulses
+constexpr std::size_t CHUNK = 256;  ///< rows
 
 }  // namespace
 
@@ -37,14 +26,19 @@ void ImplicitResponse::apply(double span, double dt, ContactList& contacts, Colu
                              std::vector<ImpulseBooks>& books) {
     for (ImpulseBooks& book : books) book.given.setZero();
     ++step_;
-    residual_ = 0.0;
     take_up(dt, contacts, columns, pairs, motion);
     columns.sort(contacts);
     if (columns.size() == 0) return;
     motion.begin();
     set_rows(span, dt, contacts, columns, pairs, motion);
-    for (int k = 0; k < SWEEPS; ++k)
-        if (sweep(columns, motion) < CONVERGED && k >= 3) break;
+    double residual = INF;
+    for (int k = 0; k < MOST_SWEEPS && (k < LEAST_SWEEPS || residual > CONVERGED); ++k) {
+        residual = sweep(columns, motion);
+        ++convergence_.sweeps;
+    }
+    ++convergence_.steps;
+    convergence_.sum += residual;
+    convergence_.worst = std::max(convergence_.worst, residual);
     close(span, columns, pairs, motion, books);
 }
 
@@ -72,87 +66,91 @@ void ImplicitResponse::take_up(double dt, ContactList& contacts, const Columns& 
     });
 }
 
-void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
-                                const Columns& columns, Candidates& pairs, const Movement& motion) {
-    const auto last = [&](const Contact& c) -> const PairMemory* {
-        if (c.memory < 0) return nullptr;
-        const PairMemory& memory = pairs.memory_at(c.memory);
-        return memory.step + 1 == step_ ? &memory : nullptr;
-    };
-    contacts.for_each_apart([&](Contact& c) {
-        const PairMemory* const memory = last(c);
-        c.area = memory != nullptr ? memory->area : 0.0;
-    });
-    areas_.find(motion.x(), columns, contacts);
-    admit(contacts, columns, pairs);
-    rows_.resize(columns.size());
-    const auto set = [&](std::size_t i) {
-        Contact& c = columns.at(i, contacts);
-        c.stiffness = c.modulus * c.area * c.rest / (std::min(c.gap, c.rest) * std::min(c.gap, c.rest));
-        const double zeta = 0.01 * cloth_.rules.card(c.card).damping;
-        const double damping = c.mass < INF ? 2.0 * zeta * std::sqrt(c.stiffness * c.mass) : 0.0;
-        Row& row = rows_[i];
-        row.node = c.node;
-        row.weight = c.weight;
-        row.normal = c.normal;
-        row.mass = c.mass;
-        row.rest = c.rest + dt * c.rest_rate;
-        row.push = span * c.modulus * c.area;
-        row.gap = c.gap;
-        row.dt = dt;
-        row.heft = (row.mass + span * damping) / dt;
-        double most = 0.0;
-        for (int k = 0; k < 4; ++k)
-            most += c.weight[k] * c.weight[k] * cloth_.mobility[c.node[k]].maxCoeff();
-        row.rub_mass = most > 0.0 ? 1.0 / most : 0.0;
-        row.before = motion.relative(c);
-        row.contact = &c;
-        const ContactCard& card = cloth_.rules.card(c.card);
-        row.friction_static = card.friction_static;
-        row.friction_dynamic = card.friction_dynamic;
-        row.friction_decay = card.friction_decay;
-        row.impulse = 0.0;
-        row.rubbed.setZero();
-        if (const PairMemory* const memory = last(c)) {
-            row.impulse = std::max(0.0, std::min(span * memory->force, row.push * (row.rest / row.gap - 1.0)));
-            row.rubbed = span * memory->friction;
-            row.rubbed -= row.normal.dot(row.rubbed) * row.normal;
-            const double mu = std::max(row.friction_static, row.friction_dynamic);
-            const double strength = row.rubbed.norm(), most = mu * row.impulse;
-            if (strength > most) row.rubbed *= most > 0.0 ? most / strength : 0.0;
+/// What a contact did in the step before; null where it was none.
+const PairMemory* ImplicitResponse::last(const Contact& c, Candidates& pairs) const {
+    const PairMemory& memory = pairs.memory_at(c.memory);
+    return memory.step + 1 == step_ ? &memory : nullptr;
+}
+
+/// Makes sure that each contact has a memory, and gives it the area of the step before.
+void ImplicitResponse::recall(ContactList& contacts, Candidates& pairs) {
+    fresh_.resize(std::max(fresh_.size(), contacts.chunks()));
+    contacts.for_each_chunk([&](std::size_t chunk) {
+        fresh_[chunk].clear();
+        for (Contact& c : contacts.chunk(chunk)) {
+            if (c.memory < 0) {
+                fresh_[chunk].push_back(&c);
+                continue;
+            }
+            const PairMemory* const memory = last(c, pairs);
+            c.area = memory != nullptr ? memory->area : 0.0;
         }
-        c.rate_kicked = row.normal.dot(row.before);
-    };
-    parallel::for_each(rows_.size(), set, 256);
+    });
+    for (std::size_t chunk = 0; chunk < contacts.chunks(); ++chunk)
+        for (Contact* const c : fresh_[chunk]) {
+            pairs.make_memory(c->pair);
+            c->memory = pairs.memory_row(c->pair);
+        }
+}
+
+void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
+                                const Columns& columns, Candidates& pairs, Movement& motion) {
+    recall(contacts, pairs);
+    areas_.find(motion.x(), columns, contacts);
+    rows_.resize(columns.size());
+    parallel::for_each(
+        rows_.size(),
+        [&](std::size_t i) {
+            Contact& c = columns.at(i, contacts);
+            rows_[i] = row_of(span, dt, c, motion);
+            if (const PairMemory* const memory = last(c, pairs)) warm(span, *memory, rows_[i]);
+        },
+        CHUNK);
     columns.for_each([&](std::size_t column) {
         for (std::size_t i = columns.begin(column); i < columns.begin(column + 1); ++i)
-            begin(rows_[i], const_cast<Movement&>(motion));
+            begin(rows_[i], motion);
     });
 }
 
-/// Contacts that begin when they are pressed already begin with the gap that they have.
-void ImplicitResponse::admit(ContactList& contacts, const Columns& columns, Candidates& pairs) {
-    double known = 0.0, stored = 0.0;
-    static double S[4] = {};
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        Contact& c = columns.at(i, contacts);
-        PairMemory& memory = pairs.make_memory(c.pair);
-        c.memory = pairs.memory_row(c.pair);
-        if (c.is_known) {
-            known += memory.potential;
-            S[0] += potential(c) * (1.0 - memory.area / c.area);
-        } else if (BIRTH && c.gap < BIRTH * c.rest) {
-            memory.short_by = c.thickness - c.gap;
-            memory.born = -1.0;
-            c.rest = c.gap;
-        } else S[1] += potential(c);
-        memory.potential = potential(c);
-        stored += memory.potential;
-    }
-    S[2] += stored_ - known;
-    stored_ = stored;
-    if (std::getenv("DBG") && step_ % 50 == 0)
-        std::fprintf(stderr, "DBG stored %g areas %g births %g deaths %g\n", stored_, S[0], S[1], S[2]);
+ImplicitResponse::Row ImplicitResponse::row_of(double span, double dt, Contact& c,
+                                               const Movement& motion) const {
+    const ContactCard& card = cloth_.rules.card(c.card);
+    const double at = std::min(c.gap, c.rest);
+    c.stiffness = c.modulus * c.area * c.rest / (at * at);
+    c.rate_kicked = motion.rate(c);
+    const double damping =
+        c.mass < INF ? 0.02 * card.damping * std::sqrt(c.stiffness * c.mass) : 0.0;
+    double most = 0.0;
+    for (int k = 0; k < 4; ++k)
+        most += c.weight[k] * c.weight[k] * cloth_.mobility[c.node[k]].maxCoeff();
+    Row row;
+    row.node = c.node;
+    row.weight = c.weight;
+    row.normal = c.normal;
+    row.gap = c.gap;
+    row.rest = c.rest + dt * c.rest_rate;
+    row.push = span * c.modulus * c.area;
+    row.dt = dt;
+    row.mass = c.mass;
+    row.heft = (row.mass + span * damping) / dt;
+    row.rub_mass = most > 0.0 ? 1.0 / most : 0.0;
+    row.friction_static = card.friction_static;
+    row.friction_dynamic = card.friction_dynamic;
+    row.friction_decay = card.friction_decay;
+    row.before = motion.relative(c);
+    row.contact = &c;
+    return row;
+}
+
+/// Starts a row with what it did in the step before, and no more than its law gives where it is.
+void ImplicitResponse::warm(double span, const PairMemory& memory, Row& row) {
+    const double offer = row.push * (row.rest / row.gap - 1.0);
+    row.impulse = std::clamp(span * memory.force, 0.0, std::max(0.0, offer));
+    row.rubbed = span * memory.friction;
+    row.rubbed -= row.normal.dot(row.rubbed) * row.normal;
+    const double most = std::max(row.friction_static, row.friction_dynamic) * row.impulse;
+    const double strength = row.rubbed.norm();
+    if (strength > most) row.rubbed *= most / strength;
 }
 
 /// Gives what a row starts with.
@@ -184,7 +182,7 @@ double ImplicitResponse::sweep(const Columns& columns, Movement& motion) {
         changed += share.changed;
         all += share.all;
     }
-    return residual_ = all > 0.0 ? changed / all : 0.0;
+    return all > 0.0 ? changed / all : 0.0;
 }
 
 /// Brings a row between free or held nodes to its law, all else as it is; returns the change of J.
@@ -238,7 +236,8 @@ double ImplicitResponse::solve_on_body(Row& row, Movement& motion) {
     return change;
 }
 
-/// Books what the impulses have taken, exactly: of all together, J · (velocity before + after) / 2.
+/// Books what the impulses have taken, of all together exactly J · (velocity before + after) / 2,
+/// and remembers them.
 void ImplicitResponse::close(double span, const Columns& columns, Candidates& pairs,
                              const Movement& motion, std::vector<ImpulseBooks>& books) {
     columns.for_each([&](std::size_t column) {
@@ -267,17 +266,17 @@ void ImplicitResponse::close(double span, const Columns& columns, Candidates& pa
     });
     for (const Share& share : share_)
         for (std::size_t c = 0; c < books.size(); ++c) books[c] += share.books[c];
-    for (const Row& row : rows_) {
-        const Contact& c = *row.contact;
-        PairMemory& memory = pairs.memory_at(c.memory);
-        memory.force = c.force;
-        memory.friction = row.rubbed / span;
-        memory.area = c.area;
-        memory.step = step_;
-        Contact after = c;
-        after.gap = c.gap + (row.dt * row.normal.dot(motion.relative(c)));
-        if (LOSS && after.gap > 0.0) pool_ += row.impulse / span * (c.gap - after.gap) - (potential(after) - potential(c));
-    }
+    parallel::for_each(
+        rows_.size(),
+        [&](std::size_t i) {
+            const Contact& c = *rows_[i].contact;
+            PairMemory& memory = pairs.memory_at(c.memory);
+            memory.force = c.force;
+            memory.friction = rows_[i].rubbed / span;
+            memory.area = c.area;
+            memory.step = step_;
+        },
+        CHUNK);
 }
 
 }  // namespace corpuscle::contact

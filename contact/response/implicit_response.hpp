@@ -16,19 +16,23 @@ namespace corpuscle::contact {
 
 /// Contact as a law of the cloth, taken at the end of the step [backward Euler].
 ///
-/// Law: pressure on the area A of a contact
+/// Law: pressure on the area A of a contact (area_shares.hpp), and its energy,
 ///
-///     p = E_t (rest - gap) / h,   K = E_t A / h,   C = 2 zeta sqrt(K m)
+///     p = E_t (rest / gap - 1),   U = E_t A (rest ln(rest / gap) - (rest - gap)),
 ///
-/// with the cloth's modulus E_t through its thickness, the contact thickness h, VDC = 100 zeta
-/// and the mass m that the contact moves. For the impulse J >= 0 of the step along the normal,
+/// with the modulus E_t through the thickness: cloth stiffens as it is pressed, and nothing
+/// presses it to nothing. A dashpot C = 2 zeta sqrt(K m), VDC = 100 zeta, K = E_t A rest / gap²,
+/// acts beside it on the mass m that the contact moves. For the impulse J >= 0 of the step,
 ///
-///     J = span · (K (rest - gap - dt r) - C r),   r = r_free + (n M⁻¹ nᵀ J)
+///     J = span · (A p(gap + dt r) - C r),   r = rate of the gap after all impulses,
 ///
-/// with r the rate of the gap after all impulses. Rows are solved one after the other
-/// [projected Gauss-Seidel], in sweeps, from the impulses of the step before; friction is the same
-/// row along the surface, |J_t| <= mu J. No gap shrinks in the step by more than half of what
-/// it has above a quarter of rest. The scheme asks nothing of the time step.
+/// a quadratic for the gap at the end. No gap shrinks in a step by more than half of what it has
+/// above a quarter of rest. Rows are solved one after the other [projected Gauss-Seidel], in
+/// sweeps, from the impulses of the step before, until a sweep changes little; friction is the
+/// same row along the surface, |J_t| <= mu J. The scheme asks nothing of the time step.
+///
+/// Backward Euler of a convex energy only loses; growing areas and pairs that appear between cloth
+/// that is pressed already add energy (README.md, Limits).
 class ImplicitResponse {
 public:
     explicit ImplicitResponse(const Cloth& cloth);
@@ -36,16 +40,24 @@ public:
     /// Changes velocities, and writes into contacts and memories what each has given.
     /// @param span  time for which the impulses stand                                         [s]
     /// @param dt    the step ahead                                                            [s]
-    /// @param books  by card
+    /// @param columns  in which the contacts are sorted, then those too that this takes up
+    /// @param books    by card
     void apply(double span, double dt, ContactList& contacts, Columns& columns, Candidates& pairs,
                Movement& motion, std::vector<ImpulseBooks>& books);
 
-    /// What the last sweep still changed, over all impulses of the step.                      [-]
-    [[nodiscard]] double residual() const { return residual_; }
+    /// How the sweeps went: what the last one of a step still changed, over all its impulses.
+    struct Convergence {
+        std::size_t steps = 0;   ///< with contacts, so far
+        std::size_t sweeps = 0;  ///< so far
+        double sum = 0.0;        ///< of the steps' residuals                              [-]
+        double worst = 0.0;      ///< of them                                              [-]
+    };
+    [[nodiscard]] const Convergence& convergence() const { return convergence_; }
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(stored_, pool_, step_);
+        archive(step_, convergence_);
     }
 
 private:
@@ -58,10 +70,10 @@ private:
         double dt;         ///< [s]
         double heft;       ///< (mass + span C) / dt                                   [kg/s]
         double mass;       ///< 1 / (n M⁻¹ n)                                            [kg]
-        double rub_mass;  ///< likewise along the surface, or less                    [kg]
-        double impulse;  ///< J                                                          [N s]
-        Vec3 rubbed;     ///< J_t on the first place                                     [N s]
-        Vec3 before;     ///< velocity of the first place against the second, kicked     [m/s]
+        double rub_mass;   ///< likewise along the surface, or less                    [kg]
+        double impulse;    ///< J                                                          [N s]
+        Vec3 rubbed;       ///< J_t on the first place                                     [N s]
+        Vec3 before;       ///< velocity of the first place against the second, kicked     [m/s]
         Contact* contact;
         double friction_static, friction_dynamic, friction_decay;
 
@@ -92,23 +104,26 @@ private:
     void take_up(double dt, ContactList& contacts, const Columns& columns, const Candidates& pairs,
                  const Movement& motion);
     void set_rows(double span, double dt, ContactList& contacts, const Columns& columns,
-                  Candidates& pairs, const Movement& motion);
+                  Candidates& pairs, Movement& motion);
+    void recall(ContactList& contacts, Candidates& pairs);
+    [[nodiscard]] const PairMemory* last(const Contact& contact, Candidates& pairs) const;
+    [[nodiscard]] Row row_of(double span, double dt, Contact& contact,
+                             const Movement& motion) const;
+    static void warm(double span, const PairMemory& memory, Row& row);
+    void begin(Row& row, Movement& motion);
     /// Returns what it changed, over all impulses.
     double sweep(const Columns& columns, Movement& motion);
     double solve(Row& row, Movement& motion);
     double solve_on_body(Row& row, Movement& motion);
-    void admit(ContactList& contacts, const Columns& columns, Candidates& pairs);
-    void begin(Row& row, Movement& motion);
     void close(double span, const Columns& columns, Candidates& pairs, const Movement& motion,
                std::vector<ImpulseBooks>& books);
 
     const Cloth& cloth_;
     AreaShares areas_;
     std::array<Share, Columns::COUNT + 1> share_;
-    std::vector<Row> rows_;  ///< in the columns' order
-    double residual_ = 0.0;
-    double stored_ = 0.0;  ///< by all contacts of the last step                            [J]
-    double pool_ = 0.0;    ///< that contacts held which ended, less that of those begun     [J]
+    std::vector<Row> rows_;                     ///< in the columns' order
+    std::vector<std::vector<Contact*>> fresh_;  ///< by chunk: without a memory
+    Convergence convergence_;
     std::uint32_t step_ = 0;
 };
 

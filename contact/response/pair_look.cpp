@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "contact/geometry/nearest_four.hpp"
 
@@ -105,15 +104,7 @@ void PairLook::take(const Found& found, const Scene& scene, const Columns& colum
         if (gap - MARGIN * scene.dt * approach >= thickness) return;
     }
     PairMemory* const memory = pairs.memory(row);
-    RestGap rest = rest_gap(thickness, scene.t, memory);
-    static const bool GROW = true;
-    if (scene.dt > 0.0 && (!GROW || (memory != nullptr && memory->born < 0.0))) {
-        rest = {thickness - (memory != nullptr ? memory->short_by : 0.0), 0.0};
-        if (gap > rest.now && rest.now < thickness) {
-            memory->short_by = std::max(0.0, thickness - gap);
-            rest.now = thickness - memory->short_by;
-        }
-    }
+    const RestGap rest = rest_gap(thickness, scene.t, memory);
     if (gap >= rest.now) {
         const bool has_account = memory != nullptr && memory->account != 0.0;
         contacts.near(chunk).push_back({pairs[row], row, gap, rest.now, has_account});

@@ -19,11 +19,10 @@ struct Contact {
     double gap;   ///< [m]
     double mass;  ///< 1 / (what an impulse of one makes of the rate)             [kg]
     std::uint8_t column = ALONE;  ///< name of its column (contact/response/columns.hpp)
-    bool on_body =
-        false;     ///< on a rigid body, where `mass` holds for the normal only
-    int card = 0;  ///< row of the card by which they touch
-    int side = 0;  ///< 1: the first place is on SURFA, -1: the second is; 0: a single surface
-    double rest = 0.0;       ///< gap below which it pushes                                  [m]
+    bool on_body = false;         ///< on a rigid body, where `mass` holds for the normal only
+    int card = 0;                 ///< row of the card by which they touch
+    int side = 0;       ///< 1: the first place is on SURFA, -1: the second is; 0: a single surface
+    double rest = 0.0;  ///< gap below which it pushes                                  [m]
     double rest_rate = 0.0;  ///< growth of `rest`                                           [m/s]
     double stiffness = 0.0;  ///< [N/m]
     double thickness = 0.0;  ///< of contact, at full                                        [m]

@@ -14,6 +14,9 @@
 
 namespace corpuscle::support {
 
+/// Response of a set-up: Repulsion and Impulses.
+inline constexpr bool PENALTY = false;
+
 /// Point masses and linear springs along the edges of a sheet: the least cloth that contact can be
 /// tried on. Airbag fabric: E 300 MPa, 750 kg/m³, 0.33 mm.
 class SpringCloth {
@@ -57,7 +60,8 @@ public:
     }
     /// @param card  with all of the cloth as its part 0
     [[nodiscard]] contact::ContactSetup setup(contact::ContactCard card,
-                                              const Points& reference_x) const {
+                                              const Points& reference_x,
+                                              bool is_implicit = true) const {
         card.parts = {0};
         contact::ContactSetup setup;
         setup.cards = {card};
@@ -68,6 +72,7 @@ public:
         setup.reference_x = reference_x;
         setup.x0 = x;
         setup.held = held;
+        setup.is_implicit = is_implicit;
         return setup;
     }
     void add_spring_force() {

@@ -8,6 +8,7 @@
 
 using namespace corpuscle;
 using namespace corpuscle::contact;
+using support::PENALTY;
 using support::SpringCloth;
 
 namespace {
@@ -31,7 +32,7 @@ double lowest_above(const SpringCloth& cloth) {
 
 TEST_CASE("repulsion pushes apart and adds up to nothing, in force and in moment", "[contact]") {
     SpringCloth cloth(pair_of_sheets(0.4 * H));
-    SurfaceContact contact(cloth.setup({}, cloth.x));
+    SurfaceContact contact(cloth.setup({}, cloth.x, PENALTY));
     Points f(cloth.x.size(), Vec3::Zero());
     contact.find(cloth.x, cloth.v, 0.0, 1e-6);
     contact.add_force(cloth.x, cloth.v, 1e-6, f);
@@ -60,7 +61,7 @@ TEST_CASE("contact stiffness keeps within its share of the stable step", "[conta
     SpringCloth cloth(pair_of_sheets(1.2 * H));
     ContactCard card;
     card.damping = 0.0;
-    SurfaceContact contact(cloth.setup(card, cloth.x));
+    SurfaceContact contact(cloth.setup(card, cloth.x, PENALTY));
     const double speed = 2.0;
     for (std::size_t i = 36; i < cloth.x.size(); ++i) cloth.v[i].z() = -speed;
     const double start = cloth.kinetic_energy();
@@ -131,7 +132,7 @@ TEST_CASE("panels that a seam joins keep their thickness next to it", "[contact]
         if (x.x() > seam) x.x() = 2.0 * seam - x.x();
     }
     SpringCloth cloth(sheet);
-    SurfaceContact contact(cloth.setup({}, reference));
+    SurfaceContact contact(cloth.setup({}, reference, PENALTY));
     const double dt = 1e-6;
     Points f(cloth.x.size(), Vec3::Zero());
     for (int step = 0; step <= 1000; ++step) contact.find(cloth.x, cloth.v, step * dt, dt);
@@ -149,7 +150,7 @@ TEST_CASE("of the contacts that share a node the deeper one is the stiffer", "[c
     all.append(support::square_sheet(3, 0.02), Vec3(1.3e-3, 1.7e-3, 2.0 * H));
     all.append(support::square_sheet(3, 0.02), Vec3(2.6e-3, 3.1e-3, 4.0 * H));
     SpringCloth cloth(all);
-    SurfaceContact contact(cloth.setup({}, cloth.x));
+    SurfaceContact contact(cloth.setup({}, cloth.x, PENALTY));
     contact.find(cloth.x, cloth.v, 0.0, 1e-6);
     const double low = 0.5, high = 0.1;  // depths, in contact thicknesses
     for (std::size_t i = 16; i < 32; ++i) cloth.x[i].z() = (1.0 - low) * H;

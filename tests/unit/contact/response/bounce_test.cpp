@@ -6,6 +6,7 @@
 
 using namespace corpuscle;
 using namespace corpuscle::contact;
+using support::PENALTY;
 using support::SpringCloth;
 
 namespace {
@@ -41,7 +42,7 @@ TEST_CASE("frictionless bouncing without damping never gains energy", "[contact]
         cloth.v[i] = Vec3(0.1, 0.05, 1.0) * speed;
     ContactCard card;
     card.damping = 0.0;
-    SurfaceContact contact(cloth.setup(card, cloth.x));
+    SurfaceContact contact(cloth.setup(card, cloth.x, PENALTY));
     const double start = cloth.kinetic_energy();
     double most = 0.0, last = 1.0;
     int bounces = 0;
@@ -65,7 +66,7 @@ TEST_CASE("a thousand frictionless bounces never gain a thousandth of the energy
     for (std::size_t i = 8; i < cloth.x.size(); ++i) cloth.v[i] = Vec3(0.0, 0.0, 10.0);
     ContactCard card;
     card.damping = 0.0;
-    SurfaceContact contact(cloth.setup(card, cloth.x));
+    SurfaceContact contact(cloth.setup(card, cloth.x, PENALTY));
     const double start = cloth.kinetic_energy();
     double most = 0.0, last = 1.0;
     int bounces = 0;

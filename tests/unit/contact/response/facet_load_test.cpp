@@ -11,6 +11,7 @@
 
 using namespace corpuscle;
 using namespace corpuscle::contact;
+using support::PENALTY;
 using support::SpringCloth;
 
 namespace {
@@ -78,7 +79,7 @@ TEST_CASE("a needle stopped at the last moment: its load is the momentum that it
     both.append(needle, Vec3(0.0233, 0.0247, 10.0 * H));
     SpringCloth cloth(both);
     for (std::size_t i = 0; i < first; ++i) cloth.held[i] = 1;  // so that it stays flat
-    SurfaceContact contact(cloth.setup({}, cloth.x));
+    SurfaceContact contact(cloth.setup({}, cloth.x, PENALTY));
     const double dt = cloth.stable_step();
     for (std::size_t i = first; i < cloth.x.size(); ++i) cloth.v[i].z() = -30.0 * H / dt;
     Points f(cloth.x.size(), Vec3::Zero());

@@ -12,6 +12,7 @@ using namespace corpuscle;
 using contact::ContactCard;
 using contact::StepControl;
 using contact::SurfaceContact;
+using support::PENALTY;
 using support::SpringCloth;
 
 namespace {
@@ -96,7 +97,7 @@ Pressed press(double push, bool follows) {
         pack.append(support::square_sheet(ROW - 1, 0.02),
                     {1e-3 * (i % 3), 7e-4 * (i % 2), 4e-4 * i});
     SpringCloth cloth(pack);
-    SurfaceContact contact(cloth.setup(ContactCard{}, cloth.x));
+    SurfaceContact contact(cloth.setup(ContactCard{}, cloth.x, PENALTY));
     const double full = cloth.stable_step(), end = 1200 * full;
     const std::vector<double> rates = cloth.own_rates();
     const std::size_t nodes = ROW * ROW, all = cloth.x.size();
