@@ -83,6 +83,21 @@ bool is_free_format(std::string_view line, std::span<const Layout::Field> fields
 
 }  // namespace
 
+namespace {
+
+/// The words at the beginning that are numbers: columns beyond a card's last may hold remarks.
+std::string_view numbers_at_start(std::string_view text) {
+    std::size_t end = 0;
+    bool is_number = true;
+    for_each_word(text, [&](std::string_view word) {
+        is_number = is_number && parse_real(word).has_value();
+        if (is_number) end = static_cast<std::size_t>(word.data() - text.data()) + word.size();
+    });
+    return text.substr(0, end);
+}
+
+}  // namespace
+
 /// Commas inside <expressions> do not part fields.
 void Card::cut(std::string_view line, Columns columns, bool plus) {
     if (plus) line.remove_prefix(1);
@@ -107,6 +122,8 @@ void Card::cut(std::string_view line, Columns columns, bool plus) {
     }
     const std::size_t end = columns == Columns::LONG ? LONG_CARD_END : CARD_END;
     if (from < end && from < line.size()) rest_ = trim(line.substr(from, end - from));
+    const bool is_title = !fields.empty() && fields.back().width > WIDEST_NUMBER;
+    if (end < line.size() && !is_title) beyond_ = numbers_at_start(trim(line.substr(end)));
 }
 
 std::size_t Card::at(std::string_view name) const {
@@ -225,7 +242,9 @@ Index Card::row(std::size_t i, const Registry& registry) {
     const Number id = number(i, true);
     if (!id.is_good && given(i)) return -1;
     if (const Registry::Entry* entry = registry.find(static_cast<int>(id.value))) return entry->row;
-    fault(i, fmt::format("the id of a {} of the deck", registry.kind()));
+    good_ = false;
+    if (!registry.is_spoilt(static_cast<int>(id.value)))
+        fault(i, fmt::format("the id of a {} of the deck", registry.kind()));
     return -1;
 }
 
@@ -259,14 +278,44 @@ std::string Card::label(std::size_t i) const {
                        value.empty() ? "blank" : value.substr(0, LONGEST_SHOWN));
 }
 
+/// What messages of one field, value and remark have in common, on whatever card.
+std::string Card::cause(std::size_t i, const std::string& remark) const {
+    return fmt::format("*{} {} = {}: {}", cards_.block().keyword, layout_.fields()[i].name,
+                       field_[i], remark);
+}
+
 void Card::fault(std::size_t i, const std::string& expected) {
     good_ = false;
     if (!is_missing_)
-        cards_.faults().fault(place(), fmt::format("{}, expected {}", label(i), expected));
+        cards_.faults().fault(place(), fmt::format("{}, expected {}", label(i), expected),
+                              cause(i, expected));
 }
 
 void Card::warn(std::string_view name, const std::string& remark) {
-    cards_.faults().warn(place(), fmt::format("{}: {}", label(at(name)), remark));
+    cards_.faults().warn(place(), fmt::format("{}: {}", label(at(name)), remark),
+                         cause(at(name), remark));
+}
+
+void Card::note(std::string_view name, const std::string& remark) {
+    cards_.faults().note(place(), fmt::format("{}: {}", label(at(name)), remark),
+                         cause(at(name), remark));
+}
+
+std::vector<std::string_view> Card::set_fields() const {
+    std::vector<std::string_view> names;
+    const auto fields = layout_.fields();
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const auto value = parse_real(field_[i]);
+        if (fields[i].name != "-" && value && *value != 0.0 && *value != fields[i].fallback)
+            names.push_back(fields[i].name);
+    }
+    return names;
+}
+
+bool Card::is_blank() const {
+    return std::all_of(field_.begin(), field_.end(), [](std::string_view field) {
+        return field.empty() || parse_real(field) == 0.0;
+    });
 }
 
 void Card::complain_of_unread() {
@@ -282,6 +331,13 @@ void Card::complain_of_unread() {
 }
 
 void Card::warn_of_rest() {
+    if (beyond_.find_first_not_of(" 0.") != std::string_view::npos)
+        cards_.faults().warn(
+            place(),
+            fmt::format("*{} card {}: \"{}\" beyond column {} is ignored; a row of a "
+                        "table that is longer goes on in the next line",
+                        cards_.block().keyword, card_number_, beyond_.substr(0, LONGEST_SHOWN),
+                        cards_.block().columns == Columns::LONG ? LONG_CARD_END : CARD_END));
     if (rest_.find_first_not_of(" ,0.\t") == std::string_view::npos) return;
     cards_.faults().warn(
         place(), fmt::format("*{} card {}: \"{}\" behind the last field is ignored",

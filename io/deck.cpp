@@ -14,6 +14,7 @@
 #include "io/keyword_reader.hpp"
 #include "io/keywords/coordinates.hpp"
 #include "io/keywords/keywords.hpp"
+#include "io/loose_ends.hpp"
 #include "io/parameters.hpp"
 #include "io/rigid_start.hpp"
 #include "io/solid_skin.hpp"
@@ -73,8 +74,33 @@ struct Task {
     keywords::Match match;
 };
 
+/// What a refused keyword would have defined: others that refer to it are no further faults.
+void spoil(const Block& block, Draft& draft) {
+    const std::pair<std::string_view, Registry*> families[] = {
+        {"SET_NODE", &draft.node_sets},
+        {"SET_PART", &draft.part_sets},
+        {"SET_SHELL", &draft.shell_sets},
+        {"SET_SEGMENT", &draft.segment_sets},
+        {"DEFINE_CURVE", &draft.curves},
+        {"DEFINE_FUNCTION", &draft.curves},
+        {"DEFINE_TABLE", &draft.curves},
+        {"DEFINE_VECTOR", &draft.vectors},
+        {"DEFINE_COORDINATE", &draft.coordinates},
+        {"SECTION_", &draft.sections},
+        {"MAT_", &draft.materials},
+        {"DEFINE_CPM_VENT", &draft.cpm_vents},
+        {"DEFINE_TRANSFORMATION", &draft.transformations}};
+    const bool has_title = block.keyword.find("_TITLE") != std::string::npos;
+    if (block.lines.size() <= (has_title ? 1U : 0U)) return;
+    std::string_view first = block.lines[has_title ? 1 : 0].text;
+    first = first.substr(0, std::min<std::size_t>(first.find(','), 10));
+    const auto id = parse_integer(trim(first));
+    for (const auto& [family, registry] : families)
+        if (id && block.keyword.starts_with(family)) registry->spoil(*id);
+}
+
 /// What is to be read, with a fault or a warning for what is not.
-std::vector<Task> sort_out(const DeckText& text, Faults& faults) {
+std::vector<Task> sort_out(const DeckText& text, Faults& faults, Draft& draft) {
     std::vector<Task> tasks;
     for (const Block& block : text.blocks) {
         faults.begin_block();
@@ -82,11 +108,13 @@ std::vector<Task> sort_out(const DeckText& text, Faults& faults) {
         if (match.keyword != nullptr)
             tasks.push_back({&block, std::move(match)});
         else if (match.is_harmless)
-            faults.warn(block.place, fmt::format("*{} is not read, it cannot change the answer{}",
+            faults.note(block.place, fmt::format("*{} is not read, it cannot change the answer{}",
                                                  block.keyword.substr(0, 80), match.remark));
-        else
+        else {
             faults.fault(block.place,
                          fmt::format("*{} {}", block.keyword.substr(0, 80), match.remark));
+            spoil(block, draft);
+        }
     }
     std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) {
         return a.match.keyword->phase < b.match.keyword->phase;
@@ -149,16 +177,19 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options, D
     draft.dialect = dialect(parameters, faults);
     draft.collision = collision(parameters, faults);
     draft.mean_free_path = mean_free_path(draft.collision, parameters, faults);
-    std::vector<Task> tasks = sort_out(text, faults);
+    std::vector<Task> tasks = sort_out(text, faults, draft);
     const auto scene = std::find_if(tasks.begin(), tasks.end(), [](const Task& task) {
         return task.match.keyword->phase > keywords::Phase::SHELL;
     });
     for (auto task = tasks.begin(); task != scene; ++task)
         read_block(*task, parameters, faults, draft, learnt);
+    check_parts(draft, faults);
     if (!faults.any()) make_skins(draft);  // sets and all that follows know them as shells
+    if (!faults.any()) make_beam_bodies(draft, faults);
     for (auto task = scene; task != tasks.end(); ++task)
         read_block(*task, parameters, faults, draft, learnt);
     if (!text.files.empty()) check_whole(draft, text, faults);
+    if (!faults.any()) settle_loose_ends(draft, faults);
 
     std::vector<std::string> all = parameters.unused_overrides();
     for (std::string& fault : faults.faults()) all.push_back(std::move(fault));
@@ -170,6 +201,7 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options, D
     keywords::place_local_axes(draft);
     start_rigid_parts(model);
     model.warnings = faults.warnings();
+    for (std::string& note : faults.notes()) model.notes.push_back(std::move(note));
     learnt.add("shell", std::move(draft.shells));
     learnt.add("part", std::move(draft.parts));
     learnt.add("material", std::move(draft.materials));

@@ -44,6 +44,7 @@ void element_shell(Cards&, Draft&);
 // parts_sections.cpp
 void part(Cards&, Draft&);
 void section_shell(Cards&, Draft&);
+void section_other(Cards&, Draft&);
 // rigid_parts.cpp
 void section_solid(Cards&, Draft&);
 void element_solid(Cards&, Draft&);
@@ -56,6 +57,8 @@ void mat_elastic(Cards&, Draft&);
 void mat_null(Cards&, Draft&);
 void mat_rigid(Cards&, Draft&);
 void mat_fabric(Cards&, Draft&);
+void mat_other(Cards&, Draft&);
+void mat_add_leakage(Cards&, Draft&);  // leakage.cpp
 // curves.cpp
 void define_curve(Cards&, Draft&);
 void define_vector(Cards&, Draft&);
@@ -102,11 +105,21 @@ void initial_velocity_generation(Cards&, Draft&);
 void load_body_x(Cards&, Draft&);
 void load_body_y(Cards&, Draft&);
 void load_body_z(Cards&, Draft&);
+void load_body_parts(Cards&, Draft&);
+void load_gravity_part(Cards&, Draft&);
+void load_gravity_part_set(Cards&, Draft&);
 void load_segment(Cards&, Draft&);
 void load_segment_set(Cards&, Draft&);
 void load_shell_element(Cards&, Draft&);
 void load_shell_set(Cards&, Draft&);
 void damping_global(Cards&, Draft&);
+// links.cpp, joined_nodes.cpp
+void element_beam(Cards&, Draft&);
+void element_discrete(Cards&, Draft&);
+void element_seatbelt(Cards&, Draft&);
+void nodal_rigid_body(Cards&, Draft&);
+void spotweld(Cards&, Draft&);
+void constrained_adaptivity(Cards&, Draft&);
 // contact.cpp, walls.cpp, walls_geometric.cpp
 void contact_single_surface(Cards&, Draft&);
 void contact_surface_to_surface(Cards&, Draft&);
