@@ -60,6 +60,7 @@ Card::Card(Cards& cards, const Layout& layout, const Line& line, bool is_missing
 }
 
 Card::~Card() {
+    write_log();
     if (is_missing_) return;
     complain_of_unread();
     warn_of_rest();
@@ -159,6 +160,7 @@ Card::Number Card::named_number(std::size_t i, std::string_view text) {
 
 Card::Number Card::number(std::size_t i, bool whole) {
     read_ |= 1U << i;
+    acted_ |= 1U << i;
     const std::string_view text = field_[i];
     if (text.empty()) return {};
     const bool is_named =
@@ -219,6 +221,7 @@ Vec3 Card::vector(std::string_view x, std::string_view y, std::string_view z) {
 
 std::string_view Card::raw(std::size_t i) {
     read_ |= 1U << i;
+    acted_ |= 1U << i;
     return field_[i];
 }
 
@@ -261,7 +264,10 @@ void Card::harmless(std::string_view names) {
 void Card::noted(std::string_view names, std::string_view why) {
     for_each_word(names, [&](std::string_view name) {
         const std::size_t i = at(name);
+        const std::uint32_t acted = acted_;
         const Number value = number(i, false);
+        acted_ = acted;
+        warned_ |= 1U << i;
         if (value.is_good && value.value != 0.0 && value.value != layout_.fields()[i].fallback)
             warn(name, std::string(why));
     });
@@ -316,6 +322,20 @@ bool Card::is_blank() const {
     return std::all_of(field_.begin(), field_.end(), [](std::string_view field) {
         return field.empty() || parse_real(field) == 0.0;
     });
+}
+
+void Card::write_log() const {
+    FieldLog* const log = cards_.faults().log();
+    if (log == nullptr) return;
+    const auto fields = layout_.fields();
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        if (fields[i].name == "-") continue;
+        const auto has = [&](std::uint32_t mask) { return (mask >> i & 1U) != 0; };
+        log->add(fields[i].name, has(acted_)    ? FieldUse::ACTED_ON
+                                 : has(warned_) ? FieldUse::WARNED
+                                 : has(read_)   ? FieldUse::HARMLESS
+                                                : FieldUse::REFUSED);
+    }
 }
 
 void Card::complain_of_unread() {

@@ -142,6 +142,7 @@ private:
     double in_range(std::size_t i, Number number, const Range& range);
     [[nodiscard]] std::string label(std::size_t i) const;
     [[nodiscard]] std::string cause(std::size_t i, const std::string& remark) const;
+    void write_log() const;
     void complain_of_unread();
     void warn_of_rest();
 
@@ -151,7 +152,8 @@ private:
     std::array<std::string_view, Layout::MOST_FIELDS> field_{};
     std::string_view rest_;    ///< after the last field
     std::string_view beyond_;  ///< numbers beyond the last column of a card
-    std::uint32_t read_ = 0;   ///< bit i: field i was read or is harmless
+    std::uint32_t read_ = 0;  ///< bit i: field i was read or is harmless
+    std::uint32_t acted_ = 0, warned_ = 0;  ///< bit i: it was read to be acted on; to be warned of
     int card_number_ = 0;
     bool is_missing_ = false;
     bool good_ = true;

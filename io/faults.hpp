@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "io/field_log.hpp"
+
 namespace corpuscle::io {
 
 /// A line of the deck. Files are numbered in the order in which they are opened, lines from 1.
@@ -49,6 +51,10 @@ public:
     [[nodiscard]] bool block_is_good() const { return in_block_ == 0; }
     void end_block(Place keyword_at, const std::string& keyword);
 
+    /// Who wants to know what becomes of fields; nullptr: nobody.
+    void keep_log(FieldLog* log) { log_ = log; }
+    [[nodiscard]] FieldLog* log() const { return log_; }
+
     [[nodiscard]] bool any() const { return !faults_.empty(); }
     /// In deck order.
     [[nodiscard]] std::vector<std::string> faults() const { return told(faults_); }
@@ -77,6 +83,7 @@ private:
     };
     [[nodiscard]] std::vector<std::string> told(const List& list) const;
 
+    FieldLog* log_ = nullptr;
     std::vector<std::string> files_;
     List faults_, warnings_, notes_;
     std::size_t in_block_ = 0, hidden_ = 0;

@@ -172,6 +172,11 @@ struct Model {
     OutputIntervals output;
     std::vector<Index> history_nodes;  ///< node rows of *DATABASE_HISTORY_NODE
 
+    // Closing of bags (closing.hpp)
+    bool closes_bags = true;  ///< false: a bag with a hole is refused as it is
+    double lid_share = 0.05;  ///< of a bag's area, up to which a hole gets a lid          [-]
+    std::vector<std::string> mendings;  ///< what was done to close bags
+
     std::vector<std::string> notes;     ///< what was decided where a deck may be read in two ways
     std::vector<std::string> warnings;  ///< each with file and line, for the user
 };

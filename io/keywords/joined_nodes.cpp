@@ -40,7 +40,7 @@ void join(Cards& cards, Draft& draft, Index body, const std::vector<Index>& node
         const Index own = owner[static_cast<std::size_t>(node)];
         if (own < 0)
             model.rigid_extra_nodes.push_back({body, node});
-        else if (std::find(owners.begin(), owners.end(), own) == owners.end())
+        else if (own != body && std::find(owners.begin(), owners.end(), own) == owners.end())
             owners.push_back(own);
     }
     draft.rigid_owner.clear();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,10 +34,16 @@ struct Keyword {
 struct Match {
     const Keyword* keyword = nullptr;        ///< nullptr: not to be read
     std::vector<std::string_view> suffixes;  ///< of the matching options
+    std::string_view name;                   ///< of its names the one that matches
     bool is_harmless = false;                ///< not read, and cannot change the answer
     std::string remark;                      ///< not read, and this is to be said
 };
 Match find(std::string_view keyword);
+
+/// All keywords that are read.
+std::span<const Keyword> all();
+/// Beginnings of those that are not read and cannot change the answer, blanks between.
+std::string_view harmless_beginnings();
 
 // nodes_elements.cpp
 void node(Cards&, Draft&);

@@ -228,14 +228,23 @@ std::string remark_on(std::string_view keyword) {
 
 }  // namespace
 
+std::span<const Keyword> all() {
+    return KEYWORDS;
+}
+
+std::string_view harmless_beginnings() {
+    return HARMLESS;
+}
+
 Match find(std::string_view keyword) {
     const auto [entry, base] = longest_base(keyword);
     if (entry != nullptr) {
         if (auto found = suffixes(keyword, base, entry->options))
-            return {entry, std::move(*found), false, {}};
+            return {entry, std::move(*found), base, false, {}};
         const std::string all = fmt::format("{} {}", entry->options, entry->later);
         if (suffixes(keyword, base, all))
             return {nullptr,
+                    {},
                     {},
                     false,
                     fmt::format("is not acted on yet, expected *{}{}", base,
@@ -243,17 +252,18 @@ Match find(std::string_view keyword) {
                                     ? ""
                                     : fmt::format(" with no suffix but {}", entry->options))};
     }
-    if (begins_with_any(keyword, HARMLESS)) return {nullptr, {}, true, remark_on(keyword)};
+    if (begins_with_any(keyword, HARMLESS)) return {nullptr, {}, {}, true, remark_on(keyword)};
     if (const std::string meant = did_you_mean(keyword); !meant.empty())
-        return {nullptr, {}, false, fmt::format("is not supported, did you mean *{}?", meant)};
+        return {nullptr, {}, {}, false, fmt::format("is not supported, did you mean *{}?", meant)};
     if (keyword.starts_with("MAT_") && !keyword.starts_with("MAT_ADD_"))
         return {&OTHER_MATERIAL,
                 keyword.ends_with("_TITLE") ? std::vector<std::string_view>{"TITLE"}
                                             : std::vector<std::string_view>{},
+                "MAT",
                 false,
                 {}};
     const bool is_later = begins_with_any(keyword, LATER);
-    return {nullptr, {}, false, is_later ? "is not supported yet" : "is not supported"};
+    return {nullptr, {}, {}, false, is_later ? "is not supported yet" : "is not supported"};
 }
 
 }  // namespace corpuscle::io::keywords
