@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "gas/uniform_bag.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "gas/outflow/leak_speed.hpp"
 #include "gas/thermo/orifice_flow.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
@@ -45,13 +47,35 @@ UniformBag::UniformBag(const UniformBagCard& card, BagWalls walls, std::span<con
             fmt::format("{}: the volume at the start, VSCA V - VINI, is {:g}, "
                         "expected > 0: RO fills it with gas",
                         name_of(card), V));
-    // p = p_atm + POVER and RO give T = p / (RO (cp - cv)).
+    // p = p_atm + POVER and RO give T = p / (RO (cp - cv)); with IABT p and T give the density.
     const Species& gas = gas_.species()[0];
-    const double moles = card.density * V / gas.molar_mass();
-    const double T = (card.p_atm + card.overpressure) / (card.density * (card.cp - card.cv));
+    const double p = card.p_atm + card.overpressure, R = card.cp - card.cv;
+    const bool has_temperature = card.start_temperature > 0.0;
+    const double density = has_temperature ? p / (R * card.start_temperature) : card.density;
+    const double moles = density * V / gas.molar_mass();
+    const double T = p / (density * R);
     gas_.add(0, moles, moles * gas.molar_energy()(T));
     if (!gas_.settle(V)) throw InputError(name_of(card) + ": PE and RO give no temperature");
     if (card.mass_rate >= 0) inflow_.emplace(curves[card.mass_rate], INF);
+    measure_exits(x);
+    first_leak_area_ = leak_area_;
+}
+
+/// Areas of exits that are shells, and of fabric that leaks.
+void UniformBag::measure_exits(const Points& x) {
+    const auto area = [&](Index a, Index b, Index c) {
+        return vector_area(x[a], x[b], x[c]).norm();
+    };
+    exit_area_.assign(card_.exits.size(), 0.0);
+    for (std::size_t k = 0; k < card_.exits.size(); ++k)
+        for (const auto& [a, b, c, d] : card_.exits[k].facets)
+            exit_area_[k] += area(a, b, c) + (c != d ? area(a, c, d) : 0.0);
+    leak_area_.assign(card_.leaks.size(), 0.0);
+    for (std::size_t k = 0; k < card_.leaks.size(); ++k)
+        for (std::size_t t = 0; t < walls_.triangles.size(); ++t)
+            if (walls_.part_rows[walls_.part[t]] == card_.leaks[k].part)
+                leak_area_[k] +=
+                    area(walls_.triangles[t][0], walls_.triangles[t][1], walls_.triangles[t][2]);
 }
 
 void UniformBag::add_load(double t, const Points& x, Points& f) {
@@ -59,6 +83,7 @@ void UniformBag::add_load(double t, const Points& x, Points& f) {
         throw PhysicsError(t, fmt::format("{}: the volume is {:g} and the gas holds {:g} of energy",
                                           name_of(card_), volume(x), gas_.energy()));
     enclosure_.node_areas(x, area_);
+    measure_exits(x);
     for (const Index n : enclosure_.nodes()) f[n] += gauge() * area_[n];
 }
 
@@ -106,11 +131,34 @@ double UniformBag::exit_rate(double t) const {
     if (!(p > card_.p_atm)) return 0.0;
     if (card_.exit_rate >= 0) return curves_[card_.exit_rate](p - card_.p_atm);
     double opening = 0.0;
-    for (const ExitCard& exit : card_.exits)
-        opening +=
-            value(exit.coefficient, exit.coefficient_of_pressure ? p : t) * value(exit.area, p);
-    return opening *
-           orifice_flow(p, card_.p_atm, gas_.temperature(), gas_.gamma(), gas_.gas_constant());
+    for (std::size_t k = 0; k < card_.exits.size(); ++k) {
+        const ExitCard& exit = card_.exits[k];
+        opening += value(exit.coefficient, exit.coefficient_of_pressure ? p : t) *
+                   (exit.facets.empty() ? value(exit.area, p) : exit_area_[k]);
+    }
+    return leak_rate(t) + opening * orifice_flow(p, card_.p_atm, gas_.temperature(), gas_.gamma(),
+                                                 gas_.gas_constant());
+}
+
+/// Mass flow through fabric that leaks, density · FLC · area · speed.                     [kg/s]
+double UniformBag::leak_rate(double t) const {
+    const double p = gas_.pressure(), density = gas_.mass() / gas_.volume();
+    double rate = 0.0;
+    for (std::size_t k = 0; k < card_.leaks.size(); ++k) {
+        const UniformLeak& leak = card_.leaks[k];
+        if (leak.growth) {
+            const std::array<double, 4>& X = *leak.growth;
+            const double rs = leak_area_[k] / first_leak_area_[k], rp = card_.p_atm / p;
+            const double open = X[0] + X[1] * rs + X[2] * rp + X[3] * rs * rp;
+            rate +=
+                std::max(0.0, first_leak_area_[k] * open) *
+                orifice_flow(p, card_.p_atm, gas_.temperature(), gas_.gamma(), gas_.gas_constant());
+            continue;
+        }
+        rate += density * value(leak.share, t) * leak_area_[k] * value(leak.factor, p) *
+                leak_speed(leak.law, p, card_.p_atm, density, gas_.gamma());
+    }
+    return rate;
 }
 
 double UniformBag::stable_step() const {

@@ -63,8 +63,8 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(gas_, area_, is_open_, mass_in_, mass_out_, rate_in_, rate_out_, inflow_energy_,
-                outflow_energy_, ambient_work_, scaling_work_);
+        archive(gas_, area_, exit_area_, leak_area_, is_open_, mass_in_, mass_out_, rate_in_,
+                rate_out_, inflow_energy_, outflow_energy_, ambient_work_, scaling_work_);
     }
 
 private:
@@ -77,6 +77,8 @@ private:
     [[nodiscard]] double value(const CurveOr& of, double at) const {
         return of.curve >= 0 ? curves_[of.curve](at) : of.value;
     }
+    void measure_exits(const Points& x);
+    [[nodiscard]] double leak_rate(double t) const;
     void flow_in(double t, double dt);
     void flow_out(double t, double dt);
     [[nodiscard]] double exit_rate(double t) const;
@@ -86,6 +88,9 @@ private:
     Enclosure enclosure_;
     std::vector<Curve> curves_;
     ControlVolume gas_;
+    std::vector<double> exit_area_;  ///< of exits that are shells, at t; of others 0      [m^2]
+    std::vector<double> leak_area_;  ///< of leaks of the walls, at t                      [m^2]
+    std::vector<double> first_leak_area_;  ///< at the start                               [m^2]
     std::optional<FlowCurve> inflow_;
     Points area_;  ///< N × 3, node areas at t                                            [m^2]
     bool is_open_ = false;  ///< PPOP has been reached

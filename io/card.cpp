@@ -60,6 +60,7 @@ Card::Card(Cards& cards, const Layout& layout, const Line& line, bool is_missing
 }
 
 Card::~Card() {
+    write_log();
     if (is_missing_) return;
     complain_of_unread();
     warn_of_rest();
@@ -79,6 +80,21 @@ bool is_free_format(std::string_view line, std::span<const Layout::Field> fields
     const bool has_title = fields.size() > 1 && fields.back().width > WIDEST_NUMBER;
     return comma != std::string_view::npos &&
            !(has_title && comma >= width_of(fields.front(), columns));
+}
+
+}  // namespace
+
+namespace {
+
+/// The words at the beginning that are numbers: columns beyond a card's last may hold remarks.
+std::string_view numbers_at_start(std::string_view text) {
+    std::size_t end = 0;
+    bool is_number = true;
+    for_each_word(text, [&](std::string_view word) {
+        is_number = is_number && parse_real(word).has_value();
+        if (is_number) end = static_cast<std::size_t>(word.data() - text.data()) + word.size();
+    });
+    return text.substr(0, end);
 }
 
 }  // namespace
@@ -107,6 +123,8 @@ void Card::cut(std::string_view line, Columns columns, bool plus) {
     }
     const std::size_t end = columns == Columns::LONG ? LONG_CARD_END : CARD_END;
     if (from < end && from < line.size()) rest_ = trim(line.substr(from, end - from));
+    const bool is_title = !fields.empty() && fields.back().width > WIDEST_NUMBER;
+    if (end < line.size() && !is_title) beyond_ = numbers_at_start(trim(line.substr(end)));
 }
 
 std::size_t Card::at(std::string_view name) const {
@@ -142,6 +160,7 @@ Card::Number Card::named_number(std::size_t i, std::string_view text) {
 
 Card::Number Card::number(std::size_t i, bool whole) {
     read_ |= 1U << i;
+    acted_ |= 1U << i;
     const std::string_view text = field_[i];
     if (text.empty()) return {};
     const bool is_named =
@@ -202,6 +221,7 @@ Vec3 Card::vector(std::string_view x, std::string_view y, std::string_view z) {
 
 std::string_view Card::raw(std::size_t i) {
     read_ |= 1U << i;
+    acted_ |= 1U << i;
     return field_[i];
 }
 
@@ -225,7 +245,9 @@ Index Card::row(std::size_t i, const Registry& registry) {
     const Number id = number(i, true);
     if (!id.is_good && given(i)) return -1;
     if (const Registry::Entry* entry = registry.find(static_cast<int>(id.value))) return entry->row;
-    fault(i, fmt::format("the id of a {} of the deck", registry.kind()));
+    good_ = false;
+    if (!registry.is_spoilt(static_cast<int>(id.value)))
+        fault(i, fmt::format("the id of a {} of the deck", registry.kind()));
     return -1;
 }
 
@@ -242,7 +264,10 @@ void Card::harmless(std::string_view names) {
 void Card::noted(std::string_view names, std::string_view why) {
     for_each_word(names, [&](std::string_view name) {
         const std::size_t i = at(name);
+        const std::uint32_t acted = acted_;
         const Number value = number(i, false);
+        acted_ = acted;
+        warned_ |= 1U << i;
         if (value.is_good && value.value != 0.0 && value.value != layout_.fields()[i].fallback)
             warn(name, std::string(why));
     });
@@ -259,14 +284,58 @@ std::string Card::label(std::size_t i) const {
                        value.empty() ? "blank" : value.substr(0, LONGEST_SHOWN));
 }
 
+/// What messages of one field, value and remark have in common, on whatever card.
+std::string Card::cause(std::size_t i, const std::string& remark) const {
+    return fmt::format("*{} {} = {}: {}", cards_.block().keyword, layout_.fields()[i].name,
+                       field_[i], remark);
+}
+
 void Card::fault(std::size_t i, const std::string& expected) {
     good_ = false;
     if (!is_missing_)
-        cards_.faults().fault(place(), fmt::format("{}, expected {}", label(i), expected));
+        cards_.faults().fault(place(), fmt::format("{}, expected {}", label(i), expected),
+                              cause(i, expected));
 }
 
 void Card::warn(std::string_view name, const std::string& remark) {
-    cards_.faults().warn(place(), fmt::format("{}: {}", label(at(name)), remark));
+    cards_.faults().warn(place(), fmt::format("{}: {}", label(at(name)), remark),
+                         cause(at(name), remark));
+}
+
+void Card::note(std::string_view name, const std::string& remark) {
+    cards_.faults().note(place(), fmt::format("{}: {}", label(at(name)), remark),
+                         cause(at(name), remark));
+}
+
+std::vector<std::string_view> Card::set_fields() const {
+    std::vector<std::string_view> names;
+    const auto fields = layout_.fields();
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const auto value = parse_real(field_[i]);
+        if (fields[i].name != "-" && value && *value != 0.0 && *value != fields[i].fallback)
+            names.push_back(fields[i].name);
+    }
+    return names;
+}
+
+bool Card::is_blank() const {
+    return std::all_of(field_.begin(), field_.end(), [](std::string_view field) {
+        return field.empty() || parse_real(field) == 0.0;
+    });
+}
+
+void Card::write_log() const {
+    FieldLog* const log = cards_.faults().log();
+    if (log == nullptr) return;
+    const auto fields = layout_.fields();
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        if (fields[i].name == "-") continue;
+        const auto has = [&](std::uint32_t mask) { return (mask >> i & 1U) != 0; };
+        log->add(fields[i].name, has(acted_)    ? FieldUse::ACTED_ON
+                                 : has(warned_) ? FieldUse::WARNED
+                                 : has(read_)   ? FieldUse::HARMLESS
+                                                : FieldUse::REFUSED);
+    }
 }
 
 void Card::complain_of_unread() {
@@ -282,6 +351,13 @@ void Card::complain_of_unread() {
 }
 
 void Card::warn_of_rest() {
+    if (beyond_.find_first_not_of(" 0.") != std::string_view::npos)
+        cards_.faults().warn(
+            place(),
+            fmt::format("*{} card {}: \"{}\" beyond column {} is ignored; a row of a "
+                        "table that is longer goes on in the next line",
+                        cards_.block().keyword, card_number_, beyond_.substr(0, LONGEST_SHOWN),
+                        cards_.block().columns == Columns::LONG ? LONG_CARD_END : CARD_END));
     if (rest_.find_first_not_of(" ,0.\t") == std::string_view::npos) return;
     cards_.faults().warn(
         place(), fmt::format("*{} card {}: \"{}\" behind the last field is ignored",

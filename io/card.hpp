@@ -119,10 +119,14 @@ public:
     void harmless(std::string_view names);  ///< cannot change the answer here
     void harmless_all() { read_ = ~0U; }
     void noted(std::string_view names, std::string_view why);  ///< the same, with a warning if set
+    /// Names of fields that have another value than 0 and than their default.
+    [[nodiscard]] std::vector<std::string_view> set_fields() const;
+    [[nodiscard]] bool is_blank() const;  ///< no field is written, or all are 0
 
     void fault(std::string_view name, const std::string& expected) { fault(at(name), expected); }
     void fault(std::size_t i, const std::string& expected);
     void warn(std::string_view name, const std::string& remark);
+    void note(std::string_view name, const std::string& remark);
     [[nodiscard]] bool good() const { return good_; }  ///< no fault in this card so far
     [[nodiscard]] Place place() const;
 
@@ -137,6 +141,8 @@ private:
     Number named_number(std::size_t i, std::string_view text);
     double in_range(std::size_t i, Number number, const Range& range);
     [[nodiscard]] std::string label(std::size_t i) const;
+    [[nodiscard]] std::string cause(std::size_t i, const std::string& remark) const;
+    void write_log() const;
     void complain_of_unread();
     void warn_of_rest();
 
@@ -144,8 +150,10 @@ private:
     Layout layout_;
     Line line_;
     std::array<std::string_view, Layout::MOST_FIELDS> field_{};
-    std::string_view rest_;   ///< after the last field
+    std::string_view rest_;    ///< after the last field
+    std::string_view beyond_;  ///< numbers beyond the last column of a card
     std::uint32_t read_ = 0;  ///< bit i: field i was read or is harmless
+    std::uint32_t acted_ = 0, warned_ = 0;  ///< bit i: it was read to be acted on; to be warned of
     int card_number_ = 0;
     bool is_missing_ = false;
     bool good_ = true;
@@ -160,7 +168,9 @@ public:
     /// Does the keyword carry this suffix?
     [[nodiscard]] bool has(std::string_view suffix) const;
     [[nodiscard]] bool more() const;  ///< is there another line that is not blank?
-    [[nodiscard]] bool rows();        ///< the same, for tables: steps over blank lines
+    /// Lines up to the last one that is not blank.
+    [[nodiscard]] std::size_t lines_left() const;
+    [[nodiscard]] bool rows();  ///< the same, for tables: steps over blank lines
     [[nodiscard]] bool starts_with(char sign) const;  ///< column 1 of the next line
     [[nodiscard]] bool plus() const { return starts_with('+'); }
 
@@ -173,6 +183,7 @@ public:
     /// A fault of the keyword as a whole.
     void fault(const std::string& what);
     void warn(const std::string& what);
+    void note(const std::string& what);
     /// The rest cannot be made sense of; what is wrong is reported.
     void abandon();
     /// No line may be left.

@@ -23,6 +23,12 @@ bool Cards::more() const {
                        [](const Line& line) { return !trim(line.text).empty(); });
 }
 
+std::size_t Cards::lines_left() const {
+    std::size_t end = block_.lines.size();
+    while (end > next_ && trim(block_.lines[end - 1].text).empty()) --end;
+    return end - next_;
+}
+
 bool Cards::rows() {
     while (next_ < block_.lines.size() && trim(block_.lines[next_].text).empty()) ++next_;
     return next_ < block_.lines.size();
@@ -69,6 +75,10 @@ void Cards::fault(const std::string& what) {
 
 void Cards::warn(const std::string& what) {
     faults_.warn(block_.place, fmt::format("*{} {}", block_.keyword, what));
+}
+
+void Cards::note(const std::string& what) {
+    faults_.note(block_.place, fmt::format("*{} {}", block_.keyword, what));
 }
 
 void Cards::abandon() {

@@ -1,6 +1,6 @@
 # keyword decks -> Model
 target_sources(corpuscle_io PRIVATE
-    deck.cpp deck_fingerprint.cpp deck_mesh.cpp deck_places.cpp rigid_start.cpp solid_skin.cpp
+    deck.cpp keyword_table.cpp deck_fingerprint.cpp deck_mesh.cpp deck_places.cpp rigid_start.cpp solid_skin.cpp loose_ends.cpp
     # text -> cards
     faults.cpp text.cpp lines.cpp keyword_reader.cpp
     expression.cpp parameters.cpp parameter_cards.cpp
@@ -25,6 +25,9 @@ target_sources(corpuscle_io PRIVATE
     keywords/reference_geometry.cpp
     keywords/rigid_parts.cpp
     keywords/rigid_merges.cpp
+    keywords/joined_nodes.cpp
+    keywords/leakage.cpp
+    keywords/links.cpp
     keywords/boundary.cpp
     keywords/motion.cpp
     keywords/initial_velocity.cpp

@@ -14,6 +14,7 @@
 #include "io/keyword_reader.hpp"
 #include "io/keywords/coordinates.hpp"
 #include "io/keywords/keywords.hpp"
+#include "io/loose_ends.hpp"
 #include "io/parameters.hpp"
 #include "io/rigid_start.hpp"
 #include "io/solid_skin.hpp"
@@ -68,13 +69,115 @@ double mean_free_path(const std::optional<gas::CollisionModel>& model, Parameter
     return path;
 }
 
+/// CLOSE, by -D or by *PARAMETER: no, yes, or the share of a bag's area up to which lids close it.
+void closing(Parameters& parameters, Faults& faults, Model& model) {
+    std::optional<std::string> text = parameters.take_override("CLOSE");
+    if (const Parameter* p = parameters.find("CLOSE", 0); !text && p != nullptr)
+        text = p->type == 'C' ? p->text : fmt::format("{}", p->value.number);
+    if (!text) return;
+    const std::string word = upper(trim(*text));
+    const auto share = parse_real(word);
+    if (word == "NO") {
+        model.closes_bags = false;
+    } else if (share && *share >= 0.0 && *share <= 1.0) {
+        model.lid_share = *share;
+    } else if (word != "YES") {
+        faults.fault(Place{0, 1}, fmt::format("CLOSE = {}, expected no, yes, or the share of a "
+                                              "bag's area that a lid may close, 0 to 1",
+                                              *text));
+    }
+}
+
+/// UNITS, by -D or by *PARAMETER (type C): of a deck without *AIRBAG_PARTICLE.
+std::string units(Parameters& parameters, Faults& faults) {
+    std::optional<std::string> text = parameters.take_override("UNITS");
+    if (const Parameter* p = parameters.find("UNITS", 0); !text && p != nullptr) text = p->text;
+    if (!text) return {};
+    const std::string word = upper(trim(*text));
+    for (const auto& [name, system] :
+         {std::pair{"SI", "SI"}, std::pair{"KG-M-S", "SI"}, std::pair{"KG-MM-MS", "kg-mm-ms-K"},
+          std::pair{"KG-MM-MS-K", "kg-mm-ms-K"}, std::pair{"TON-MM-S", "ton-mm-s-K"},
+          std::pair{"T-MM-S", "ton-mm-s-K"}, std::pair{"TON-MM-S-K", "ton-mm-s-K"}})
+        if (word == name) return system;
+    faults.fault(Place{0, 1},
+                 fmt::format("UNITS = {}, expected SI, kg-mm-ms or ton-mm-s", *text));
+    return {};
+}
+
+/// The system in which density and modulus of the first fabric or elastic sheet are those of cloth,
+/// if one alone is: 200 to 3000 kg/m^3 and 1 MPa to 100 GPa.
+std::string guessed_units(const Model& model) {
+    for (const fabric::Material& material : model.materials) {
+        double density = NaN, E = NaN;
+        if (const auto* cloth = std::get_if<fabric::FabricCard>(&material.card)) {
+            density = cloth->density;
+            E = cloth->E_warp;
+        }
+        if (!(density > 0.0)) continue;
+        const std::pair<const char*, std::array<double, 2>> systems[] = {
+            {"SI", {1.0, 1.0}}, {"kg-mm-ms-K", {1e9, 1e9}}, {"ton-mm-s-K", {1e12, 1e6}}};
+        for (const auto& [name, to_si] : systems)
+            if (density * to_si[0] > 200.0 && density * to_si[0] < 3000.0 &&
+                E * to_si[1] > 1e6 && E * to_si[1] < 1e11)
+                return name;
+        return {};
+    }
+    return {};
+}
+
+/// Those of *AIRBAG_PARTICLE, else as said, else as guessed.
+void settle_units(const std::string& said, Model& model, Faults& faults) {
+    if (!model.bags.empty()) {
+        if (!said.empty() && said != model.unit_system)
+            faults.fault(Place{0, 1}, fmt::format("UNITS = {}, expected {}, as UNIT of "
+                                                  "*AIRBAG_PARTICLE has it",
+                                                  said, model.unit_system));
+        return;
+    }
+    if (!said.empty()) {
+        model.unit_system = said;
+        return;
+    }
+    const std::string guess = guessed_units(model);
+    if (guess.empty()) return;
+    model.unit_system = guess;
+    model.notes.push_back(fmt::format("units are taken as {}, from density and modulus of the "
+                                      "fabric (-D UNITS=kg-mm-ms, ton-mm-s or SI says them)",
+                                      guess));
+}
+
 struct Task {
     const Block* block;
     keywords::Match match;
 };
 
+/// What a refused keyword would have defined: others that refer to it are no further faults.
+void spoil(const Block& block, Draft& draft) {
+    const std::pair<std::string_view, Registry*> families[] = {
+        {"SET_NODE", &draft.node_sets},
+        {"SET_PART", &draft.part_sets},
+        {"SET_SHELL", &draft.shell_sets},
+        {"SET_SEGMENT", &draft.segment_sets},
+        {"DEFINE_CURVE", &draft.curves},
+        {"DEFINE_FUNCTION", &draft.curves},
+        {"DEFINE_TABLE", &draft.curves},
+        {"DEFINE_VECTOR", &draft.vectors},
+        {"DEFINE_COORDINATE", &draft.coordinates},
+        {"SECTION_", &draft.sections},
+        {"MAT_", &draft.materials},
+        {"DEFINE_CPM_VENT", &draft.cpm_vents},
+        {"DEFINE_TRANSFORMATION", &draft.transformations}};
+    const bool has_title = block.keyword.find("_TITLE") != std::string::npos;
+    if (block.lines.size() <= (has_title ? 1U : 0U)) return;
+    std::string_view first = block.lines[has_title ? 1 : 0].text;
+    first = first.substr(0, std::min<std::size_t>(first.find(','), 10));
+    const auto id = parse_integer(trim(first));
+    for (const auto& [family, registry] : families)
+        if (id && block.keyword.starts_with(family)) registry->spoil(*id);
+}
+
 /// What is to be read, with a fault or a warning for what is not.
-std::vector<Task> sort_out(const DeckText& text, Faults& faults) {
+std::vector<Task> sort_out(const DeckText& text, Faults& faults, Draft& draft) {
     std::vector<Task> tasks;
     for (const Block& block : text.blocks) {
         faults.begin_block();
@@ -82,11 +185,13 @@ std::vector<Task> sort_out(const DeckText& text, Faults& faults) {
         if (match.keyword != nullptr)
             tasks.push_back({&block, std::move(match)});
         else if (match.is_harmless)
-            faults.warn(block.place, fmt::format("*{} is not read, it cannot change the answer{}",
+            faults.note(block.place, fmt::format("*{} is not read, it cannot change the answer{}",
                                                  block.keyword.substr(0, 80), match.remark));
-        else
+        else {
             faults.fault(block.place,
                          fmt::format("*{} {}", block.keyword.substr(0, 80), match.remark));
+            spoil(block, draft);
+        }
     }
     std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) {
         return a.match.keyword->phase < b.match.keyword->phase;
@@ -108,6 +213,7 @@ void read_block(Task& task, const Parameters& parameters, Faults& faults, Draft&
     const std::size_t bags = model.bags.size(), uniform_bags = model.uniform_bags.size(),
                       contacts = model.contacts.size();
     faults.begin_block();
+    if (faults.log() != nullptr) faults.log()->begin(task.match.name);
     Cards cards(*task.block, faults, parameters, std::move(task.match.suffixes));
     task.match.keyword->read(cards, draft);
     cards.finish();
@@ -140,6 +246,7 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options, D
     DeckPlaces unused;
     DeckPlaces& learnt = places != nullptr ? *places : unused;
     Faults faults;
+    faults.keep_log(options.log);
     Parameters parameters(options.overrides);
     const DeckText text = read_keywords(file, parameters, faults);
     Model model;
@@ -149,16 +256,23 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options, D
     draft.dialect = dialect(parameters, faults);
     draft.collision = collision(parameters, faults);
     draft.mean_free_path = mean_free_path(draft.collision, parameters, faults);
-    std::vector<Task> tasks = sort_out(text, faults);
+    closing(parameters, faults, model);
+    const std::string said_units = units(parameters, faults);
+    std::vector<Task> tasks = sort_out(text, faults, draft);
     const auto scene = std::find_if(tasks.begin(), tasks.end(), [](const Task& task) {
         return task.match.keyword->phase > keywords::Phase::SHELL;
     });
     for (auto task = tasks.begin(); task != scene; ++task)
         read_block(*task, parameters, faults, draft, learnt);
+    check_parts(draft, faults);
     if (!faults.any()) make_skins(draft);  // sets and all that follows know them as shells
+    if (!faults.any()) make_beam_bodies(draft, faults);
     for (auto task = scene; task != tasks.end(); ++task)
         read_block(*task, parameters, faults, draft, learnt);
     if (!text.files.empty()) check_whole(draft, text, faults);
+    if (!faults.any()) settle_loose_ends(draft, faults);
+
+    settle_units(said_units, model, faults);
 
     std::vector<std::string> all = parameters.unused_overrides();
     for (std::string& fault : faults.faults()) all.push_back(std::move(fault));
@@ -170,6 +284,7 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options, D
     keywords::place_local_axes(draft);
     start_rigid_parts(model);
     model.warnings = faults.warnings();
+    for (std::string& note : faults.notes()) model.notes.push_back(std::move(note));
     learnt.add("shell", std::move(draft.shells));
     learnt.add("part", std::move(draft.parts));
     learnt.add("material", std::move(draft.materials));

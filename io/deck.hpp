@@ -12,10 +12,12 @@
 namespace corpuscle::io {
 
 class DeckPlaces;
+class FieldLog;
 
 /// What the command line adds to a deck.
 struct DeckOptions {
     std::vector<std::pair<std::string, std::string>> overrides;  ///< -D NAME=VALUE, one for each
+    FieldLog* log = nullptr;  ///< learns what becomes of fields
 };
 
 /// The scene that an LS-DYNA keyword deck describes, with its includes.

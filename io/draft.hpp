@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,24 @@ struct Section {
     double thickness = NaN;
     int element_form = 0;
     bool is_solid = false;  ///< *SECTION_SOLID
+    bool is_tube = false;   ///< *SECTION_BEAM, CST = 1
+    double area = NaN;      ///< of *SECTION_BEAM                                      [m^2]
+    std::string other;      ///< the keyword of one that is no shell's and no solid's
+};
+
+/// A keyword that is in the deck and that nothing acts on, as long as no element needs it.
+struct Unread {
+    std::string keyword;
+    Place place;
+    double density = NaN;  ///< of a material                                       [kg/m^3]
+};
+
+/// *ELEMENT_BEAM, _DISCRETE, _SEATBELT: joins two nodes.
+struct Link {
+    std::string keyword;
+    Place place;
+    Index part = -1;
+    std::array<Index, 2> nodes{-1, -1};
 };
 
 /// *ELEMENT_SOLID; fewer than eight corners repeat some.
@@ -52,15 +71,20 @@ struct Draft {
         sections{"*SECTION_SHELL"}, curves{"*DEFINE_CURVE"}, vectors{"*DEFINE_VECTOR"},
         coordinates{"*DEFINE_COORDINATE"};
     Registry node_sets{"*SET_NODE"}, part_sets{"*SET_PART"}, shell_sets{"*SET_SHELL"},
-        segment_sets{"*SET_SEGMENT"};
+        segment_sets{"*SET_SEGMENT"}, solid_sets{"*SET_SOLID"};
     Registry solids{"*ELEMENT_SOLID"};
     Registry transformations{"*DEFINE_TRANSFORMATION"};
     Registry cpm_vents{"*DEFINE_CPM_VENT"}, cpm_chambers{"*DEFINE_CPM_CHAMBER"};
 
     std::vector<Section> section;
     std::vector<std::uint8_t> part_has_solids;  ///< by part row
+    std::vector<Index> part_section;            ///< by part row; -1: none
     std::vector<Solid> solid;
-    std::vector<Index> inertia_nodes;  ///< NODEID of *PART_INERTIA, node rows
+    std::vector<Link> links;
+    std::map<Index, Unread> unread_materials;  ///< by material row
+    std::map<Index, Unread> bare_parts;        ///< without section or material, by part row
+    std::vector<Index> stiffened_parts;        ///< of solids that deform, taken as rigid
+    std::vector<Index> inertia_nodes;          ///< NODEID of *PART_INERTIA, node rows
     std::vector<Eigen::Affine3d> transformation;
     std::vector<RigidVelocity> inertia_start;  ///< of *PART_INERTIA, where nothing else says it
     std::vector<Index> rigid_owner;  ///< by node row: rigid part or -1; empty until it is asked for
@@ -71,6 +95,9 @@ struct Draft {
     std::vector<std::vector<Index>> part_set;                    ///< part rows
     std::vector<std::vector<Index>> shell_set;                   ///< shell rows
     std::vector<std::vector<std::array<Index, 4>>> segment_set;  ///< node rows
+
+    std::vector<std::pair<Index, Place>> added_leaks;  ///< *MAT_ADD_AIRBAG_POROSITY_LEAKAGE
+    std::vector<Index> body_load_parts;                ///< *LOAD_BODY_PARTS; none: all
 
     std::vector<gas::VentCard> cpm_vent;                     ///< without parts
     std::vector<std::vector<gas::ChamberCard>> cpm_chamber;  ///< of one bag each

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -38,6 +39,11 @@ public:
 
     void reserve(std::size_t n) { entries_.reserve(n); }
 
+    /// An id that the deck defines by a keyword that is refused: what refers to it is no further
+    /// fault.
+    void spoil(int id) { spoilt_.insert(id); }
+    [[nodiscard]] bool is_spoilt(int id) const { return spoilt_.contains(id); }
+
     /// Rows of the ids first, first + step, ... up to last that exist, by ascending id.
     [[nodiscard]] std::vector<Index> between(int first, int last, int step = 1) const {
         if (by_id_.size() != entries_.size()) {
@@ -55,6 +61,7 @@ public:
 private:
     std::string_view kind_;
     std::unordered_map<int, Entry> entries_;
+    std::unordered_set<int> spoilt_;
     mutable std::vector<std::pair<int, Index>> by_id_;
 };
 

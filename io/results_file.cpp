@@ -125,6 +125,7 @@ void fill_root(Hdf5Writer& file, const RunInfo& info, const std::string& termina
     file.attribute("/", "unit_system", info.unit_system);
     file.attribute("/", "seed", info.seed);
     file.attribute("/", "threads", info.threads);
+    if (!info.mendings.empty()) file.attribute("/", "mendings", info.mendings);
     file.attribute("/", "termination", termination);
 }
 

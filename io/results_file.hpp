@@ -25,6 +25,7 @@ struct RunInfo {
     std::string unit_system;  ///< as Model::unit_system
     std::uint64_t seed = 0;
     int threads = 1;
+    std::string mendings = {};  ///< what was done to close bags, a line each
 };
 
 /// FOLDER/results.h5 and FOLDER/results.xdmf, as io/FORMAT.md promises them.

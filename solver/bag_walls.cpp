@@ -25,16 +25,30 @@ void number_parts(const Model& model, gas::BagWalls& walls) {
         if (row[part] < 0) {
             row[part] = static_cast<Index>(walls.part_ids.size());
             walls.part_ids.push_back(model.parts[part].id);
+            walls.part_rows.push_back(part);
         }
         walls.part.push_back(row[part]);
     }
 }
 
+/// FVOPT 1, 2: an orifice of FLC · FAC of the area that there is at the time, A0 X1 rs.
+gas::LeakCard orifice(Index part, const fabric::FabricCard& cloth) {
+    gas::LeakCard leak;
+    leak.part = part;
+    leak.when_blocked = cloth.leak_when_blocked;
+    leak.from_reference = cloth.leak_from_reference;
+    const double share = cloth.leak_area * cloth.leak_velocity;
+    leak.growth = cloth.leak_from_reference ? std::array{share, 0.0, 0.0, 0.0}
+                                            : std::array{0.0, share, 0.0, 0.0};
+    return leak;
+}
+
 /// What the fabric of a part says of leaking, if it does.
 std::optional<gas::LeakCard> leak_of(const Model& model, Index part) {
-    const auto* cloth =
-        std::get_if<fabric::FabricCard>(&model.materials[model.parts[part].material].card);
-    if (cloth == nullptr || !cloth->leaks()) return {};
+    const fabric::FabricCard* cloth = leakage_of(model, part);
+    if (cloth == nullptr) return {};
+    if (!cloth->leak_growth && (cloth->leak_option == 1 || cloth->leak_option == 2))
+        return orifice(part, *cloth);
     return gas::LeakCard{part,
                          cloth->leak_area,
                          cloth->leak_area_curve,
@@ -47,6 +61,15 @@ std::optional<gas::LeakCard> leak_of(const Model& model, Index part) {
 }
 
 }  // namespace
+
+const fabric::FabricCard* leakage_of(const Model& model, Index part) {
+    const Index material = model.parts[part].material;
+    if (material < 0) return nullptr;
+    const auto* cloth = std::get_if<fabric::FabricCard>(&model.materials[material].card);
+    for (const AddedLeak& added : model.added_leaks)
+        if (added.material == material) cloth = &added.says;
+    return cloth != nullptr && cloth->leaks() ? cloth : nullptr;
+}
 
 gas::BagWalls bag_walls(const Model& model, const gas::BagCard& card,
                         const std::vector<std::array<Vec3, 4>>& reference) {

@@ -10,7 +10,11 @@ namespace corpuscle {
 
 Loads::Loads(const Model& model) {
     for (const BodyLoad& load : model.body_loads)
-        body_.push_back({load.axis, load.scale, model.curves[load.curve]});
+        body_.push_back({load.axis,
+                         load.scale,
+                         load.curve >= 0 ? model.curves[load.curve] : Curve{},
+                         load.parts,
+                         {}});
     for (const PressureLoad& load : model.pressure_loads) {
         Pressure pressure{{}, load.scale, load.arrival, {}};
         if (load.curve >= 0) pressure.curve = model.curves[load.curve];
@@ -22,18 +26,47 @@ Loads::Loads(const Model& model) {
     }
 }
 
-Vec3 Loads::acceleration(double t) const {
+namespace {
+
+bool holds(const std::vector<Index>& parts, Index part) {
+    return std::find(parts.begin(), parts.end(), part) != parts.end();
+}
+
+}  // namespace
+
+void Loads::share_mass(const Model& model, const std::vector<double>& shell_mass) {
+    for (Body& load : body_) {
+        if (load.parts.empty()) continue;
+        std::vector<double> all(model.x.size(), 0.0);
+        load.share.assign(model.x.size(), 0.0);
+        for (std::size_t s = 0; s < model.shells.size(); ++s) {
+            const Shell& shell = model.shells[s];
+            const int corners = shell.is_triangle() ? 3 : 4;
+            for (int k = 0; k < corners; ++k) {
+                all[shell.nodes[k]] += shell_mass[s] / corners;
+                if (holds(load.parts, shell.part))
+                    load.share[shell.nodes[k]] += shell_mass[s] / corners;
+            }
+        }
+        for (std::size_t n = 0; n < all.size(); ++n)
+            if (all[n] > 0.0) load.share[n] /= all[n];
+    }
+}
+
+Vec3 Loads::acceleration(double t, Index part) const {
     Vec3 all = Vec3::Zero();
-    for (const Body& load : body_) all[load.axis] -= load.scale * load.curve(t);
+    for (const Body& load : body_)
+        if (load.parts.empty() || holds(load.parts, part)) all[load.axis] -= load.value(t);
     return all;
 }
 
 void Loads::find_force(double t, const Points& x, const std::vector<double>& mass,
                        Points& f) const {
     std::fill(f.begin(), f.end(), Vec3::Zero());
-    if (!body_.empty()) {
-        const Vec3 all = acceleration(t);
-        for (std::size_t n = 0; n < f.size(); ++n) f[n] += mass[n] * all;
+    for (const Body& load : body_) {
+        const double a = load.value(t);
+        for (std::size_t n = 0; n < f.size(); ++n)
+            f[n][load.axis] -= (load.share.empty() ? mass[n] : load.share[n] * mass[n]) * a;
     }
     for (const Pressure& load : pressure_) {
         if (t < load.arrival) continue;

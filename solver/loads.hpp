@@ -14,14 +14,18 @@ class Loads {
 public:
     explicit Loads(const Model& model);
 
+    /// Which share of each node's mass the parts of a load on some parts have.
+    /// @param shell_mass  E                                                            [kg]
+    void share_mass(const Model& model, const std::vector<double>& shell_mass);
+
     [[nodiscard]] bool empty() const { return body_.empty() && pressure_.empty(); }
 
-    /// What the frame's acceleration gives to all matter at t: -a(t).                    [m/s^2]
-    [[nodiscard]] Vec3 acceleration(double t) const;
+    /// What the frame's acceleration gives to a part at t: -a(t).                        [m/s^2]
+    [[nodiscard]] Vec3 acceleration(double t, Index part) const;
 
     /// f = loads at t.
     ///
-    ///     body: -m a(t) (a frame that accelerates upward pulls bodies down)
+    ///     body: -m a(t) (a frame that accelerates upward pulls bodies down), m of its parts
     ///     pressure: -p(t) A n / 3 a corner, so positive pressure presses against the facet's
     ///     normal
     void find_force(double t, const Points& x, const std::vector<double>& mass, Points& f) const;
@@ -30,7 +34,13 @@ private:
     struct Body {
         int axis;
         double scale;
-        Curve curve;
+        Curve curve;                ///< empty: constant 1
+        std::vector<Index> parts;   ///< rows; none: all
+        std::vector<double> share;  ///< N, of each node's mass; empty: all of it            [-]
+
+        [[nodiscard]] double value(double t) const {
+            return scale * (curve.empty() ? 1.0 : curve(t));
+        }
     };
     struct Pressure {
         std::vector<std::array<Index, 3>> triangles;

@@ -79,11 +79,34 @@ struct RigidMerge {
     bool keeps_inertia = false;  ///< the lead's *PART_INERTIA holds for both, IFLAG = 0
 };
 
-/// *LOAD_BODY_X/Y/Z: acceleration of the frame; bodies feel its opposite.
+/// *CONSTRAINED_ADAPTIVITY, or a node that hangs on an edge: it moves with the edge's ends,
+///
+///     x = (1 - w) x_0 + w x_1,
+///
+/// which bear its mass and the forces on it in the same shares.
+struct TiedNode {
+    Index node = -1;                    ///< row
+    std::array<Index, 2> ends{-1, -1};  ///< rows; may be tied themselves
+    double share = 0.5;                 ///< w                                               [-]
+};
+
+/// *MAT_ADD_AIRBAG_POROSITY_LEAKAGE: what a material lets through, before what it says itself.
+struct AddedLeak {
+    Index material = -1;      ///< row
+    fabric::FabricCard says;  ///< its leak_ fields alone
+};
+
+/// Shells that a contact means of parts of which it does not mean all; rows.
+struct ContactShells {
+    std::vector<Index> first, second;  ///< of SURFA; of SURFB
+};
+
+/// *LOAD_BODY_X/Y/Z, *LOAD_GRAVITY_PART: acceleration of the frame; bodies feel its opposite.
 struct BodyLoad {
-    int axis = 0;      ///< 0 x, 1 y, 2 z
-    Index curve = -1;  ///< base acceleration over time             [m/s^2]
-    double scale = 1.0;
+    int axis = 0;              ///< 0 x, 1 y, 2 z
+    Index curve = -1;          ///< base acceleration over time; -1: constant `scale`    [m/s^2]
+    double scale = 1.0;        ///< SF, ACCEL
+    std::vector<Index> parts;  ///< rows of those that feel it; none: all
 };
 
 /// *LOAD_SEGMENT_SET, *LOAD_SHELL_SET: positive pressure presses against the facet's normal.
@@ -124,15 +147,18 @@ struct Model {
     std::vector<RigidInertia> rigid_inertia;    ///< at most one a part
     std::vector<RigidExtraNode> rigid_extra_nodes;
     std::vector<RigidMerge> rigid_merges;  ///< a part is led by one other at most, none by itself
+    std::vector<TiedNode> tied_nodes;      ///< a node at most once
     std::vector<Support> supports;
     std::vector<PrescribedMotion> motions;
     std::vector<BodyLoad> body_loads;
     std::vector<PressureLoad> pressure_loads;
     double mass_damping = 0.0;      ///< *DAMPING_GLOBAL VALDMP                        [1/s]
     Index mass_damping_curve = -1;  ///< *DAMPING_GLOBAL LCID                          [1/s]
+    std::vector<AddedLeak> added_leaks;
     std::vector<gas::BagCard> bags;
     std::vector<gas::UniformBagCard> uniform_bags;  ///< that never hold particles
     std::vector<contact::ContactCard> contacts;
+    std::vector<ContactShells> contact_shells;  ///< by contact; none: all contacts mean whole parts
     std::vector<contact::WallCard> walls;
 
     std::vector<gas::SensorCard> sensors;  ///< *DATABASE_CPM_SENSOR, one a segment
@@ -147,8 +173,16 @@ struct Model {
     OutputIntervals output;
     std::vector<Index> history_nodes;  ///< node rows of *DATABASE_HISTORY_NODE
 
+    // Closing of bags (closing.hpp)
+    bool closes_bags = true;  ///< false: a bag with a hole is refused as it is
+    double lid_share = 0.05;  ///< of a bag's area, up to which a hole gets a lid          [-]
+    std::vector<std::string> mendings;  ///< what was done to close bags
+
     std::vector<std::string> notes;     ///< what was decided where a deck may be read in two ways
     std::vector<std::string> warnings;  ///< each with file and line, for the user
 };
+
+/// What the material of a part says of leaking, or nullptr: it does not.
+[[nodiscard]] const fabric::FabricCard* leakage_of(const Model& model, Index part);
 
 }  // namespace corpuscle

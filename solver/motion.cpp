@@ -30,9 +30,11 @@ void Simulation::kick(double dt, double span) {
     nodes_.add(load_force_.f);
     nodes_.add(damping_force_.f);
     nodes_.add(contact_force_.f);
+    ties_.share_force(nodes_.f);
     nodes_.kick(span);
     move_bodies(dt, span);
     supports_.hold(clock_.t, dt, span, nodes_);
+    ties_.hold(nodes_.v);
     ledger_.after.kinetic = kinetic_energy();
 }
 
@@ -44,8 +46,9 @@ contact::OwnRates Simulation::fabric_rates() const {
 
 void Simulation::move_bodies(double dt, double span) {
     if (bodies_.empty()) return;
-    const RigidBody::Field field{loads_.acceleration(clock_.t), mass_damping()};
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const RigidBody::Field field{loads_.acceleration(clock_.t, bodies_[b].part()),
+                                     mass_damping()};
         bodies_[b].advance(clock_.t, dt, span, field, nodes_);
         movers_[b] = bodies_[b].mover();
     }
@@ -61,11 +64,12 @@ void Simulation::drift(double dt) {
 /// m (v_k - v) · (v_before + v) / 2, nothing where a node rests against its load.
 void Simulation::stop_at_obstacles(double dt) {
     bool has_stopped = !walls_.empty();
+    if (!ties_.empty()) v_free_ = nodes_.v;
     v_kicked_.clear();
     if (has_stopped) v_kicked_ = nodes_.v;
     for (contact::RigidWall& wall : walls_) {
         const double by_others = wall.driving_work() + wall.held_work();
-        wall.hold(nodes_.x, nodes_.mass, clock_.t, dt, nodes_.v, {body_of_node_, movers_});
+        wall.hold(nodes_.x, met_mass(), clock_.t, dt, nodes_.v, {body_of_node_, movers_});
         const double work = wall.driving_work() + wall.held_work() - by_others;
         ledger_.after.external += work;
         ledger_.after.contact += work;
@@ -77,9 +81,12 @@ void Simulation::stop_at_obstacles(double dt) {
         ledger_.after.external += contact.held_work() - by_held;
         ledger_.after.contact += contact.held_work() - by_held;
     }
+    if (!ties_.empty() && has_stopped)
+        ties_.settle(v_free_, nodes_.mass, met_mass_, nodes_.x, body_of_node_, movers_, nodes_.v);
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         bodies_[b].take(movers_[b], dt, clock_.kick_span(dt), nodes_);
     if (has_stopped) {
+        if (!ties_.empty()) ties_.hold(nodes_.v);  // bodies have moved ends
         const double kicked = std::exchange(ledger_.after.kinetic, kinetic_energy());
         ledger_.after.contact +=
             kicked - ledger_.after.kinetic - parallel::sum(nodes_.size(), 0.0, [&](std::size_t n) {

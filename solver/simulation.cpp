@@ -42,7 +42,7 @@ std::vector<std::uint8_t> strained_shells(const Model& model, const Constraints&
 }  // namespace
 
 Simulation::Simulation(Model model, std::uint64_t seed)
-    : model_(std::move(model)), seed_(seed), supports_(model_), loads_(model_) {
+    : model_(std::move(model)), seed_(seed), supports_(model_), ties_(model_), loads_(model_) {
     const std::size_t count = model_.x.size();
     if (model_.velocity.empty()) model_.velocity.assign(count, Vec3::Zero());
     nodes_ = {model_.x, model_.x, model_.velocity, Points(count, Vec3::Zero()), {}};
@@ -50,6 +50,7 @@ Simulation::Simulation(Model model, std::uint64_t seed)
 
     build_fabric();
     build_bodies();
+    check_ties();
     if (active_shells_ > 0) growth_ = GrowthMonitor(fabric_nodes(), fabric_sizes());
     build_bags(seed);
     build_contacts();
@@ -70,6 +71,7 @@ void Simulation::build_fabric() {
                                 active_,       model_.x.size(), model_.curves,    model_.x};
     nodes_.mass = fabric::lumped_mass(setup);
     shell_mass_ = fabric::shell_mass(setup);
+    loads_.share_mass(model_, shell_mass_);
     active_shells_ = static_cast<std::size_t>(std::count(active_.begin(), active_.end(), 1));
     if (active_shells_ > 0) fabric_.push_back(membranes_at(0.0));
     for (const fabric::Membranes& fabric : fabric_)
@@ -89,14 +91,20 @@ void Simulation::build_fabric() {
         for (std::size_t n = 0; n < nodes_.size(); ++n) nodes_.mass[n] += added.node[n];
         added_mass_ = added.total;
     }
+    if (ties_.empty()) return;
+    ties_.share_mass(nodes_.mass);
+    ties_.hold(nodes_.v);
 }
 
 void Simulation::build_bodies() {
     std::vector<std::string> faults;
     for (std::size_t p = 0; p < model_.parts.size(); ++p) {
         const auto part = static_cast<Index>(p);
-        const bool used = std::any_of(model_.shells.begin(), model_.shells.end(),
-                                      [&](const Shell& s) { return s.part == part; });
+        const bool used =
+            std::any_of(model_.shells.begin(), model_.shells.end(),
+                        [&](const Shell& s) { return s.part == part; }) ||
+            std::any_of(model_.rigid_extra_nodes.begin(), model_.rigid_extra_nodes.end(),
+                        [&](const RigidExtraNode& n) { return n.part == part; });
         const bool is_led = std::any_of(model_.rigid_merges.begin(), model_.rigid_merges.end(),
                                         [&](const RigidMerge& m) { return m.part == part; });
         if (used && !is_led && is_rigid(model_, part))
@@ -120,12 +128,24 @@ void Simulation::build_bodies() {
         for (const Index n : bodies_[b].nodes()) body_of_node_[n] = static_cast<Index>(b);
 }
 
-/// 1 for nodes that supports, motions or rigid bodies carry in every direction.
+/// Nodes of rigid bodies ride on these alone.
+void Simulation::check_ties() {
+    for (const TiedNode& tie : ties_.all())
+        if (!body_of_node_.empty() && body_of_node_[tie.node] >= 0)
+            throw InputError(fmt::format(
+                "node {} is tied to nodes {} and {} and of a rigid part, expected one of the two",
+                model_.node_id[tie.node], model_.node_id[tie.ends[0]],
+                model_.node_id[tie.ends[1]]));
+    if (!ties_.empty()) met_mass_ = ties_.met_mass(nodes_.mass);
+}
+
+/// 1 for nodes that supports, motions, rigid bodies or other nodes carry in every direction.
 std::vector<std::uint8_t> Simulation::held_nodes() const {
     std::vector<std::uint8_t> held(model_.x.size(), 0);
     for (std::size_t n = 0; n < held.size(); ++n) held[n] = supports_.held()[n] == 7;
     for (const RigidBody& body : bodies_)
         for (const Index node : body.nodes()) held[node] = 1;
+    for (const TiedNode& tie : ties_.all()) held[tie.node] = 1;
     return held;
 }
 

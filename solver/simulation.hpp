@@ -26,6 +26,7 @@
 #include "solver/records.hpp"
 #include "solver/rigid_body.hpp"
 #include "solver/stable_step.hpp"
+#include "solver/tied_nodes.hpp"
 
 namespace corpuscle {
 
@@ -109,9 +110,13 @@ private:
     [[nodiscard]] contact::OwnRates fabric_rates() const;
     void build_bags(std::uint64_t seed);
     void build_bodies();
+    void check_ties();
     void build_contacts();
     void build_walls();
     [[nodiscard]] std::vector<std::uint8_t> held_nodes() const;
+    [[nodiscard]] const std::vector<double>& met_mass() const {
+        return ties_.empty() ? nodes_.mass : met_mass_;
+    }
 
     void find_forces(double dt, double span, Stopwatch& lap);
     [[nodiscard]] double mass_damping() const;
@@ -157,11 +162,14 @@ private:
     std::vector<Index> body_of_node_;          ///< N: row in bodies_ or -1; empty without bodies
     std::vector<contact::RigidMover> movers_;  ///< the same as contact sees them
     Constraints supports_;
+    TiedNodes ties_;
+    std::vector<double> met_mass_;  ///< N: that obstacles meet, if nodes are tied          [kg]
     Loads loads_;
 
-    Points v_before_;                 ///< v(t - dt/2)                                [m/s]
-    Points v_kicked_;                 ///< before obstacles, if any stopped something [m/s]
-    Points v_mid_;                    ///< mean of v before and after this step's kick   [m/s]
+    Points v_before_;  ///< v(t - dt/2)                                [m/s]
+    Points v_free_;    ///< before obstacles, if nodes are tied                       [m/s]
+    Points v_kicked_;  ///< before obstacles, if any stopped something [m/s]
+    Points v_mid_;     ///< mean of v before and after this step's kick   [m/s]
     std::vector<std::uint8_t> held_;  ///< N: as held_nodes() says, if contact_push_ is asked for
     Points contact_push_;             ///< N × 3: contact and obstacles, if a bag asks    [N]
     std::vector<std::uint8_t> touching_;  ///< N: nodes in contact, if a bag asks for it

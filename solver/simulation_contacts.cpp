@@ -45,6 +45,68 @@ std::vector<double> contact_moduli(const std::vector<fabric::Material>& material
     return out;
 }
 
+/// Parts as contact knows them: a part of which a card means some shells alone is several.
+class ContactParts {
+public:
+    explicit ContactParts(const Model& model)
+        : model_(model), group_(model.shells.size(), -1), groups_of_(model.parts.size()) {
+        for (const ContactShells& shells : model.contact_shells)
+            for (const auto* some : {&shells.first, &shells.second}) {
+                if (some->empty()) continue;
+                std::vector<bool>& is_on = is_on_.emplace_back(model.shells.size(), false);
+                for (const Index shell : *some) is_on[shell] = true;
+            }
+        for (std::size_t s = 0; s < group_.size(); ++s) group_[s] = find(s);
+    }
+
+    [[nodiscard]] std::size_t size() const { return count_; }
+    [[nodiscard]] Index of_shell(Index shell) const { return group_[shell]; }
+
+    /// The card in terms of them.
+    [[nodiscard]] contact::ContactCard told(std::size_t row) const {
+        contact::ContactCard card = model_.contacts[row];
+        const bool has_some = row < model_.contact_shells.size();
+        const ContactShells some = has_some ? model_.contact_shells[row] : ContactShells{};
+        card.parts = groups(card.parts, some.first);
+        card.other_parts = groups(card.other_parts, some.second);
+        return card;
+    }
+
+private:
+    /// Shells of one part that the same sides of cards mean are a group.
+    Index find(std::size_t shell) {
+        auto& groups = groups_of_[model_.shells[shell].part];
+        std::vector<bool> meant;
+        for (const std::vector<bool>& is_on : is_on_) meant.push_back(is_on[shell]);
+        for (const auto& [known, group] : groups)
+            if (known == meant) return group;
+        groups.emplace_back(std::move(meant), static_cast<Index>(count_));
+        return static_cast<Index>(count_++);
+    }
+
+    [[nodiscard]] std::vector<Index> groups(const std::vector<Index>& parts,
+                                            const std::vector<Index>& some) const {
+        std::vector<bool> is_parted(model_.parts.size(), false);
+        std::vector<Index> out;
+        for (const Index shell : some) {
+            is_parted[model_.shells[shell].part] = true;
+            out.push_back(group_[shell]);
+        }
+        for (const Index part : parts)
+            if (!is_parted[part])
+                for (const auto& [unused, group] : groups_of_[part]) out.push_back(group);
+        std::sort(out.begin(), out.end());
+        out.erase(std::unique(out.begin(), out.end()), out.end());
+        return out;
+    }
+
+    const Model& model_;
+    std::size_t count_ = 0;
+    std::vector<std::vector<bool>> is_on_;  ///< sides that mean some shells × shells
+    std::vector<Index> group_;              ///< by shell
+    std::vector<std::vector<std::pair<std::vector<bool>, Index>>> groups_of_;  ///< by part
+};
+
 }  // namespace
 
 /// One contact for all cards: what may touch by any of them.
@@ -57,6 +119,7 @@ void Simulation::build_contacts() {
             body[n] = static_cast<Index>(b);
             held[n] = 0;
         }
+    for (const TiedNode& tie : ties_.all()) held[tie.node] = 0;
     std::vector<bool> wanted(model_.parts.size(), false);
     for (const contact::ContactCard& card : model_.contacts)
         for (const auto* parts : {&card.parts, &card.other_parts})
@@ -67,19 +130,22 @@ void Simulation::build_contacts() {
         for (int c = 0; c < 4; ++c) reference[model_.shells[s].nodes[c]] = reference_[s][c];
 
     const std::vector<double> modulus = contact_moduli(model_.materials);
+    const ContactParts parts(model_);
+    std::vector<std::uint8_t> held_axes = supports_.held();
+    for (const TiedNode& tie : ties_.all()) held_axes[tie.node] = 0;
     contact::ContactSetup setup;
-    setup.cards = model_.contacts;
+    for (std::size_t c = 0; c < model_.contacts.size(); ++c) setup.cards.push_back(parts.told(c));
     setup.triangles = std::move(facets.triangles);
     for (const Index shell : facets.shell) {
         const Index part = model_.shells[shell].part;
-        setup.part.push_back(part);
+        setup.part.push_back(parts.of_shell(shell));
         setup.thickness.push_back(contact_thickness(model_.parts[part]));
         setup.modulus.push_back(THROUGH_THICKNESS * modulus[model_.parts[part].material]);
     }
-    setup.parts = model_.parts.size();
+    setup.parts = parts.size();
     setup.is_implicit = model_.implicit_contact;
-    setup.held_axes = supports_.held();
-    setup.node_mass = nodes_.mass;
+    setup.held_axes = held_axes;
+    setup.node_mass = met_mass();
     setup.reference_x = reference;
     setup.x0 = model_.x;
     setup.curves = model_.curves;
@@ -92,7 +158,8 @@ void Simulation::build_contacts() {
 }
 
 void Simulation::build_walls() {
-    const std::vector<std::uint8_t> held = held_nodes();
+    std::vector<std::uint8_t> held = held_nodes();
+    for (const TiedNode& tie : ties_.all()) held[tie.node] = 0;
     for (contact::WallCard card : model_.walls) {
         const std::size_t listed = card.nodes.size();
         const auto has_body = [&](Index n) {
@@ -103,7 +170,7 @@ void Simulation::build_walls() {
             model_.warnings.push_back(
                 fmt::format("*RIGIDWALL {}: {} of its nodes are held and pass it freely", card.id,
                             listed - card.nodes.size()));
-        std::erase_if(card.nodes, [&](Index n) { return !(nodes_.mass[n] > 0.0) && !has_body(n); });
+        std::erase_if(card.nodes, [&](Index n) { return !(met_mass()[n] > 0.0) && !has_body(n); });
         const Index curve = card.motion.curve;
         walls_.emplace_back(card, curve >= 0 ? &model_.curves[curve] : nullptr, model_.end_time);
     }

@@ -33,6 +33,7 @@ std::uint64_t Simulation::fingerprint() const {
     scene(model.node_id, model.x, model.shells, model.velocity);
     for (Curve& curve : model.curves) scene(curve.id, curve.x, curve.y);
     for (Part& part : model.parts) scene(part.id, part.thickness, part.material);
+    for (TiedNode& tie : model.tied_nodes) scene(tie.node, tie.ends, tie.share);
     for (gas::BagCard& bag : model.bags) scene(bag.id, bag.particles);
     scene(seed_, model.step_factor, model.step_mass_scaled);
     return corpuscle::fingerprint(scene.bytes());

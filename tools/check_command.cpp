@@ -5,8 +5,10 @@
 
 #include <cmath>
 
+#include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/simulation.hpp"
+#include "tools/check_json.hpp"
 #include "tools/commands.hpp"
 #include "tools/summary.hpp"
 
@@ -117,9 +119,21 @@ void print_contacts_at_start(Simulation& simulation) {
     print_bad_starts(simulation);
 }
 
+int check_for_scripts(const DeckArguments& arguments) {
+    try {
+        const Simulation simulation = load(arguments);
+        fmt::print("{}", check_json(arguments.file, &simulation.model(), {}));
+        return 0;
+    } catch (const InputError& error) {
+        fmt::print("{}", check_json(arguments.file, nullptr, error.faults));
+        return 2;
+    }
+}
+
 }  // namespace
 
-int check(const DeckArguments& arguments) {
+int check(const DeckArguments& arguments, bool as_json) {
+    if (as_json) return check_for_scripts(arguments);
     Simulation simulation = load(arguments);
     print_scene(simulation);
     print_needs(simulation);
@@ -127,7 +141,9 @@ int check(const DeckArguments& arguments) {
         fmt::print("mass added by DT2MS: {:.4g}\n", simulation.added_mass());
     print_contacts_at_start(simulation);
     print_estimate(simulation);
-    for (const std::string& note : simulation.model().notes) fmt::print("{}\n", note);
+    for (const std::string& mending : simulation.model().mendings)
+        fmt::print("mended: {}\n", mending);
+    for (const std::string& note : simulation.model().notes) fmt::print("note: {}\n", note);
     for (const std::string& warning : simulation.model().warnings)
         fmt::print("warning: {}\n", warning);
     return 0;

@@ -70,7 +70,7 @@ struct ReportArguments {
 };
 
 int run(const RunArguments& arguments);
-int check(const DeckArguments& arguments);
+int check(const DeckArguments& arguments, bool as_json = false);
 int mesh(const MeshArguments& arguments);
 int fold(const FoldArguments& arguments);
 int responses(const ResponsesArguments& arguments);

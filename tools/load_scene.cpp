@@ -12,6 +12,7 @@
 #include "io/deck_places.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
+#include "solver/closing.hpp"
 #include "solver/simulation.hpp"
 #include "tools/commands.hpp"
 
@@ -54,6 +55,7 @@ Simulation load(const DeckArguments& arguments) {
     }
     try {
         expect_room_for_particles(model);
+        close_bags(model);
         return Simulation(std::move(model), arguments.seed);
     } catch (const InputError& error) {
         std::vector<std::string> faults;

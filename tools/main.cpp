@@ -77,10 +77,12 @@ int run(int argc, char** argv) {
     run->add_flag("-q,--quiet", to_run.quiet, "no progress, no summary");
 
     tools::DeckArguments to_check;
+    bool check_as_json = false;
     CLI::App* check = app.add_subcommand(
         "check",
         "say what a deck holds, needs and leaves out, with an estimate of the cost; run nothing");
     add_deck_options(*check, to_check);
+    check->add_flag("--json", check_as_json, "errors, warnings, notes and mendings, for scripts");
 
     tools::MeshArguments to_mesh;
     CLI::App* mesh = app.add_subcommand(
@@ -173,7 +175,7 @@ int run(int argc, char** argv) {
         return app.exit(error) == 0 ? 0 : 2;
     }
     if (*run) return tools::run(to_run);
-    if (*check) return tools::check(to_check);
+    if (*check) return tools::check(to_check, check_as_json);
     if (*fold) return tools::fold(to_fold);
     if (*exports) return tools::export_results(to_export);
     if (*report) return tools::report(to_report);

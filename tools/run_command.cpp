@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <optional>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "io/ascii_files.hpp"
 #include "io/checkpoint.hpp"
@@ -238,7 +238,7 @@ int run(const RunArguments& arguments) {
     Simulation simulation = load(arguments.deck);
     const Model& model = simulation.model();
     if (!arguments.quiet)
-        for (const std::string& note : model.notes) fmt::print("{}\n", note);
+        for (const std::string& note : model.notes) fmt::print("note: {}\n", note);
     for (const std::string& warning : model.warnings) fmt::print(stderr, "warning: {}\n", warning);
 
     const std::string folder = folder_of(arguments);
@@ -255,7 +255,8 @@ int run(const RunArguments& arguments) {
 
     const RecordLayout layout = simulation.layout();
     const io::RunInfo info{"corpuscle",       std::string(VERSION), model.deck,
-                           model.unit_system, arguments.deck.seed,  parallel::threads()};
+                           model.unit_system, arguments.deck.seed,  parallel::threads(),
+                           fmt::format("{}", fmt::join(model.mendings, "\n"))};
     StateReader state(from ? std::span<const char>(from->state) : std::span<const char>());
     if (from) state(simulation);
     io::ResultsFile results =

@@ -122,6 +122,8 @@ void Summary::print(Simulation& simulation, const std::string& folder,
     for (const gas::UniformBag& bag : simulation.uniform_bags()) print_bag(bag);
     for (const contact::SurfaceContact& contact : simulation.contacts())
         print_contact(simulation, contact);
+    for (const std::string& mending : simulation.model().mendings)
+        fmt::print("\n  mended: {}\n", mending);
     print_ledger(simulation.books(), worst_residual);
     fmt::print("\nresults: {0}/results.h5, {0}/results.xdmf (ParaView)\n", folder);
 }
@@ -134,13 +136,16 @@ void Summary::write(const Simulation& simulation, const std::string& folder) con
     std::vector<std::string> warnings, phases;
     for (const std::string& warning : simulation.model().warnings)
         warnings.push_back(io::json(warning));
+    std::vector<std::string> mended;
+    for (const std::string& mending : simulation.model().mendings)
+        mended.push_back(io::json(mending));
     for (const auto& [phase, seconds] : simulation.timings().phases())
         phases.push_back(io::json(phase) + ": " + io::json(seconds));
     io::replace_text(std::filesystem::path(folder) / "run.json",
                      fmt::format("{{\"wall\": {}, \"steps\": {},\n\"phases\": {{{}}},\n"
-                                 "\"warnings\": [{}]}}\n",
+                                 "\"warnings\": [{}],\n\"mended\": [{}]}}\n",
                                  io::json(wall()), simulation.steps(), fmt::join(phases, ", "),
-                                 fmt::join(warnings, ", ")));
+                                 fmt::join(warnings, ", "), fmt::join(mended, ", ")));
 }
 
 }  // namespace corpuscle::tools

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "gas/cards/leak_law.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/vec.hpp"
 
@@ -22,6 +25,19 @@ struct ExitCard {
     CurveOr coefficient{1.0};              ///< MU of pressure; C23, CP23 of time               [-]
     bool coefficient_of_pressure = false;  ///< else of time
     CurveOr area;  ///< AREA, A23, AP23, of absolute pressure           [m^2]
+    /// A23 < 0: shells of a part, whose area counts as it is at the time; a triangle repeats its
+    /// third node. None: `area`.
+    std::vector<std::array<Index, 4>> facets;
+};
+
+/// Fabric of one part that leaks: FLC, FAC, X0-X3, FVOPT.
+struct UniformLeak {
+    Index part = -1;  ///< row
+    CurveOr share;    ///< FLC, of time                                                   [-]
+    CurveOr factor;   ///< FAC, of absolute pressure           [m/s], [-] or [s/m], by law
+    LeakLaw law = LeakLaw::VELOCITY;
+    /// X0-X3: Wang-Nefske flow through A0 (X0 + X1 rs + X2 rp + X3 rs rp), instead of these.
+    std::optional<std::array<double, 4>> growth;
 };
 
 /// One bag of uniform pressure.
@@ -42,6 +58,9 @@ struct UniformBagCard {
     double p_atm = NaN;         ///< PE                                           [Pa]
     double density = NaN;       ///< RO: of the gas inside at the start      [kg/m^3]
     double overpressure = 0.0;  ///< POVER: gauge pressure at the start           [Pa]
+    double start_temperature =
+        NaN;  ///< IABT: of the gas inside at the start, RO follows; NaN: from RO     [K]
+    std::vector<UniformLeak> leaks;
 };
 
 }  // namespace corpuscle::gas

@@ -53,7 +53,7 @@ public:
 private:
     void name() {
         Card c = cards_.next("ID TITLE:70");
-        bag_.id = c.integer("ID", {1.0});
+        if (const int id = c.integer("ID", NON_NEGATIVE); id > 0) bag_.id = id;
         bag_.title = c.text("TITLE");
     }
 

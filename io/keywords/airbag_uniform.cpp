@@ -67,7 +67,7 @@ UniformBagCard control_volume(Cards& cards, const Draft& draft, const char* keyw
     bag.id = static_cast<int>(draft.model.bags.size() + draft.model.uniform_bags.size()) + 1;
     if (cards.has("ID")) {
         Card c = cards.next("ID TITLE:70");
-        bag.id = c.integer("ID", {1.0});
+        if (const int id = c.integer("ID", NON_NEGATIVE); id > 0) bag.id = id;
         bag.title = c.text("TITLE");
     }
     Card c = cards.next("SID SIDTYP RBID VSCA=1 PSCA=1 VINI MWD SPSF");
@@ -107,6 +107,19 @@ gas::CurveOr value_or_curve(Card& c, const char* name, const Registry& curves) {
         return {};
     }
     return {0.0, entry->row};
+}
+
+/// Minus the id of a part: its shells are the vent.
+std::vector<std::array<Index, 4>> vent_of_part(Card& c, const Draft& draft, const char* field,
+                                               double id) {
+    const Registry::Entry* entry =
+        id < 1e9 && id == std::floor(id) ? draft.parts.find(static_cast<int>(id)) : nullptr;
+    std::vector<std::array<Index, 4>> facets;
+    if (entry != nullptr)
+        for (const Shell& shell : draft.model.shells)
+            if (shell.part == entry->row) facets.push_back(shell.nodes);
+    if (facets.empty()) c.fault(field, ">= 0, or minus the id of a *PART with shells in it");
+    return facets;
 }
 
 void keep(Cards& cards, Draft& draft, UniformBagCard bag) {
@@ -153,20 +166,99 @@ gas::ExitCard exit(Card& c, const Draft& draft, const char* C, const char* C_cur
                    const char* A_curve) {
     gas::ExitCard exit;
     exit.coefficient = {c.real(C, NON_NEGATIVE), c.row_or_none(C_curve, draft.curves)};
-    exit.area = {c.real(A, NON_NEGATIVE), c.row_or_none(A_curve, draft.curves)};
+    const double area = c.real(A);
+    if (area < 0.0)
+        exit.facets = vent_of_part(c, draft, A, -area);
+    else
+        exit.area.value = area;
+    exit.area.curve = c.row_or_none(A_curve, draft.curves);
     return exit;
+}
+
+/// The inflator card is always there; it counts only without LCMT, where it is refused. With CV = 0
+/// the card of heat capacities is behind it.
+void inflator_and_capacities(Cards& cards, UniformBagCard& bag) {
+    const std::size_t left = cards.lines_left();
+    const bool is_molar = bag.cv == 0.0;
+    if (left > (is_molar ? 1U : 0U)) {
+        Card c = cards.next("IOC IOA IVOL IRO IT LCBF - -");
+        for (const char* name : {"IOC", "IOA", "IVOL", "IRO", "IT", "LCBF"})
+            if (c.given(name) && c.real(name) != 0.0) {
+                c.note(name, "with LCMT the inflator card does not count");
+                break;
+            }
+        c.harmless_all();
+    } else if (is_molar && left == 1) {
+        cards.warn(
+            "has no inflator card (IOC IOA IVOL IRO IT LCBF, blank with LCMT): with CV = 0 "
+            "its last card is taken for TEXT A B MW GASC HCONV");
+    }
+    if (is_molar) {
+        Card c = cards.next("TEXT A B MW GASC HCONV");
+        molar_heat_capacities(c, bag);
+    } else if (cards.lines_left() > 0) {
+        cards.next("TEXT A B MW GASC HCONV - -").harmless_all();  // CV counts
+    }
+}
+
+gas::LeakLaw law_of(int option) {
+    if (option == 1 || option == 2) return gas::LeakLaw::ORIFICE;
+    if (option == 3 || option == 4) return gas::LeakLaw::HEAD;
+    if (option == 5 || option == 6) return gas::LeakLaw::POROUS;
+    return gas::LeakLaw::VELOCITY;
+}
+
+/// Fabric that leaks does so by its FVOPT, or by the bag's OPT where it is blank, instead of CP23
+/// and AP23.
+void fabric_leaks(Cards& cards, const Draft& draft, int option, UniformBagCard& bag) {
+    std::vector<Index> parts;
+    for (const Index shell : bag.shells) {
+        const Index part = draft.model.shells[static_cast<std::size_t>(shell)].part;
+        if (part >= 0 && std::find(parts.begin(), parts.end(), part) == parts.end())
+            parts.push_back(part);
+    }
+    for (const Index part : parts) {
+        const fabric::FabricCard* cloth = leakage_of(draft.model, part);
+        if (cloth == nullptr) continue;
+        if (cloth->leak_option < 0)
+            cards.fault(fmt::format(
+                "has part {}, whose material leaks with FVOPT = {}, expected 0 "
+                "to 8",
+                draft.model.parts[static_cast<std::size_t>(part)].id, cloth->leak_option));
+        bag.leaks.push_back({part,
+                             {cloth->leak_area, cloth->leak_area_curve},
+                             {cloth->leak_velocity, cloth->leak_velocity_curve},
+                             law_of(cloth->leak_option != 0 ? cloth->leak_option : option),
+                             cloth->leak_growth});
+    }
+    if (bag.leaks.empty()) return;
+    gas::ExitCard& leak = bag.exits.at(1);
+    const auto counts = [](const gas::CurveOr& of) { return of.value != 0.0 || of.curve >= 0; };
+    if (counts(leak.coefficient) && counts(leak.area))
+        cards.warn(
+            "has CP23 and AP23, and parts whose material leaks (FLC, FAC): the material's "
+            "leakage counts, CP23 and AP23 do not");
+    leak = {};
+    leak.coefficient.value = 0.0;
 }
 
 }  // namespace
 
 void airbag_wang_nefske(Cards& cards, Draft& draft) {
     UniformBagCard bag = control_volume(cards, draft, "*AIRBAG_WANG_NEFSKE");
+    int option = 1;
     {
         Card c = cards.next("CV CP T LCT LCMT TVOL LCDT IABT");
         heat_capacities(c, bag);
         bag.mass_rate = c.row("LCMT", draft.curves);
         bag.temperature.curve = c.row_or_none("LCT", draft.curves);
         bag.temperature.value = c.real("T", bag.temperature.curve < 0 ? POSITIVE : NON_NEGATIVE);
+        if (const double start = c.real("IABT", NON_NEGATIVE); start > 0.0) {
+            bag.start_temperature = start;
+            c.warn("IABT",
+                   "temperature of the gas inside at the start: its density follows from it and "
+                   "the pressure PE + POVER, RO does not count");
+        }
     }
     {
         Card c = cards.next("C23 LCC23 A23 LCA23 CP23 LCCP23 AP23 LCAP23");
@@ -176,18 +268,16 @@ void airbag_wang_nefske(Cards& cards, Draft& draft) {
     {
         Card c = cards.next("PE RO GC LCEFR POVER PPOP OPT=1 KNKDN");
         bag.p_atm = c.real("PE", POSITIVE);
-        bag.density = c.real("RO", POSITIVE);
+        bag.density = c.real("RO", bag.start_temperature > 0.0 ? NON_NEGATIVE : POSITIVE);
         if (const double g = c.real("GC"); g != 0.0 && g != 1.0)
             c.fault("GC", "0 or 1: units are consistent");
         bag.exit_rate = c.row_or_none("LCEFR", draft.curves);
         bag.overpressure = c.real("POVER", NON_NEGATIVE);
         bag.opens_at = c.real("PPOP", NON_NEGATIVE);
-        c.choice("OPT", {0, 1}, {2, 3, 4, 5, 6, 7, 8});
+        option = c.choice("OPT", {0, 1, 2, 3, 4, 5, 6, 7, 8});
     }
-    if (bag.cv == 0.0) {
-        Card c = cards.next("TEXT A B MW GASC HCONV");
-        molar_heat_capacities(c, bag);
-    }
+    inflator_and_capacities(cards, bag);
+    fabric_leaks(cards, draft, option, bag);
     keep(cards, draft, std::move(bag));
 }
 

@@ -150,10 +150,10 @@ void check_leaks(Cards& cards, const Draft& draft, const gas::BagCard& bag) {
         const Part& part = draft.model.parts[static_cast<std::size_t>(row)];
         if (part.material < 0) continue;
         const auto& material = draft.model.materials[static_cast<std::size_t>(part.material)];
-        const auto* cloth = std::get_if<fabric::FabricCard>(&material.card);
-        if (cloth == nullptr || !cloth->leaks()) continue;
-        const std::string who = fmt::format("part {} \"{}\": its *MAT_FABRIC {} leaks", part.id,
-                                            part.title, material.id);
+        const fabric::FabricCard* cloth = leakage_of(draft.model, row);
+        if (cloth == nullptr) continue;
+        const std::string who =
+            fmt::format("part {} \"{}\": its material {} leaks", part.id, part.title, material.id);
         const int option = cloth->leak_option;
         if (cloth->leak_growth) {
             if (option < 0 || option > 2)
@@ -168,10 +168,24 @@ void check_leaks(Cards& cards, const Draft& draft, const gas::BagCard& bag) {
                                 who, (*cloth->leak_growth)[0]));
             if (holds(bag.internal_parts, row))
                 cards.fault(who + " through X0 to X3 but is internal, expected FLC and FAC");
-        } else if (option != 0 && option != 7 && option != 8) {
+        } else if (option < 0) {
             cards.fault(
-                fmt::format("{} with FVOPT = {}, expected 7 or 8: FLC is a share of the "
-                            "area and FAC a velocity",
+                fmt::format("{} with FVOPT = {}, expected 0 to 8: the area of single "
+                            "yarns' gaps is not acted on yet",
+                            who, option));
+        } else if (option >= 3 && option <= 6) {
+            cards.fault(
+                fmt::format("{} with FVOPT = {}, expected 1, 2, 7 or 8 in a bag of "
+                            "particles",
+                            who, option));
+        } else if ((option == 1 || option == 2) && holds(bag.internal_parts, row)) {
+            cards.fault(
+                fmt::format("{} with FVOPT = {} but is internal, expected 7 or 8", who, option));
+        } else if ((option == 1 || option == 2) &&
+                   (cloth->leak_area_curve >= 0 || cloth->leak_velocity_curve >= 0)) {
+            cards.fault(
+                fmt::format("{} with FVOPT = {} and curves, expected numbers FLC and FAC "
+                            "in a bag of particles",
                             who, option));
         } else if (option == 0) {
             cards.warn(who + " (FLC, FAC) with FVOPT blank: 7 is taken, FAC is a velocity");

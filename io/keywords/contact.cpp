@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/keywords/contact_surface.hpp"
@@ -16,12 +17,17 @@ constexpr const char* ONE_METHOD = "there is one contact method here, this choic
 using Kind = contact::ContactCard::Kind;
 
 /// A single surface has no other side, the kinds with two sides must name both.
-void surfaces(Cards& cards, const Draft& draft, contact::ContactCard& contact) {
+void surfaces(Cards& cards, const Draft& draft, contact::ContactCard& contact,
+              ContactShells& some) {
     Card c = cards.next("SURFA SURFB SURFATYP SURFBTYP SABOXID SBBOXID SAPR SBPR");
     c.harmless("SAPR SBPR");  // forces are always written
-    contact.parts = contact_side(c, draft, SIDE_A, contact.kind == Kind::NODES_TO_SURFACE);
+    ContactSide a = contact_side(c, draft, SIDE_A, contact.kind == Kind::NODES_TO_SURFACE);
+    contact.parts = std::move(a.parts);
+    some.first = std::move(a.some_shells);
     if (contact.kind == Kind::SINGLE_SURFACE) return c.harmless("SURFB SURFBTYP");
-    contact.other_parts = contact_side(c, draft, SIDE_B, /*may_be_nodes=*/false);
+    ContactSide b = contact_side(c, draft, SIDE_B, /*may_be_nodes=*/false);
+    contact.other_parts = std::move(b.parts);
+    some.second = std::move(b.some_shells);
     for (const SideFields& side : {SIDE_A, SIDE_B})
         if (c.integer(side.surface) == 0 && c.integer(side.type) != 5)
             c.fault(side.surface, "a part, a set, or type 5 for all parts");
@@ -76,6 +82,7 @@ void thickness(Cards& cards, const Draft& draft, contact::ContactCard& contact) 
 /// Cards A to G, each needed by those behind it.
 void options(Cards& cards, const Draft& draft, contact::ContactCard& contact) {
     if (!cards.more()) return;
+    std::string ignored;
     {
         Card c = cards.next("SOFT SOFSCL=0.1 LCIDAB MAXPAR=1.025 SBOPT=2 DEPTH=2 BSORT FRCFRQ=1");
         contact.thickness_curve = c.row_or_none("LCIDAB", draft.curves);
@@ -87,29 +94,57 @@ void options(Cards& cards, const Draft& draft, contact::ContactCard& contact) {
                                "Q2TRI DTPCHK SFNBR FNLSCL DNLSCL TCSO TIEDID SHLEDG",
                                "SHAREC CPARM8 IPBACK SRNDE FRICSF ICOR FTORQ REGION",
                                "PSTIFF IGNROFF - FSTOL 2DBINR SSFTYP SWTPR TETFAC", "- SHLOFF"}) {
-        if (!cards.more()) return;
-        cards.next(layout).harmless_all();
+        if (!cards.more()) break;
+        Card c = cards.next(layout);
+        for (const std::string_view name : c.set_fields())
+            ignored += fmt::format("{}{}", ignored.empty() ? "" : ", ", name);
+        c.harmless_all();
     }
+    if (!ignored.empty()) cards.warn(fmt::format("sets {}: {}", ignored, ONE_METHOD));
+}
+
+/// What the kinds that are not _AUTOMATIC_ or _AIRBAG_, or that are one-way, become.
+void say_kind(Cards& cards) {
+    const std::string& keyword = cards.block().keyword;
+    const auto has = [&](const char* word) { return keyword.find(word) != std::string::npos; };
+    if (has("ONE_WAY"))
+        cards.warn(
+            "is taken as a two-way contact: nodes and edges of both sides are held, so less "
+            "passes through");
+    if (!has("AUTOMATIC") && !has("AIRBAG"))
+        cards.warn("holds facets on both their sides, as _AUTOMATIC_ does: normals do not count");
 }
 
 }  // namespace
 
 namespace {
 
+/// The order in the deck, from 1, or the next number that no contact has.
+int free_id(const Draft& draft) {
+    const auto& contacts = draft.model.contacts;
+    int id = static_cast<int>(contacts.size()) + 1;
+    while (std::any_of(contacts.begin(), contacts.end(),
+                       [&](const contact::ContactCard& other) { return other.id == id; }))
+        ++id;
+    return id;
+}
+
 void read_contact(Cards& cards, Draft& draft, Kind kind) {
     contact::ContactCard contact;
     contact.kind = kind;
-    contact.id = static_cast<int>(draft.model.contacts.size()) + 1;
+    contact.id = free_id(draft);
     if (cards.has("ID") || cards.has("TITLE")) {
         Card c = cards.next("CID TITLE:70");
-        contact.id = c.integer("CID", {1.0});
+        if (const int id = c.integer("CID", NON_NEGATIVE); id > 0) contact.id = id;
         contact.title = c.text("TITLE");
     }
     if (cards.has("MPP")) {
         cards.next("IGNORE BCKET LCBCKT NS2TRK INITITR PARMAX - CPARM8").harmless_all();
         if (cards.starts_with('&')) cards.title();
     }
-    surfaces(cards, draft, contact);
+    say_kind(cards);
+    ContactShells some;
+    surfaces(cards, draft, contact, some);
     friction(cards, contact);
     thickness(cards, draft, contact);
     options(cards, draft, contact);
@@ -117,6 +152,7 @@ void read_contact(Cards& cards, Draft& draft, Kind kind) {
         if (other.id == contact.id)
             cards.fault(fmt::format("has id {}, as another contact has", contact.id));
     draft.model.contacts.push_back(std::move(contact));
+    draft.model.contact_shells.push_back(std::move(some));
 }
 
 }  // namespace

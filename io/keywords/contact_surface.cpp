@@ -22,37 +22,33 @@ Rows all_parts(const Draft& draft) {
     return all;
 }
 
-/// The parts of which every shell is listed; a fault when a shell of another part is too.
-Rows whole_parts(Card& c, const Draft& draft, const SideFields& side,
-                 const std::vector<std::uint8_t>& is_listed) {
+/// The parts of the listed shells; of those that are not whole, the shells.
+ContactSide listed_side(const Draft& draft, const std::vector<std::uint8_t>& is_listed) {
     std::vector<std::uint8_t> has(draft.model.parts.size(), 0), lacks(has);
     for (std::size_t s = 0; s < is_listed.size(); ++s) {
         const Index part = draft.model.shells[s].part;
         if (part >= 0) (is_listed[s] != 0 ? has : lacks)[static_cast<std::size_t>(part)] = 1;
     }
-    Rows parts;
-    for (std::size_t p = 0; p < has.size(); ++p) {
-        if (has[p] == 0) continue;
-        if (lacks[p] != 0) {
-            c.fault(side.surface, fmt::format("a set of whole parts: it holds some shells of part "
-                                              "{}, not all",
-                                              draft.model.parts[p].id));
-            return {};
-        }
-        parts.push_back(static_cast<Index>(p));
+    ContactSide side;
+    for (std::size_t p = 0; p < has.size(); ++p)
+        if (has[p] != 0) side.parts.push_back(static_cast<Index>(p));
+    for (std::size_t s = 0; s < is_listed.size(); ++s) {
+        const Index part = draft.model.shells[s].part;
+        if (part >= 0 && is_listed[s] != 0 && lacks[static_cast<std::size_t>(part)] != 0)
+            side.some_shells.push_back(static_cast<Index>(s));
     }
-    return parts;
+    return side;
 }
 
-Rows of_shells(Card& c, const Draft& draft, const SideFields& side, const Rows& shells) {
+ContactSide of_shells(const Draft& draft, const Rows& shells) {
     std::vector<std::uint8_t> is_listed(draft.model.shells.size(), 0);
     for (const Index shell : shells) is_listed[static_cast<std::size_t>(shell)] = 1;
-    return whole_parts(c, draft, side, is_listed);
+    return listed_side(draft, is_listed);
 }
 
 /// Segments are those shells that have their nodes, in any order.
-Rows of_segments(Card& c, const Draft& draft, const SideFields& side,
-                 const std::vector<std::array<Index, 4>>& segments) {
+ContactSide of_segments(Card& c, const Draft& draft, const SideFields& side,
+                        const std::vector<std::array<Index, 4>>& segments) {
     const auto key = [](std::array<Index, 4> nodes) {
         std::sort(nodes.begin(), nodes.end());
         // a triangle repeats one of its nodes, not always the same one
@@ -75,57 +71,71 @@ Rows of_segments(Card& c, const Draft& draft, const SideFields& side,
             found.insert(nodes);
         }
     if (found.size() < wanted.size()) {
-        c.fault(side.surface, fmt::format("a set of whole parts: {} of its segments are no shells",
+        c.fault(side.surface, fmt::format("segments that are shells: {} of this set are none",
                                           wanted.size() - found.size()));
         return {};
     }
-    return whole_parts(c, draft, side, is_listed);
+    return listed_side(draft, is_listed);
 }
 
-/// The parts all of whose nodes are listed, if these are all that are listed.
-Rows of_nodes(Card& c, const Draft& draft, const SideFields& side, const Rows& nodes) {
-    std::vector<std::uint8_t> is_listed(draft.model.x.size(), 0), is_covered(is_listed);
+/// The shells all of whose nodes are listed; nodes that would be left out bring the shells that
+/// have them.
+ContactSide of_nodes(Card& c, const Draft& draft, const SideFields& side, const Rows& nodes) {
+    const auto& shells = draft.model.shells;
+    std::vector<std::uint8_t> is_listed(draft.model.x.size(), 0), is_covered(is_listed),
+        is_on(shells.size(), 0);
     for (const Index node : nodes) is_listed[static_cast<std::size_t>(node)] = 1;
-    std::vector<std::uint8_t> is_used(draft.model.parts.size(), 0), lacks(is_used);
-    const auto for_each_corner = [&](auto&& act) {
-        for (const Shell& shell : draft.model.shells)
-            for (const Index node : shell.nodes)
-                if (node >= 0 && shell.part >= 0)
-                    act(static_cast<std::size_t>(shell.part), static_cast<std::size_t>(node));
+    const auto count = [&](const Shell& shell, const std::vector<std::uint8_t>& of) {
+        return std::count_if(shell.nodes.begin(), shell.nodes.end(), [&](Index node) {
+            return node >= 0 && of[static_cast<std::size_t>(node)] != 0;
+        });
     };
-    for_each_corner([&](std::size_t part, std::size_t node) {
-        is_used[part] = 1;
-        if (is_listed[node] == 0) lacks[part] = 1;
-    });
-    for_each_corner([&](std::size_t part, std::size_t node) {
-        if (lacks[part] == 0) is_covered[node] = 1;
-    });
+    for (std::size_t s = 0; s < shells.size(); ++s) {
+        if (count(shells[s], is_listed) != 4) continue;
+        is_on[s] = 1;
+        for (const Index node : shells[s].nodes) is_covered[static_cast<std::size_t>(node)] = 1;
+    }
+    std::size_t more = 0;
+    for (std::size_t s = 0; s < shells.size(); ++s) {
+        if (is_on[s] != 0 || count(shells[s], is_listed) == 0) continue;
+        bool is_needed = false;
+        for (const Index node : shells[s].nodes) {
+            const auto n = static_cast<std::size_t>(node);
+            is_needed |= node >= 0 && is_listed[n] != 0 && is_covered[n] == 0;
+        }
+        if (!is_needed) continue;
+        is_on[s] = 1;
+        ++more;
+        for (const Index node : shells[s].nodes)
+            if (node >= 0) is_covered[static_cast<std::size_t>(node)] = 1;
+    }
     for (const Index node : nodes)
         if (is_covered[static_cast<std::size_t>(node)] == 0) {
-            c.fault(side.surface,
-                    fmt::format("a set of all nodes of whole parts: node {} is of no such part",
-                                draft.model.node_id[static_cast<std::size_t>(node)]));
+            c.fault(side.surface, fmt::format("nodes of shells: node {} is of none",
+                                              draft.model.node_id[static_cast<std::size_t>(node)]));
             return {};
         }
-    Rows parts;
-    for (std::size_t p = 0; p < lacks.size(); ++p)
-        if (is_used[p] != 0 && lacks[p] == 0) parts.push_back(static_cast<Index>(p));
-    return parts;
+    if (more > 0)
+        c.warn(
+            side.surface,
+            fmt::format("nodes are taken with shells that they are of: {} shells have nodes that "
+                        "are not of this set, which touch too",
+                        more));
+    return listed_side(draft, is_on);
 }
 
 }  // namespace
 
-std::vector<Index> contact_side(Card& c, const Draft& draft, const SideFields& side,
-                                bool may_be_nodes) {
+ContactSide contact_side(Card& c, const Draft& draft, const SideFields& side, bool may_be_nodes) {
     const bool is_named = c.given(side.surface) && c.integer(side.surface) != 0;
     if (!is_named) {
         c.integer(side.type, within(0, 6));
-        return all_parts(draft);
+        return {all_parts(draft), {}};
     }
     const int type = may_be_nodes ? c.choice(side.type, {0, 1, 2, 3, 4, 5, 6})
                                   : c.choice(side.type, {0, 1, 2, 3, 5, 6});
     if (!c.good()) return {};
-    if (type == 5) return all_parts(draft);
+    if (type == 5) return {all_parts(draft), {}};
     const Registry* named[] = {&draft.segment_sets, &draft.shell_sets, &draft.part_sets,
                                &draft.parts,        &draft.node_sets,  nullptr,
                                &draft.part_sets};
@@ -136,11 +146,11 @@ std::vector<Index> contact_side(Card& c, const Draft& draft, const SideFields& s
         case 0:
             return of_segments(c, draft, side, draft.segment_set[at]);
         case 1:
-            return of_shells(c, draft, side, draft.shell_set[at]);
+            return of_shells(draft, draft.shell_set[at]);
         case 2:
-            return draft.part_set[at];
+            return {draft.part_set[at], {}};
         case 3:
-            return {row};
+            return {{row}, {}};
         case 4:
             return of_nodes(c, draft, side, draft.node_set[at]);
         default:
@@ -151,7 +161,7 @@ std::vector<Index> contact_side(Card& c, const Draft& draft, const SideFields& s
     std::erase_if(rest, [&](Index part) {
         return std::find(left_out.begin(), left_out.end(), part) != left_out.end();
     });
-    return rest;
+    return {rest, {}};
 }
 
 }  // namespace corpuscle::io::keywords

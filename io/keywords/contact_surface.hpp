@@ -16,10 +16,15 @@ struct SideFields {
 };
 inline constexpr SideFields SIDE_A{"SURFA", "SURFATYP"}, SIDE_B{"SURFB", "SURFBTYP"};
 
-/// Part rows of a side: type 2 part set, 3 part, 5 or no surface at all: every part, 6 all but a
-/// part set; 0 segment set, 1 shell set and, if `may_be_nodes`, 4 node set, where they are those of
-/// whole parts.
-std::vector<Index> contact_side(Card& c, const Draft& draft, const SideFields& side,
-                                bool may_be_nodes);
+/// One side of a contact: parts, and of those that are not whole the shells that are meant.
+struct ContactSide {
+    std::vector<Index> parts;        ///< rows
+    std::vector<Index> some_shells;  ///< rows
+};
+
+/// Type 2 part set, 3 part, 5 or no surface at all: every part, 6 all but a part set; 0 segment
+/// set, 1 shell set and, if `may_be_nodes`, 4 node set: the shells that have only such nodes, and
+/// with a warning those that have some, where a node would be left out.
+ContactSide contact_side(Card& c, const Draft& draft, const SideFields& side, bool may_be_nodes);
 
 }  // namespace corpuscle::io::keywords

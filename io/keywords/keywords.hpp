@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,10 +34,16 @@ struct Keyword {
 struct Match {
     const Keyword* keyword = nullptr;        ///< nullptr: not to be read
     std::vector<std::string_view> suffixes;  ///< of the matching options
+    std::string_view name;                   ///< of its names the one that matches
     bool is_harmless = false;                ///< not read, and cannot change the answer
     std::string remark;                      ///< not read, and this is to be said
 };
 Match find(std::string_view keyword);
+
+/// All keywords that are read.
+std::span<const Keyword> all();
+/// Beginnings of those that are not read and cannot change the answer, blanks between.
+std::string_view harmless_beginnings();
 
 // nodes_elements.cpp
 void node(Cards&, Draft&);
@@ -44,6 +51,7 @@ void element_shell(Cards&, Draft&);
 // parts_sections.cpp
 void part(Cards&, Draft&);
 void section_shell(Cards&, Draft&);
+void section_other(Cards&, Draft&);
 // rigid_parts.cpp
 void section_solid(Cards&, Draft&);
 void element_solid(Cards&, Draft&);
@@ -56,6 +64,8 @@ void mat_elastic(Cards&, Draft&);
 void mat_null(Cards&, Draft&);
 void mat_rigid(Cards&, Draft&);
 void mat_fabric(Cards&, Draft&);
+void mat_other(Cards&, Draft&);
+void mat_add_leakage(Cards&, Draft&);  // leakage.cpp
 // curves.cpp
 void define_curve(Cards&, Draft&);
 void define_vector(Cards&, Draft&);
@@ -102,11 +112,21 @@ void initial_velocity_generation(Cards&, Draft&);
 void load_body_x(Cards&, Draft&);
 void load_body_y(Cards&, Draft&);
 void load_body_z(Cards&, Draft&);
+void load_body_parts(Cards&, Draft&);
+void load_gravity_part(Cards&, Draft&);
+void load_gravity_part_set(Cards&, Draft&);
 void load_segment(Cards&, Draft&);
 void load_segment_set(Cards&, Draft&);
 void load_shell_element(Cards&, Draft&);
 void load_shell_set(Cards&, Draft&);
 void damping_global(Cards&, Draft&);
+// links.cpp, joined_nodes.cpp
+void element_beam(Cards&, Draft&);
+void element_discrete(Cards&, Draft&);
+void element_seatbelt(Cards&, Draft&);
+void nodal_rigid_body(Cards&, Draft&);
+void spotweld(Cards&, Draft&);
+void constrained_adaptivity(Cards&, Draft&);
 // contact.cpp, walls.cpp, walls_geometric.cpp
 void contact_single_surface(Cards&, Draft&);
 void contact_surface_to_surface(Cards&, Draft&);

@@ -12,8 +12,26 @@ void body_load(Cards& cards, Draft& draft, int axis) {
     load.axis = axis;
     load.curve = c.row("LCID", draft.curves);
     load.scale = c.real("SF");
+    load.parts = draft.body_load_parts;
     c.harmless("LCIDDR XC YC ZC");  // of dynamic relaxation, and of angular loads
     draft.model.body_loads.push_back(load);
+}
+
+/// Rows of LC, DOF and ACCEL, for parts: LC blank is a constant.
+void gravity(Cards& cards, Draft& draft, bool is_set) {
+    static const Layout layout("PID DOF LC ACCEL LCDR STGA STGR");
+    while (cards.rows()) {
+        Card c = cards.next(layout);
+        const Index row = c.row("PID", is_set ? draft.part_sets : draft.parts);
+        BodyLoad load;
+        load.axis = c.choice("DOF", {1, 2, 3}) - 1;
+        load.curve = c.row_or_none("LC", draft.curves);
+        load.scale = c.real("ACCEL");
+        c.harmless("LCDR");  // of dynamic relaxation
+        if (row < 0) continue;
+        load.parts = is_set ? draft.part_set[static_cast<std::size_t>(row)] : std::vector{row};
+        draft.model.body_loads.push_back(std::move(load));
+    }
 }
 
 /// LCID SF AT, wherever they stand in the card.
@@ -35,6 +53,18 @@ void load_body_y(Cards& cards, Draft& draft) {
 }
 void load_body_z(Cards& cards, Draft& draft) {
     body_load(cards, draft, 2);
+}
+
+void load_body_parts(Cards& cards, Draft& draft) {
+    Card c = cards.next("PSID");
+    if (const Index set = c.row("PSID", draft.part_sets); set >= 0)
+        draft.body_load_parts = draft.part_set[static_cast<std::size_t>(set)];
+}
+void load_gravity_part(Cards& cards, Draft& draft) {
+    gravity(cards, draft, /*is_set=*/false);
+}
+void load_gravity_part_set(Cards& cards, Draft& draft) {
+    gravity(cards, draft, /*is_set=*/true);
 }
 
 void load_segment(Cards& cards, Draft& draft) {

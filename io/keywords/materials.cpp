@@ -30,6 +30,24 @@ void mat_elastic(Cards& cards, Draft& draft) {
     draft.model.materials.push_back(material);
 }
 
+/// Any other material: of interest only if an element is of it, which is a fault then, or by its
+/// density, where solids are taken as rigid.
+void mat_other(Cards& cards, Draft& draft) {
+    fabric::Material material;
+    material.title = material_title(cards);
+    Unread unread{cards.block().keyword, cards.block().place};
+    {
+        Card c = cards.next("MID RO - - - - - -");
+        material.id = c.new_id("MID", draft.materials, draft.model.materials.size());
+        unread.density = c.real("RO");
+        c.harmless_all();
+    }
+    cards.abandon();
+    draft.unread_materials[static_cast<Index>(draft.model.materials.size())] = unread;
+    material.card = fabric::NullCard{1.0};
+    draft.model.materials.push_back(material);
+}
+
 void mat_null(Cards& cards, Draft& draft) {
     fabric::Material material;
     material.title = material_title(cards);

@@ -160,6 +160,15 @@ void find_owners(Draft& draft) {
         draft.rigid_owner[static_cast<std::size_t>(extra.node)] = lead_of(draft, extra.part);
 }
 
+}  // namespace
+
+const std::vector<Index>& rigid_owners(Draft& draft) {
+    if (draft.rigid_owner.empty()) find_owners(draft);
+    return draft.rigid_owner;
+}
+
+namespace {
+
 /// Nodes of other rigid parts cannot ride on this one too.
 void ride(Card& c, Draft& draft, const char* field, Index part, const std::vector<Index>& nodes) {
     if (draft.rigid_owner.empty()) find_owners(draft);

@@ -16,7 +16,8 @@ using P = Phase;
 constexpr std::string_view SHAPED = "MOTION DISPLAY ID TITLE";
 constexpr std::string_view SHAPED_LATER = "INTERIOR DEFORM";
 constexpr std::string_view CONTACTS = "ID TITLE MPP";
-constexpr std::string_view CONTACTS_LATER = "THERMAL FRICTION SMOOTH MORTAR ORTHO";
+constexpr std::string_view CONTACTS_LATER =
+    "THERMAL FRICTION SMOOTH MORTAR ORTHO INTERFERENCE INTERIOR";
 constexpr std::string_view LISTS = "LIST COLUMN GENERATE INCREMENT TITLE";
 constexpr std::string_view LISTS_LATER = "SMOOTH COLLECT";
 
@@ -50,11 +51,18 @@ const Keyword KEYWORDS[] = {
     {"DEFINE_COORDINATE_NODES", "TITLE", "", P::AXES, define_coordinate_nodes},
     {"SECTION_SHELL", "TITLE", "MISC EFG XFEM THERMAL", P::GROUND, section_shell},
     {"SECTION_SOLID", "TITLE", "EFG SPG MISC", P::GROUND, section_solid},
+    {"SECTION_BEAM SECTION_DISCRETE SECTION_SEATBELT", "TITLE", "AISC", P::GROUND, section_other},
     {"MAT_ELASTIC MAT_001", "TITLE", "FLUID", P::MATERIAL, mat_elastic},
     {"MAT_NULL MAT_009", "TITLE", "", P::MATERIAL, mat_null},
     {"MAT_RIGID MAT_020", "TITLE", "DISCRETE", P::MATERIAL, mat_rigid},
     {"MAT_FABRIC MAT_034", "TITLE", "MAP", P::MATERIAL, mat_fabric},
+    {"MAT_ADD_AIRBAG_POROSITY_LEAKAGE", "TITLE", "", P::PART, mat_add_leakage},
     {"PART", "CONTACT INERTIA", "PRINT ATTACHMENT REPOSITION AVERAGED COMPOSITE", P::PART, part},
+    {"ELEMENT_BEAM", "THICKNESS SECTION SCALAR SCALR PID OFFSET ORIENTATION WARPAGE", "", P::SHELL,
+     element_beam},
+    {"ELEMENT_DISCRETE", "", "LCO", P::SHELL, element_discrete},
+    {"ELEMENT_SEATBELT", "", "ACCELEROMETER PRETENSIONER RETRACTOR SENSOR SLIPRING", P::SHELL,
+     element_seatbelt},
     {"ELEMENT_SHELL", "", "THICKNESS BETA MCID OFFSET DOF COMPOSITE", P::SHELL, element_shell},
     {"ELEMENT_SOLID", "", "ORTHO DOF TET4TOTET10 H20 H27 H64", P::SHELL, element_solid},
 
@@ -87,10 +95,16 @@ const Keyword KEYWORDS[] = {
     {"CONSTRAINED_RIGID_BODIES", "", "SET", P::SHELL, constrained_rigid_bodies},
     {"CONSTRAINED_EXTRA_NODES_NODE", "", "", P::SCENE, extra_nodes_node},
     {"CONSTRAINED_EXTRA_NODES_SET", "", "", P::SCENE, extra_nodes_set},
+    {"CONSTRAINED_NODAL_RIGID_BODY", "SPC INERTIA TITLE", "OVERRIDE", P::PLACE, nodal_rigid_body},
+    {"CONSTRAINED_SPOTWELD", "ID", "FILTERED", P::PLACE, spotweld},
+    {"CONSTRAINED_ADAPTIVITY", "", "", P::SCENE, constrained_adaptivity},
     {"INITIAL_VELOCITY", "", "", P::SCENE, initial_velocity},
     {"INITIAL_VELOCITY_NODE", "", "", P::SCENE, initial_velocity_node},
     {"INITIAL_VELOCITY_RIGID_BODY", "", "", P::SCENE, initial_velocity_rigid_body},
     {"INITIAL_VELOCITY_GENERATION", "", "START TIME", P::SCENE, initial_velocity_generation},
+    {"LOAD_BODY_PARTS", "", "", P::PLACE, load_body_parts},
+    {"LOAD_GRAVITY_PART", "", "", P::SCENE, load_gravity_part},
+    {"LOAD_GRAVITY_PART_SET", "", "", P::SCENE, load_gravity_part_set},
     {"LOAD_BODY_X", "", "", P::SCENE, load_body_x},
     {"LOAD_BODY_Y", "", "", P::SCENE, load_body_y},
     {"LOAD_BODY_Z", "", "", P::SCENE, load_body_z},
@@ -101,10 +115,15 @@ const Keyword KEYWORDS[] = {
     {"DAMPING_GLOBAL", "", "", P::SCENE, damping_global},
     {"CONTACT_AIRBAG_SINGLE_SURFACE CONTACT_AUTOMATIC_SINGLE_SURFACE", CONTACTS, CONTACTS_LATER,
      P::SCENE, contact_single_surface},
-    {"CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", CONTACTS, CONTACTS_LATER, P::SCENE,
-     contact_surface_to_surface},
-    {"CONTACT_AUTOMATIC_NODES_TO_SURFACE", CONTACTS, CONTACTS_LATER, P::SCENE,
-     contact_nodes_to_surface},
+    {"CONTACT_SINGLE_SURFACE CONTACT_AUTOMATIC_GENERAL", CONTACTS, CONTACTS_LATER, P::SCENE,
+     contact_single_surface},
+    {"CONTACT_AUTOMATIC_SURFACE_TO_SURFACE CONTACT_SURFACE_TO_SURFACE "
+     "CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE CONTACT_ONE_WAY_SURFACE_TO_SURFACE "
+     "CONTACT_FORMING_ONE_WAY_SURFACE_TO_SURFACE CONTACT_FORMING_SURFACE_TO_SURFACE",
+     CONTACTS, CONTACTS_LATER, P::SCENE, contact_surface_to_surface},
+    {"CONTACT_AUTOMATIC_NODES_TO_SURFACE CONTACT_NODES_TO_SURFACE "
+     "CONTACT_FORMING_NODES_TO_SURFACE",
+     CONTACTS, CONTACTS_LATER, P::SCENE, contact_nodes_to_surface},
     {"RIGIDWALL_PLANAR", "FINITE MOVING FORCES DISPLAY ID TITLE", "ORTHO", P::SCENE,
      rigidwall_planar},
     {"RIGIDWALL_GEOMETRIC_FLAT", SHAPED, SHAPED_LATER, P::SCENE, rigidwall_flat},
@@ -112,6 +131,9 @@ const Keyword KEYWORDS[] = {
     {"RIGIDWALL_GEOMETRIC_CYLINDER", SHAPED, SHAPED_LATER, P::SCENE, rigidwall_cylinder},
     {"RIGIDWALL_GEOMETRIC_PRISM", SHAPED, SHAPED_LATER, P::SCENE, rigidwall_prism},
 };
+
+/// Materials of which only elements would need more than their numbers.
+const Keyword OTHER_MATERIAL = {"MAT", "TITLE", "", P::MATERIAL, mat_other};
 
 /// Beginnings of what cannot change the answer here: output, other solvers, and numerics that have
 /// no counterpart.
@@ -121,6 +143,7 @@ constexpr std::string_view HARMLESS =
     "CONTROL_DISCRETE_ELEMENT CONTROL_EFG "
     "CONTROL_ENERGY CONTROL_EXPLICIT_THERMAL CONTROL_FREQUENCY CONTROL_HOURGLASS CONTROL_IMPLICIT "
     "CONTROL_MPP CONTROL_OUTPUT CONTROL_PARALLEL CONTROL_PORE_FLUID CONTROL_REMESHING "
+    "CONTACT_FORCE_TRANSDUCER CONTACT_INTERIOR CONTROL_ADAPTIVE CONTROL_ADAPSTEP "
     "CONTROL_SHELL CONTROL_SOLID CONTROL_SOLUTION CONTROL_SPH CONTROL_STRUCTURED CONTROL_THERMAL "
     "CONTROL_UNITS";
 
@@ -205,14 +228,23 @@ std::string remark_on(std::string_view keyword) {
 
 }  // namespace
 
+std::span<const Keyword> all() {
+    return KEYWORDS;
+}
+
+std::string_view harmless_beginnings() {
+    return HARMLESS;
+}
+
 Match find(std::string_view keyword) {
     const auto [entry, base] = longest_base(keyword);
     if (entry != nullptr) {
         if (auto found = suffixes(keyword, base, entry->options))
-            return {entry, std::move(*found), false, {}};
+            return {entry, std::move(*found), base, false, {}};
         const std::string all = fmt::format("{} {}", entry->options, entry->later);
         if (suffixes(keyword, base, all))
             return {nullptr,
+                    {},
                     {},
                     false,
                     fmt::format("is not acted on yet, expected *{}{}", base,
@@ -220,11 +252,18 @@ Match find(std::string_view keyword) {
                                     ? ""
                                     : fmt::format(" with no suffix but {}", entry->options))};
     }
-    if (begins_with_any(keyword, HARMLESS)) return {nullptr, {}, true, remark_on(keyword)};
+    if (begins_with_any(keyword, HARMLESS)) return {nullptr, {}, {}, true, remark_on(keyword)};
     if (const std::string meant = did_you_mean(keyword); !meant.empty())
-        return {nullptr, {}, false, fmt::format("is not supported, did you mean *{}?", meant)};
+        return {nullptr, {}, {}, false, fmt::format("is not supported, did you mean *{}?", meant)};
+    if (keyword.starts_with("MAT_") && !keyword.starts_with("MAT_ADD_"))
+        return {&OTHER_MATERIAL,
+                keyword.ends_with("_TITLE") ? std::vector<std::string_view>{"TITLE"}
+                                            : std::vector<std::string_view>{},
+                "MAT",
+                false,
+                {}};
     const bool is_later = begins_with_any(keyword, LATER);
-    return {nullptr, {}, false, is_later ? "is not supported yet" : "is not supported"};
+    return {nullptr, {}, {}, false, is_later ? "is not supported yet" : "is not supported"};
 }
 
 }  // namespace corpuscle::io::keywords

@@ -15,7 +15,7 @@ void wall_name(Cards& cards, const Draft& draft, contact::WallCard& wall) {
     wall.id = static_cast<int>(draft.model.walls.size()) + 1;
     if (!cards.has("ID") && !cards.has("TITLE")) return;
     Card c = cards.next("ID TITLE:70");
-    wall.id = c.integer("ID", {1.0});
+    if (const int id = c.integer("ID", NON_NEGATIVE); id > 0) wall.id = id;
     wall.title = c.text("TITLE");
 }
 

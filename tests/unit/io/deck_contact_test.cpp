@@ -63,12 +63,19 @@ TEST_CASE("sets of segments, shells and nodes stand for the parts that they are"
     const std::string nodes = "*SET_NODE\n3\n1,2,3,4\n";
     CHECK(contact_of(nodes + head + "3,2,4,3\n\n\n").parts == Rows{0});
 
-    CHECK(contains(only_fault("*SET_SEGMENT\n3\n3,1,2\n" + head + "3,2,0,3\n\n\n"),
-                   "whole parts: it holds some shells of part 1, not all"));
+    const DeckFolder folder;
+    const Model some = folder.read(small_deck("*SET_SEGMENT\n3\n3,1,2\n" + head + "3,2,0,3\n\n\n"));
+    CHECK(some.contacts.at(0).parts == Rows{0});
+    CHECK(some.contact_shells.at(0).first == Rows{0});
+    CHECK(some.contact_shells.at(0).second.empty());
     CHECK(contains(only_fault("*SET_SEGMENT\n3\n3,1,5\n" + head + "3,2,0,3\n\n\n"),
-                   "1 of its segments are no shells"));
-    CHECK(contains(only_fault("*SET_NODE\n3\n1,2,3,4,5\n" + head + "3,2,4,3\n\n\n"),
-                   "node 5 is of no such part"));
+                   "segments that are shells: 1 of this set are none"));
+    const Model more = folder.read(small_deck("*SET_NODE\n3\n1,2,3,5\n" + head + "3,2,4,3\n\n\n"));
+    CHECK(more.contacts.at(0).parts == Rows{0, 1});
+    CHECK(more.contact_shells.at(0).first == Rows{0});
+    CHECK(any_contains(more.warnings, "1 shells have nodes that are not of this set"));
+    CHECK(contains(only_fault("*NODE\n9,5,5,5\n*SET_NODE\n3\n1,2,3,9\n" + head + "3,2,4,3\n\n\n"),
+                   "nodes of shells: node 9 is of none"));
     CHECK(contains(only_fault(nodes + head + "2,3,3,4\n\n\n"), "(SURFBTYP) = 4"));
 }
 

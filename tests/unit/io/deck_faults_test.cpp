@@ -56,28 +56,34 @@ TEST_CASE("ten faults get ten messages, each with file and line", "[io]") {
           "has, but more.k:2 has it");
 }
 
-TEST_CASE("a keyword that is not supported is a fault, or a warning when it cannot matter",
-          "[io]") {
+TEST_CASE("a keyword that is not supported is a fault, or a note when it cannot matter", "[io]") {
     const DeckFolder folder;
     const auto faults =
-        folder.faults(small_deck("*ELEMENT_BEAM\n1,1\n*CONSTRAINED_SPOTWELD\n1,2\n"
+        folder.faults(small_deck("*ELEMENT_TSHELL\n1,1\n*CONSTRAINED_JOINT_PLANAR\n1,2\n"
                                  "*ELEMENT_SHELL_THICKNESS\n*FROBNICATE\n"
                                  "*PRAT\nx\n*MAT_FABIRC_TITLE\nx\n"));
     REQUIRE(faults.size() == 6);
-    CHECK(contains(faults[0], "deck.k:30: *ELEMENT_BEAM"));
-    CHECK(contains(faults[1], "*CONSTRAINED_SPOTWELD is not supported yet"));
+    CHECK(contains(faults[0], "deck.k:30: *ELEMENT_TSHELL"));
+    CHECK(contains(faults[1], "*CONSTRAINED_JOINT_PLANAR is not supported yet"));
     CHECK(contains(faults[2], "*ELEMENT_SHELL_THICKNESS is not acted on yet"));
     CHECK(faults[3] == "deck.k:35: *FROBNICATE is not supported");
     CHECK(contains(faults[4], "did you mean *PART?"));
     CHECK(contains(faults[5], "did you mean *MAT_FABRIC?"));
-    CHECK(contains(folder.faults(small_deck("*MAT_003\n1\n")).at(0),
-                   "*MAT_003 is not supported yet"));
+    CHECK(folder.faults(small_deck("*MAT_003\n2,7800.\n")).empty());  // nothing is of it
+    const auto used =
+        folder.faults(small_deck("*MAT_003\n2,7800.\n1,2,3\n*PART\nsteel\n3,1,2\n*ELEMENT_SHELL\n"
+                                 "14,3,2,5,6,6\n15,3,2,6,3,3\n"));
+    REQUIRE(used.size() == 1);
+    CHECK(used[0] ==
+          "deck.k:30: *MAT_003 is not supported yet, and 2 elements of part 3 \"steel\" "
+          "are of it");
     const Model model = folder.read(small_deck(
         "*CONTROL_OUTPUT\n1\n*DATABASE_EXTENT_BINARY\n1\n*CONTROL_IMPLICIT_GENERAL\n0\n"));
-    CHECK(model.warnings.size() == 3);
-    CHECK(any_contains(folder.read(small_deck("*DATABASE_GLSTTA\n1\n")).warnings,
+    CHECK(model.warnings.empty());
+    CHECK(model.notes.size() == 3);
+    CHECK(any_contains(folder.read(small_deck("*DATABASE_GLSTTA\n1\n")).notes,
                        "cannot change the answer (did you mean *DATABASE_GLSTAT?)"));
-    CHECK(any_contains(folder.read(small_deck("*DATABASE_BINARY_INTFOR\n1\n")).warnings,
+    CHECK(any_contains(folder.read(small_deck("*DATABASE_BINARY_INTFOR\n1\n")).notes,
                        "contact pressure is in every frame"));
 }
 
@@ -96,10 +102,38 @@ TEST_CASE("too few cards are a fault, and so are too many", "[io]") {
 TEST_CASE("a table with many bad rows shows some and counts the rest", "[io]") {
     const DeckFolder folder;
     std::string rows = "*NODE\n";
-    for (int i = 0; i < 1000; ++i) rows += "x,0,0,0\n";
+    for (int i = 0; i < 1000; ++i) rows += "x" + std::to_string(i) + ",0,0,0\n";
     const auto faults = folder.faults(small_deck(rows));
     REQUIRE(faults.size() == 21);
     CHECK(contains(faults[0], "deck.k:30: *NODE has 980 more faults that are not shown"));
+}
+
+TEST_CASE("faults of one cause are one line with a count, those that follow from it none", "[io]") {
+    const DeckFolder folder;
+    std::string shells = "*ELEMENT_SHELL\n";
+    for (int i = 0; i < 20; ++i) shells += std::to_string(20 + i) + ",9,1,2,3,3\n";
+    const auto missing = folder.faults(small_deck(shells));
+    REQUIRE(missing.size() == 1);
+    CHECK(missing[0] ==
+          "deck.k:31: *ELEMENT_SHELL card 1, field 2 (PID) = 9, expected the id of a "
+          "*PART of the deck (and 19 more like it)");
+    // a set that is refused is no second fault where it is named
+    const auto refused = folder.faults(
+        small_deck("*SET_PART_LIST_SMOOTH\n7\n1,2\n*CONTACT_AIRBAG_SINGLE_SURFACE\n7,0,2\n\n\n"));
+    REQUIRE(refused.size() == 1);
+    CHECK(contains(refused[0], "*SET_PART_LIST_SMOOTH is not acted on yet"));
+}
+
+TEST_CASE("numbers beyond the last column of a card are warned of, remarks are not", "[io]") {
+    const DeckFolder folder;
+    std::string row;
+    for (int i = 0; i < 9; ++i) row += "         1";
+    const Model model = folder.read(small_deck("*SET_PART_LIST\n7\n" + row + "\n"));
+    REQUIRE(model.warnings.size() == 1);
+    CHECK(contains(model.warnings[0],
+                   "deck.k:32: *SET_PART_LIST card 2: \"1\" beyond column 80 is ignored"));
+    CHECK(folder.read(small_deck("*SET_PART_LIST\n7\n" + row.substr(0, 80) + " all parts\n"))
+              .warnings.empty());
 }
 
 TEST_CASE("numbers that are none, too large, or not finite are faults", "[io]") {

@@ -202,9 +202,17 @@ TEST_CASE("nodes inside solids ride on them, sets know the skin, *PART_INERTIA g
 
 TEST_CASE("what is wrong with solids is told", "[io]") {
     const std::string brick = "7,50,101,102,103,104,105,106,107,108\n";
+    const Model soft = read("*SECTION_SOLID\n9,1\n*PART\nsoft\n50,9,1\n" + BRICK_NODES +
+                            "*ELEMENT_SOLID\n" + brick + "*BOUNDARY_SPC_NODE\n101,0,1,1,1\n");
+    CHECK(any_contains(soft.warnings, "(SECID) = 9: solids that deform are taken as one rigid"));
+    const auto& stiff = std::get<fabric::RigidCard>(soft.materials[soft.parts[2].material].card);
+    CHECK(stiff.density == 700.0);
+    CHECK(stiff.fixed_moves == 7);
+    CHECK(stiff.fixed_turns == 0);
+    CHECK(soft.supports.empty());
     CHECK(contains(only_fault("*SECTION_SOLID\n9,1\n*PART\nsoft\n50,9,1\n" + BRICK_NODES +
-                              "*ELEMENT_SOLID\n" + brick),
-                   "(SECID) = 9, expected a *SECTION_SHELL: solids are read for *MAT_RIGID only"));
+                              "*ELEMENT_SOLID\n7,50,1,102,103,104,105,106,107,108\n"),
+                   "solids deform and hold cloth at node 1"));
     CHECK(contains(only_fault(SOLID_PART + BRICK_NODES +
                               "*ELEMENT_SOLID\n7,50,105,106,107,108,101,102,103,104\n"),
                    "*ELEMENT_SOLID 7 has no volume"));

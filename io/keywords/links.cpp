@@ -1,0 +1,52 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// Elements that join two nodes. Rigid beams become bodies; others are left out, if they hold no
+// cloth (loose_ends.cpp).
+
+#include "io/keywords/keywords.hpp"
+
+namespace corpuscle::io::keywords {
+namespace {
+
+/// EID PID N1 N2 on the first line, `more` lines behind it.
+void link(Cards& cards, Draft& draft, const Layout& layout, std::size_t more) {
+    static const Layout rest("- - - - - - - -");
+    while (cards.rows()) {
+        Link link;
+        link.keyword = cards.block().keyword;
+        {
+            Card c = cards.next(layout);
+            link.place = c.place();
+            c.integer(std::size_t{0}, {1.0});
+            link.part = c.row(std::size_t{1}, draft.parts);
+            link.nodes = {c.row(std::size_t{2}, draft.nodes), c.row(std::size_t{3}, draft.nodes)};
+            c.harmless_all();
+            if (c.good()) draft.links.push_back(std::move(link));
+        }
+        for (std::size_t i = 0; i < more; ++i) cards.next(rest).harmless_all();
+    }
+}
+
+}  // namespace
+
+void element_beam(Cards& cards, Draft& draft) {
+    static const Layout layout("EID:8 PID:8 N1:8 N2:8 N3:8 RT1:8 RR1:8 RT2:8 RR2:8 LOCAL:8");
+    std::size_t more = 0;
+    for (const char* option :
+         {"THICKNESS", "SECTION", "SCALAR", "SCALR", "PID", "OFFSET", "ORIENTATION", "WARPAGE"})
+        more += cards.has(option) ? 1 : 0;
+    link(cards, draft, layout, more);
+}
+
+void element_discrete(Cards& cards, Draft& draft) {
+    static const Layout layout("EID:8 PID:8 N1:8 N2:8 VID:8 S:16 PF:8 OFFSET:16");
+    link(cards, draft, layout, 0);
+}
+
+void element_seatbelt(Cards& cards, Draft& draft) {
+    static const Layout layout("EID:8 PID:8 N1:8 N2:8 SBRID:8 SLEN:16 N3:8 N4:8");
+    link(cards, draft, layout, 0);
+}
+
+}  // namespace corpuscle::io::keywords

@@ -1,0 +1,75 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "contact/surface/movers.hpp"
+#include "solver/base/surface.hpp"
+#include "solver/model.hpp"
+
+namespace corpuscle {
+
+/// Nodes that move with the two ends of an edge, x = (1 - w) x_0 + w x_1 (TiedNode). A node that is
+/// tied to one that is tied itself comes before it.
+class TiedNodes {
+public:
+    explicit TiedNodes(const Model& model);
+
+    [[nodiscard]] bool empty() const { return ties_.empty(); }
+    [[nodiscard]] const std::vector<TiedNode>& all() const { return ties_; }
+
+    /// Mass to the ends: m_0 += (1 - w) m, m_1 += w m, m = 0.                            [kg]
+    void share_mass(std::vector<double>& mass) const;
+    /// Force to the ends, in the same shares.                                              [N]
+    void share_force(Points& f) const;
+    /// v = (1 - w) v_0 + w v_1.                                                          [m/s]
+    void hold(Points& v) const;
+
+    /// The mass that a push at a tied node meets, where ends have those of `mass`; of other nodes
+    /// theirs. An end of a rigid body counts as held.
+    ///
+    ///     1 / m = (1 - w)² / m_0 + w² / m_1                                              [kg]
+    [[nodiscard]] std::vector<double> met_mass(const std::vector<double>& mass) const;
+
+    /// What has changed a tied node's velocity since `before` is an impulse on its ends; then
+    /// hold().
+    /// @param met  met_mass()
+    void settle(const Points& before, const std::vector<double>& mass,
+                const std::vector<double>& met, const Points& x,
+                const std::vector<Index>& body_of_node, std::vector<contact::RigidMover>& movers,
+                Points& v) const;
+
+private:
+    std::vector<TiedNode> ties_;
+};
+
+/// Triangles whose edges have tied nodes on them, cut there: two that share an edge share its nodes
+/// again.
+class TiedEdges {
+public:
+    explicit TiedEdges(const std::vector<TiedNode>& ties);
+
+    /// The triangle, or its pieces in its own sense of turning.
+    template <class Add>
+    void cut(const Triangle& t, Add&& add) const {
+        for (int k = 0; k < 3; ++k) {
+            const Index a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
+            const auto at = node_on_.find(std::minmax(a, b));
+            if (at == node_on_.end() || at->second == c) continue;
+            cut({a, at->second, c}, add);
+            cut({at->second, b, c}, add);
+            return;
+        }
+        add(t);
+    }
+
+    [[nodiscard]] bool empty() const { return node_on_.empty(); }
+
+private:
+    std::map<std::pair<Index, Index>, Index> node_on_;  ///< ends, lower row first
+};
+
+}  // namespace corpuscle
