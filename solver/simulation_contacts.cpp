@@ -19,7 +19,7 @@ double contact_thickness(const Part& part) {
 }
 
 /// Modulus through the thickness over the lesser one in the plane: of woven fabric of 300 MPa it is
-/// 1 MPa, which gives way by 9 % at 1 bar.
+/// 10 MPa, which gives way by 1 % at 1 bar and by 4 % at 4.
 constexpr double THROUGH_THICKNESS = 1.0 / 30.0;
 
 /// Modulus of each material; of those that have none the greatest of the others.            [Pa]

@@ -37,7 +37,7 @@ void AreaShares::find(const Points& x, const Columns& columns, ContactList& cont
             std::array<double, 2> ratio{};
             for (int i = 0; i < 4; ++i) {
                 double sum = sum_[c.node[i]][c.sides >> i & 1U];
-                if (c.gap >= c.rest) sum += c.exposure * std::abs(c.weight[i]) * c.area;
+                if (c.gap >= c.rest) sum += std::abs(c.weight[i]) * c.area;
                 if (c.weight[i] != 0.0 && sum > 0.0)
                     ratio[c.weight[i] > 0.0 ? 0 : 1] +=
                         std::abs(c.weight[i]) * area_[c.node[i]] / sum;
@@ -80,7 +80,7 @@ void AreaShares::add_up(const Columns& columns, const ContactList& contacts) {
     columns.for_each(contacts, [&](const Contact& c) {
         if (c.gap >= c.rest) return;
         for (int i = 0; i < 4; ++i)
-            sum_[c.node[i]][c.sides >> i & 1U] += c.exposure * std::abs(c.weight[i]) * c.area;
+            sum_[c.node[i]][c.sides >> i & 1U] += std::abs(c.weight[i]) * c.area;
     });
 }
 

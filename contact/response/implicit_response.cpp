@@ -62,7 +62,6 @@ void ImplicitResponse::take_up(double dt, ContactList& contacts, const Columns& 
             c.rest = near.rest;
             c.thickness = near.rest;
             c.modulus = pairs.modulus(near.pair);
-            c.exposure = near.exposure;
         }
     });
 }
@@ -117,8 +116,7 @@ ImplicitResponse::Row ImplicitResponse::row_of(double span, double dt, Contact& 
                                                const Movement& motion) const {
     const ContactCard& card = cloth_.rules.card(c.card);
     const double at = std::min(c.gap, c.rest);
-    const double area = c.exposure * c.area;
-    c.stiffness = c.modulus * area * c.rest / (at * at);
+    c.stiffness = c.modulus * c.area * c.rest / (at * at);
     c.rate_kicked = motion.rate(c);
     const double damping =
         c.mass < INF ? 0.02 * card.damping * std::sqrt(c.stiffness * c.mass) : 0.0;
@@ -131,7 +129,7 @@ ImplicitResponse::Row ImplicitResponse::row_of(double span, double dt, Contact& 
     row.normal = c.normal;
     row.gap = c.gap;
     row.rest = c.rest + dt * c.rest_rate;
-    row.push = span * c.modulus * area;
+    row.push = span * c.modulus * c.area;
     row.dt = dt;
     row.mass = c.mass;
     row.heft = (row.mass + span * damping) / dt;

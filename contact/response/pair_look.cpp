@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "contact/geometry/nearest_four.hpp"
-#include "contact/response/exposure.hpp"
 
 namespace corpuscle::contact {
 namespace {
@@ -104,22 +103,16 @@ void PairLook::take(const Found& found, const Scene& scene, const Columns& colum
         const double approach = greatest_approach(pairs[row], corners(pairs[row], scene.v));
         if (gap - MARGIN * scene.dt * approach >= thickness) return;
     }
-    double exposed = 1.0;
-    if (scene.dt > 0.0) {
-        exposed = exposure(cloth_, scene.x, pairs[row], places);
-        if (exposed == 0.0) return;
-    }
     PairMemory* const memory = pairs.memory(row);
     const RestGap rest = rest_gap(thickness, scene.t, memory);
     if (gap >= rest.now) {
         const bool has_account = memory != nullptr && memory->account != 0.0;
-        contacts.near(chunk).push_back({pairs[row], row, gap, rest.now, exposed, has_account});
+        contacts.near(chunk).push_back({pairs[row], row, gap, rest.now, has_account});
         return;
     }
     const Contact touching = contact_at(cloth_, scene.bodies, scene.x, pairs[row], places, gap);
     Contact& contact = contacts.add(chunk, columns.of(touching, scene.x), touching);
     contact.pair = row;
-    contact.exposure = exposed;
     contact.memory = pairs.memory_row(row);
     contact.card = card;
     contact.side = pairs.side(row);

@@ -98,8 +98,7 @@ double stored_energy(const ContactList& contacts, int card) {
     return contacts.sum([&](const Contact& c) {
         if (c.card != card || c.gap >= c.rest) return 0.0;
         if (c.area > 0.0)
-            return c.modulus * c.exposure * c.area *
-                   (c.rest * std::log(c.rest / c.gap) - (c.rest - c.gap));
+            return c.modulus * c.area * (c.rest * std::log(c.rest / c.gap) - (c.rest - c.gap));
         const double missing = c.rest - c.gap;
         return 0.5 * c.stiffness * missing * missing;
     });

@@ -27,7 +27,6 @@ struct Contact {
     double stiffness = 0.0;  ///< [N/m]
     double thickness = 0.0;  ///< of contact, at full                                        [m]
     double modulus = 0.0;    ///< through the thickness                                     [Pa]
-    double exposure = 1.0;   ///< contact/response/exposure.hpp                              [-]
     double area = 0.0;       ///< that it stands for                                       [m^2]
     bool is_known = false;   ///< its area is that of the last step
     std::uint8_t sides = 0;  ///< bit i: it is above node i
