@@ -78,6 +78,17 @@ const std::pair<const char*, const char*> EXAMPLES[] = {
                    "1,1,1,1,0,1,1,1\n"},
     {"MAT_RIGID", "9,700,1e8,0.3,1,1,1,1\n-1,1,111111\n1,1,1,1,1,1\n"},
     {"SECTION_SHELL", "9,5,1,1,1,1,1,1\n1,1,1,1,1,1,1,1\n1,1,1,1,1,1,1,1\n"},
+    {"DEFINE_TRANSFORMATION", "1\nTRANSL,1,1,1\nSCALE,2,2,2\nROTATE,0,0,1,0,0,0,30\n"},
+    {"SET_NODE_GENERAL", "9\nNODE,1,2,3,4,1,2,3\nALL\n"},
+    {"SET_PART_GENERAL", "9\nPART,1,2,1,2,1,2,1\nALL\n"},
+    {"SET_SHELL_GENERAL", "9\nELEM,1,1,1,1,1,1,1\nALL\n"},
+    {"SET_SEGMENT_GENERAL", "9\nPART,1,2,1\nALL\n"},
+    {"DEFINE_BOX", "1,0,1,0,1,0,1\n"},
+    {"DEFINE_CURVE_SMOOTH", "9,0,1,0,10,1,0\n"},
+    {"DEFINE_CURVE_FUNCTION", "9,0\n2*TIME\n"},
+    {"AIRBAG_HYBRID", "1,1\n293,1e5,1.2,8.3,1,1\n1,1,1,1,1,1,1,1\n1,1,1,1,1,1\n"
+                      "1,1,0,0.028,1,28,0,0\n1\n"},
+    {"AIRBAG_ADIABATIC_GAS_MODEL", "1,1\n1,1,1.4,1e5,1e5,1.2\n"},
     {"SECTION_BEAM", "9,2,1,1,1\n1,1,1,1,1\n"}};
 
 void read(const std::filesystem::path& folder, const std::string& cards, FieldLog& log) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 
+#include "io/keywords/airbag_uniform.hpp"
 #include "io/keywords/keywords.hpp"
 
 namespace corpuscle::io::keywords {
@@ -60,27 +61,6 @@ void shells_of_parts(Card& c, const Draft& draft, std::vector<Index>& shells) {
     if (shells.empty()) c.fault("SID", "parts with shells in them");
 }
 
-/// The card that all control volumes begin with.
-UniformBagCard control_volume(Cards& cards, const Draft& draft, const char* keyword) {
-    UniformBagCard bag;
-    bag.keyword = keyword;
-    bag.id = static_cast<int>(draft.model.bags.size() + draft.model.uniform_bags.size()) + 1;
-    if (cards.has("ID")) {
-        Card c = cards.next("ID TITLE:70");
-        if (const int id = c.integer("ID", NON_NEGATIVE); id > 0) bag.id = id;
-        bag.title = c.text("TITLE");
-    }
-    Card c = cards.next("SID SIDTYP RBID VSCA=1 PSCA=1 VINI MWD SPSF");
-    if (c.integer("SIDTYP") == 0)
-        shells_of_segments(c, draft, bag.shells);
-    else
-        shells_of_parts(c, draft, bag.shells);
-    bag.volume_scale = c.real("VSCA", POSITIVE);
-    bag.pressure_scale = c.real("PSCA", POSITIVE);
-    bag.volume_taken = c.real("VINI");
-    return bag;
-}
-
 /// Heat capacities per mass; 0 for CV: they come with the molar ones of a later card.
 void heat_capacities(Card& c, UniformBagCard& bag) {
     bag.cv = c.real("CV", NON_NEGATIVE);
@@ -122,7 +102,29 @@ std::vector<std::array<Index, 4>> vent_of_part(Card& c, const Draft& draft, cons
     return facets;
 }
 
-void keep(Cards& cards, Draft& draft, UniformBagCard bag) {
+}  // namespace
+
+UniformBagCard control_volume(Cards& cards, const Draft& draft, const char* keyword) {
+    UniformBagCard bag;
+    bag.keyword = keyword;
+    bag.id = static_cast<int>(draft.model.bags.size() + draft.model.uniform_bags.size()) + 1;
+    if (cards.has("ID")) {
+        Card c = cards.next("ID TITLE:70");
+        if (const int id = c.integer("ID", NON_NEGATIVE); id > 0) bag.id = id;
+        bag.title = c.text("TITLE");
+    }
+    Card c = cards.next("SID SIDTYP RBID VSCA=1 PSCA=1 VINI MWD SPSF");
+    if (c.integer("SIDTYP") == 0)
+        shells_of_segments(c, draft, bag.shells);
+    else
+        shells_of_parts(c, draft, bag.shells);
+    bag.volume_scale = c.real("VSCA", POSITIVE);
+    bag.pressure_scale = c.real("PSCA", POSITIVE);
+    bag.volume_taken = c.real("VINI");
+    return bag;
+}
+
+void keep_bag(Cards& cards, Draft& draft, UniformBagCard bag) {
     const auto is_same = [&](const auto& other) { return other.id == bag.id; };
     Model& model = draft.model;
     if (std::any_of(model.bags.begin(), model.bags.end(), is_same) ||
@@ -130,8 +132,6 @@ void keep(Cards& cards, Draft& draft, UniformBagCard bag) {
         cards.fault(fmt::format("has id {}, as another airbag has", bag.id));
     model.uniform_bags.push_back(std::move(bag));
 }
-
-}  // namespace
 
 void airbag_simple(Cards& cards, Draft& draft) {
     UniformBagCard bag = control_volume(cards, draft, "*AIRBAG_SIMPLE_AIRBAG_MODEL");
@@ -156,24 +156,10 @@ void airbag_simple(Cards& cards, Draft& draft) {
         else
             c.harmless("TEXT A B MW GASC");
     }
-    keep(cards, draft, std::move(bag));
+    keep_bag(cards, draft, std::move(bag));
 }
 
 namespace {
-
-/// Vent (23) and leak (p23): a coefficient over time and an area over absolute pressure.
-gas::ExitCard exit(Card& c, const Draft& draft, const char* C, const char* C_curve, const char* A,
-                   const char* A_curve) {
-    gas::ExitCard exit;
-    exit.coefficient = {c.real(C, NON_NEGATIVE), c.row_or_none(C_curve, draft.curves)};
-    const double area = c.real(A);
-    if (area < 0.0)
-        exit.facets = vent_of_part(c, draft, A, -area);
-    else
-        exit.area.value = area;
-    exit.area.curve = c.row_or_none(A_curve, draft.curves);
-    return exit;
-}
 
 /// The inflator card is always there; it counts only without LCMT, where it is refused. With CV = 0
 /// the card of heat capacities is behind it.
@@ -208,8 +194,21 @@ gas::LeakLaw law_of(int option) {
     return gas::LeakLaw::VELOCITY;
 }
 
-/// Fabric that leaks does so by its FVOPT, or by the bag's OPT where it is blank, instead of CP23
-/// and AP23.
+}  // namespace
+
+gas::ExitCard exit_card(Card& c, const Draft& draft, const char* C, const char* C_curve, const char* A,
+                   const char* A_curve) {
+    gas::ExitCard exit;
+    exit.coefficient = {c.real(C, NON_NEGATIVE), c.row_or_none(C_curve, draft.curves)};
+    const double area = c.real(A);
+    if (area < 0.0)
+        exit.facets = vent_of_part(c, draft, A, -area);
+    else
+        exit.area.value = area;
+    exit.area.curve = c.row_or_none(A_curve, draft.curves);
+    return exit;
+}
+
 void fabric_leaks(Cards& cards, const Draft& draft, int option, UniformBagCard& bag) {
     std::vector<Index> parts;
     for (const Index shell : bag.shells) {
@@ -242,8 +241,6 @@ void fabric_leaks(Cards& cards, const Draft& draft, int option, UniformBagCard& 
     leak.coefficient.value = 0.0;
 }
 
-}  // namespace
-
 void airbag_wang_nefske(Cards& cards, Draft& draft) {
     UniformBagCard bag = control_volume(cards, draft, "*AIRBAG_WANG_NEFSKE");
     int option = 1;
@@ -262,8 +259,8 @@ void airbag_wang_nefske(Cards& cards, Draft& draft) {
     }
     {
         Card c = cards.next("C23 LCC23 A23 LCA23 CP23 LCCP23 AP23 LCAP23");
-        bag.exits = {exit(c, draft, "C23", "LCC23", "A23", "LCA23"),
-                     exit(c, draft, "CP23", "LCCP23", "AP23", "LCAP23")};
+        bag.exits = {exit_card(c, draft, "C23", "LCC23", "A23", "LCA23"),
+                     exit_card(c, draft, "CP23", "LCCP23", "AP23", "LCAP23")};
     }
     {
         Card c = cards.next("PE RO GC LCEFR POVER PPOP OPT=1 KNKDN");
@@ -278,7 +275,7 @@ void airbag_wang_nefske(Cards& cards, Draft& draft) {
     }
     inflator_and_capacities(cards, bag);
     fabric_leaks(cards, draft, option, bag);
-    keep(cards, draft, std::move(bag));
+    keep_bag(cards, draft, std::move(bag));
 }
 
 }  // namespace corpuscle::io::keywords
