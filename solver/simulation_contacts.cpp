@@ -57,7 +57,8 @@ private:
         for (const auto& [known, group] : groups)
             if (known == meant) return group;
         // whole parts keep their rows
-        const Index group = groups.empty() ? model_.shells[shell].part : static_cast<Index>(count_++);
+        const Index group =
+            groups.empty() ? model_.shells[shell].part : static_cast<Index>(count_++);
         groups.emplace_back(std::move(meant), group);
         return group;
     }

@@ -97,7 +97,8 @@ int run(int argc, char** argv) {
     begin->add_option("--from", to_begin.from, "mesh (STL, OBJ, ...), deck of a mesh, or recipe")
         ->required();
     begin->add_option("-o,--output", to_begin.output, "deck to write; its mesh is beside it");
-    begin->add_flag("--head", to_begin.head, "with a headform over the bag, and a study of its speed");
+    begin->add_flag("--head", to_begin.head,
+                    "with a headform over the bag, and a study of its speed");
     begin->footer(
         "Examples:\n"
         "  corpuscle new --from disc.stl --head -o bag.k\n"

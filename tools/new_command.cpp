@@ -80,9 +80,9 @@ void sew_second_panel(io::ImportedMesh& mesh) {
     for (std::size_t s = 0; s < shells; ++s) {
         const auto n = mesh.shells[s];
         const bool is_triangle = n[2] == n[3];
-        mesh.shells.push_back(is_triangle
-                                  ? std::array<Index, 4>{twin[n[0]], twin[n[2]], twin[n[1]], twin[n[1]]}
-                                  : std::array<Index, 4>{twin[n[0]], twin[n[3]], twin[n[2]], twin[n[1]]});
+        mesh.shells.push_back(
+            is_triangle ? std::array<Index, 4>{twin[n[0]], twin[n[2]], twin[n[1]], twin[n[1]]}
+                        : std::array<Index, 4>{twin[n[0]], twin[n[3]], twin[n[2]], twin[n[1]]});
         mesh.part.push_back(part);
     }
 }
@@ -160,9 +160,10 @@ int new_deck(const NewArguments& arguments) {
     }
     const std::string text = text_of(mesh);
     if (text.find("\n*SECTION_SHELL") != std::string::npos)
-        throw InputError(fmt::format("{}: has *SECTION_SHELL, expected a mesh alone: nodes, shells "
-                                     "and parts",
-                                     mesh.string()));
+        throw InputError(
+            fmt::format("{}: has *SECTION_SHELL, expected a mesh alone: nodes, shells "
+                        "and parts",
+                        mesh.string()));
     NewDeck bag = bag_of(mesh);
     bag.title = fmt::format("bag of {}", from.filename().string());
     if (mesh == from) bag.mesh = fs::relative(mesh, fs::absolute(deck).parent_path()).string();
@@ -177,9 +178,10 @@ int new_deck(const NewArguments& arguments) {
         io::replace_text(study, new_study(bag, deck.filename().string()));
         fmt::print("{}: the headform's speed as a study\n", study.string());
     }
-    fmt::print("{}: {} shells, {} parts; think about what is marked THINK, then\n"
-               "  corpuscle check {}\n  corpuscle run {}\n",
-               deck.string(), bag.facets, bag.parts.size(), deck.string(), deck.string());
+    fmt::print(
+        "{}: {} shells, {} parts; think about what is marked THINK, then\n"
+        "  corpuscle check {}\n  corpuscle run {}\n",
+        deck.string(), bag.facets, bag.parts.size(), deck.string(), deck.string());
     return 0;
 }
 

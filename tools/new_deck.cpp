@@ -57,8 +57,9 @@ std::string parts_and_cloth(const NewDeck& bag, const Units& units) {
     std::string text;
     for (const int part : bag.parts)
         if (!bag.numbered_parts.contains(part))
-            text += fmt::format("*PART\npart {}\n$#     pid     secid       mid\n{:10d}{:10d}{:10d}\n",
-                                part, part, 1, 1);
+            text +=
+                fmt::format("*PART\npart {}\n$#     pid     secid       mid\n{:10d}{:10d}{:10d}\n",
+                            part, part, 1, 1);
     std::set<int> numbers = bag.numbered_parts;
     if (numbers.size() < bag.parts.size() || numbers.empty()) numbers.insert(1);
     for (const int number : numbers)
@@ -107,9 +108,9 @@ std::string headform(const NewDeck& bag, const Units& units) {
         "*DEFINE_TRANSFORMATION\n         1\nTRANSL{:>14}{:>10}       &ZS\n"
         "*NODE_TRANSFORM\n         1{:10d}\n*SET_NODE_GENERAL\n{:10d}\n"
         "PART      {:10d}\n*NODE\n",
-        "5.0", fmt::format("{:.4g}", 0.2 / units.length), bag.top, r,
-        0.4 * MASS * r * r, ten(clean(bag.inflator.x(), r)), ten(clean(bag.inflator.y(), r)), bag.head,
-        bag.head, bag.head);
+        "5.0", fmt::format("{:.4g}", 0.2 / units.length), bag.top, r, 0.4 * MASS * r * r,
+        ten(clean(bag.inflator.x(), r)), ten(clean(bag.inflator.y(), r)), bag.head, bag.head,
+        bag.head);
     const auto node = [&](int id, const Vec3& x) {
         text += fmt::format("{:8d}{}{}{}\n", id, io::in_16_columns(x.x()), io::in_16_columns(x.y()),
                             io::in_16_columns(x.z()));
@@ -134,20 +135,22 @@ std::string headform(const NewDeck& bag, const Units& units) {
         text += fmt::format("{:8d}{:8d}{:8d}{:8d}{:8d}{:8d}\n", shell++, bag.head, first + 1,
                             ring(RINGS - 1, k), ring(RINGS - 1, k + 1), ring(RINGS - 1, k + 1));
     }
-    return text + fmt::format(
-        "*PART_INERTIA\nheadform\n{0:10d}{0:10d}{0:10d}\n"
-        "{1:>10}{2:>10}       &ZC       {3}         0         0\n"
-        "    &IBALL       0.0       0.0    &IBALL       0.0    &IBALL\n"
-        "       0.0       0.0       &VZ\n"
-        "*SECTION_SHELL\n{0:10d}         9\n    &THICK    &THICK    &THICK    &THICK\n"
-        "*MAT_RIGID\n{0:10d}{4:>10}{5:>10}       0.3\n       0.0\n       0.0\n"
-        "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID\n         2bag on headform\n"
-        "         1{0:10d}         2         3\n"
-        "       0.3       0.3       0.0       0.0      20.0\n"
-        "       1.0       1.0    &THICK    &THICK\n"
-        "*DATABASE_RBDOUT\n{6:>10}\n",
-        bag.head, ten(clean(bag.inflator.x(), r)), ten(clean(bag.inflator.y(), r)), MASS,
-        fmt::format("{:.3g}", 1000.0 * std::pow(units.length, 3.0)), units.p(2e9), units.t(1e-4));
+    return text +
+           fmt::format(
+               "*PART_INERTIA\nheadform\n{0:10d}{0:10d}{0:10d}\n"
+               "{1:>10}{2:>10}       &ZC       {3}         0         0\n"
+               "    &IBALL       0.0       0.0    &IBALL       0.0    &IBALL\n"
+               "       0.0       0.0       &VZ\n"
+               "*SECTION_SHELL\n{0:10d}         9\n    &THICK    &THICK    &THICK    &THICK\n"
+               "*MAT_RIGID\n{0:10d}{4:>10}{5:>10}       0.3\n       0.0\n       0.0\n"
+               "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID\n         2bag on headform\n"
+               "         1{0:10d}         2         3\n"
+               "       0.3       0.3       0.0       0.0      20.0\n"
+               "       1.0       1.0    &THICK    &THICK\n"
+               "*DATABASE_RBDOUT\n{6:>10}\n",
+               bag.head, ten(clean(bag.inflator.x(), r)), ten(clean(bag.inflator.y(), r)), MASS,
+               fmt::format("{:.3g}", 1000.0 * std::pow(units.length, 3.0)), units.p(2e9),
+               units.t(1e-4));
 }
 
 }  // namespace
@@ -219,8 +222,9 @@ std::string new_deck(const NewDeck& bag) {
         io::in_16_columns(bag.inflator.z()), bag.is_mm ? 0 : 1, units.p(ATMOSPHERE),
         bag.has_vents ? 1 : 0);
     if (bag.has_vents)
-        text += "$ Vents: part set 2\n$#    sid3    stype3       c23    lctc23    lcpc23     enh_v\n"
-                "         2         1      &C23         0         0         1\n";
+        text +=
+            "$ Vents: part set 2\n$#    sid3    stype3       c23    lctc23    lcpc23     enh_v\n"
+            "         2         1      &C23         0         0         1\n";
     text += fmt::format(
         "$#    pair      tair     xmair      aair\n{:>10}     293.0   0.02897      29.1\n"
         "$ THINK: nitrogen and the like, Cp = 27 + 0.0056 T per mole\n"

@@ -28,8 +28,8 @@ void print_phases(const Timings& timings, double wall) {
 
 /// Gauge pressure with the absolute one beside it.
 void print_state(int id, double volume, double p, double p_atm, double T, const Everyday& unit) {
-    fmt::print("\n  airbag {}: volume {}, pressure {} gauge ({} absolute), temperature {:.5g} K\n", id,
-               unit.volume(volume), unit.pressure(p - p_atm), unit.pressure(p), T);
+    fmt::print("\n  airbag {}: volume {}, pressure {} gauge ({} absolute), temperature {:.5g} K\n",
+               id, unit.volume(volume), unit.pressure(p - p_atm), unit.pressure(p), T);
 }
 
 void print_bag(const gas::BagGas& bag, const Points& x, const Everyday& unit) {
@@ -81,8 +81,9 @@ void print_contact(const Simulation& simulation, const contact::SurfaceContact& 
 
 void print_ledger(EnergyBooks e, double worst, const Everyday& unit) {
     if (unit.is_known()) {
-        for (double* energy : {&e.kinetic, &e.strain, &e.gas, &e.contact, &e.friction, &e.damping,
-                               &e.ambient, &e.inflow, &e.external, &e.residual, &e.smoothing, &worst})
+        for (double* energy :
+             {&e.kinetic, &e.strain, &e.gas, &e.contact, &e.friction, &e.damping, &e.ambient,
+              &e.inflow, &e.external, &e.residual, &e.smoothing, &worst})
             *energy *= unit.joule();
     }
     const double brought = e.inflow + std::abs(e.external);

@@ -25,8 +25,8 @@ UniformGasCard gas_cards(Cards& cards, const Draft& draft) {
     {
         Card c = cards.next("LCIDM LCIDT - MW INITM A B C");
         gas.mass_rate = c.row_or_none("LCIDM", draft.curves);
-        gas.temperature.curve =
-            gas.mass_rate >= 0 ? c.row("LCIDT", draft.curves) : c.row_or_none("LCIDT", draft.curves);
+        gas.temperature.curve = gas.mass_rate >= 0 ? c.row("LCIDT", draft.curves)
+                                                   : c.row_or_none("LCIDT", draft.curves);
         gas.species.molar_mass = c.real("MW", POSITIVE);
         gas.start_share = c.real("INITM", within(0.0, 1.0));
         gas.species.A = c.real("A", POSITIVE);
@@ -52,8 +52,7 @@ void skip_jets(Cards& cards) {
     if (!cards.has("JETTING")) return;
     static const Layout any("- - - - - - - -");
     cards.warn("has jets, which do not act: its gas presses alike everywhere");
-    for (int card = 0; card < 3 && cards.lines_left() > 0; ++card)
-        cards.next(any).harmless_all();
+    for (int card = 0; card < 3 && cards.lines_left() > 0; ++card) cards.next(any).harmless_all();
 }
 
 }  // namespace
@@ -91,7 +90,8 @@ void airbag_hybrid(Cards& cards, Draft& draft) {
         bag.gases.push_back(ambient_gas(bag, density, bag.start_temperature));
         cards.warn("has no INITM: air of density ATMOSD fills the bag at the start");
     } else if (std::abs(start - 1.0) > 0.01 && cards.good()) {
-        cards.fault(fmt::format("has INITM that add up to {:g}, expected 1, or 0 and ATMOSD", start));
+        cards.fault(
+            fmt::format("has INITM that add up to {:g}, expected 1, or 0 and ATMOSD", start));
     }
     skip_jets(cards);
     fabric_leaks(cards, draft, option, bag);

@@ -61,6 +61,17 @@ void shells_of_parts(Card& c, const Draft& draft, std::vector<Index>& shells) {
     if (shells.empty()) c.fault("SID", "parts with shells in them");
 }
 
+/// Of the shells that close the bag.
+std::vector<Index> parts_of(const Draft& draft, const UniformBagCard& bag) {
+    std::vector<Index> parts;
+    for (const Index shell : bag.shells) {
+        const Index part = draft.model.shells[static_cast<std::size_t>(shell)].part;
+        if (part >= 0 && std::find(parts.begin(), parts.end(), part) == parts.end())
+            parts.push_back(part);
+    }
+    return parts;
+}
+
 /// Heat capacities per mass; 0 for CV: they come with the molar ones of a later card.
 void heat_capacities(Card& c, UniformBagCard& bag) {
     bag.cv = c.real("CV", NON_NEGATIVE);
@@ -148,6 +159,14 @@ void airbag_simple(Cards& cards, Draft& draft) {
         bag.p_atm = c.real("PE", POSITIVE);
         bag.density = c.real("RO", POSITIVE);
     }
+    for (const Index part : parts_of(draft, bag))
+        if (leakage_of(draft.model, part) != nullptr) {
+            cards.warn(
+                fmt::format("has part {}, whose material leaks (FLC, FAC): this model knows "
+                            "MU and AREA alone, the leak does not count",
+                            draft.model.parts[static_cast<std::size_t>(part)].id));
+            break;
+        }
     if (bag.cv == 0.0 || cards.more()) {
         Card c = cards.next("LOU TEXT A B MW GASC - -");
         bag.exit_rate = c.row_or_none("LOU", draft.curves);
@@ -196,8 +215,8 @@ gas::LeakLaw law_of(int option) {
 
 }  // namespace
 
-gas::ExitCard exit_card(Card& c, const Draft& draft, const char* C, const char* C_curve, const char* A,
-                   const char* A_curve) {
+gas::ExitCard exit_card(Card& c, const Draft& draft, const char* C, const char* C_curve,
+                        const char* A, const char* A_curve) {
     gas::ExitCard exit;
     exit.coefficient = {c.real(C, NON_NEGATIVE), c.row_or_none(C_curve, draft.curves)};
     const double area = c.real(A);
@@ -210,15 +229,12 @@ gas::ExitCard exit_card(Card& c, const Draft& draft, const char* C, const char* 
 }
 
 void fabric_leaks(Cards& cards, const Draft& draft, int option, UniformBagCard& bag) {
-    std::vector<Index> parts;
-    for (const Index shell : bag.shells) {
-        const Index part = draft.model.shells[static_cast<std::size_t>(shell)].part;
-        if (part >= 0 && std::find(parts.begin(), parts.end(), part) == parts.end())
-            parts.push_back(part);
-    }
-    for (const Index part : parts) {
+    bool is_blocked = false;
+    for (const Index part : parts_of(draft, bag)) {
         const fabric::FabricCard* cloth = leakage_of(draft.model, part);
         if (cloth == nullptr) continue;
+        const int own = cloth->leak_option != 0 ? cloth->leak_option : option;
+        is_blocked |= own > 0 && own % 2 == 0;
         if (cloth->leak_option < 0)
             cards.fault(fmt::format(
                 "has part {}, whose material leaks with FVOPT = {}, expected 0 "
@@ -231,6 +247,10 @@ void fabric_leaks(Cards& cards, const Draft& draft, int option, UniformBagCard& 
                              cloth->leak_growth});
     }
     if (bag.leaks.empty()) return;
+    if (is_blocked)
+        cards.warn(
+            "has fabric that leaks with an even FVOPT or OPT: what touches is not taken out "
+            "of the leak here, more leaves than would");
     gas::ExitCard& leak = bag.exits.at(1);
     const auto counts = [](const gas::CurveOr& of) { return of.value != 0.0 || of.curve >= 0; };
     if (counts(leak.coefficient) && counts(leak.area))

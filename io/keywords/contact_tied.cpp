@@ -59,8 +59,7 @@ const Shell* facet_under(const Draft& draft, const std::vector<const Shell*>& fa
         };
         const Vec3& p = x[static_cast<std::size_t>(node)];
         double d = distance_to(p, corner(0), corner(1), corner(2));
-        if (!facet->is_triangle())
-            d = std::min(d, distance_to(p, corner(0), corner(2), corner(3)));
+        if (!facet->is_triangle()) d = std::min(d, distance_to(p, corner(0), corner(2), corner(3)));
         if (d > reach(draft, *facet, thickness) || d >= nearest) continue;
         nearest = d;
         best = facet;
@@ -98,8 +97,7 @@ void contact_tied(Cards& cards, Draft& draft) {
     std::size_t apart = 0, held = 0;
     for (const Shell* shell : shells_of(draft, tied)) {
         if (is_rigid(draft, shell->part)) continue;
-        const double thickness =
-            draft.model.parts[static_cast<std::size_t>(shell->part)].thickness;
+        const double thickness = draft.model.parts[static_cast<std::size_t>(shell->part)].thickness;
         for (const Index node : shell->nodes) {
             if (!seen.insert(node).second) continue;
             const Shell* facet = facet_under(draft, facets, node, thickness);
@@ -116,9 +114,10 @@ void contact_tied(Cards& cards, Draft& draft) {
         }
     }
     if (held == 0) cards.fault("ties no node: none of SURFA lies on SURFB");
-    cards.warn(fmt::format("ties {} nodes rigidly to the parts that they lie on; {} others lie "
-                           "apart and are free",
-                           held, apart));
+    cards.warn(
+        fmt::format("ties {} nodes rigidly to the parts that they lie on; {} others lie "
+                    "apart and are free",
+                    held, apart));
 }
 
 }  // namespace corpuscle::io::keywords

@@ -98,8 +98,8 @@ void define_curve_function(Cards& cards, Draft& draft) {
             curve.y.push_back(value.number);
         }
     } catch (const ExpressionError& error) {
-        cards.fault(fmt::format("= {}, expected arithmetic of TIME: {}", text.substr(0, 60),
-                                error.what()));
+        cards.fault(
+            fmt::format("= {}, expected arithmetic of TIME: {}", text.substr(0, 60), error.what()));
         curve.x = {0.0, 1.0};
         curve.y = {0.0, 0.0};
     }

@@ -84,8 +84,8 @@ TEST_CASE("check answers scripts in JSON, refused decks too", "[check]") {
     using Catch::Contains;
     const auto decks = std::filesystem::path(CORPUSCLE_MODELS).parent_path() / "tests" / "decks";
     const std::string mended = check(decks / "closing_rim_part.k", "--json");
-    CHECK_THAT(mended, Contains("\"accepted\": true") && Contains("\"mended\": [") &&
-                           Contains("joins it"));
+    CHECK_THAT(mended,
+               Contains("\"accepted\": true") && Contains("\"mended\": [") && Contains("joins it"));
     const std::string command = CORPUSCLE_PROGRAM " check '" +
                                 (decks / "closing_rim_part.k").string() + "' -D CLOSE=no --json";
     FILE* const pipe = popen(command.c_str(), "r");
