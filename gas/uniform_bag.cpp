@@ -20,10 +20,19 @@ std::string name_of(const UniformBagCard& card) {
     return fmt::format("{} {}", card.keyword, card.id);
 }
 
-/// The gas of the card as one with R / M = cp - cv; the mole's size is free.
-Species species_of(const UniformBagCard& card) {
+/// The card's gases, or its one gas with R / M = cp - cv; the mole's size is free then.
+std::vector<UniformGasCard> gases_of(const UniformBagCard& card) {
+    if (!card.gases.empty()) return card.gases;
     const double M = GAS_CONSTANT / (card.cp - card.cv);
-    return {SpeciesCard{M, card.cp * M, 0.0, 0.0}, GAS_CONSTANT, name_of(card)};
+    return {{{M, card.cp * M, 0.0, 0.0}, 1.0, card.mass_rate, card.temperature}};
+}
+
+std::vector<Species> species_of(const UniformBagCard& card) {
+    std::vector<Species> species;
+    for (const UniformGasCard& gas : gases_of(card))
+        species.emplace_back(gas.species, card.gases.empty() ? GAS_CONSTANT : card.gas_constant,
+                             name_of(card));
+    return species;
 }
 
 }  // namespace
@@ -34,7 +43,8 @@ UniformBag::UniformBag(const UniformBagCard& card, BagWalls walls, std::span<con
       walls_(std::move(walls)),
       enclosure_(walls_.triangles, x, node_id, name_of(card) + ", SID"),
       curves_(curves.begin(), curves.end()),
-      gas_({species_of(card)}),
+      gas_(species_of(card)),
+      gases_(gases_of(card)),
       area_(x.size(), Vec3::Zero()) {
     if (enclosure_.turned() > 0)
         warnings_.push_back(
@@ -47,16 +57,25 @@ UniformBag::UniformBag(const UniformBagCard& card, BagWalls walls, std::span<con
             fmt::format("{}: the volume at the start, VSCA V - VINI, is {:g}, "
                         "expected > 0: RO fills it with gas",
                         name_of(card), V));
-    // p = p_atm + POVER and RO give T = p / (RO (cp - cv)); with IABT p and T give the density.
-    const Species& gas = gas_.species()[0];
-    const double p = card.p_atm + card.overpressure, R = card.cp - card.cv;
+    // p = p_atm + POVER and RO give T = p / (RO R); with IABT p and T give the density. n = p V/(R T)
+    const double p = card.p_atm + card.overpressure, R = gas_.species()[0].gas_constant();
     const bool has_temperature = card.start_temperature > 0.0;
-    const double density = has_temperature ? p / (R * card.start_temperature) : card.density;
-    const double moles = density * V / gas.molar_mass();
-    const double T = p / (density * R);
-    gas_.add(0, moles, moles * gas.molar_energy()(T));
+    const double T =
+        has_temperature ? card.start_temperature : p / (card.density * (card.cp - card.cv));
+    double moles_per_mass = 0.0;
+    for (std::size_t k = 0; k < gases_.size(); ++k)
+        moles_per_mass += gases_[k].start_share / gas_.species()[k].molar_mass();
+    for (std::size_t k = 0; k < gases_.size(); ++k) {
+        const Species& gas = gas_.species()[k];
+        const double moles =
+            p * V / (R * T) * gases_[k].start_share / (gas.molar_mass() * moles_per_mass);
+        gas_.add(k, moles, moles * gas.molar_energy()(T));
+    }
     if (!gas_.settle(V)) throw InputError(name_of(card) + ": PE and RO give no temperature");
-    if (card.mass_rate >= 0) inflow_.emplace(curves[card.mass_rate], INF);
+    for (const UniformGasCard& gas : gases_) {
+        inflow_.emplace_back();
+        if (gas.mass_rate >= 0) inflow_.back().emplace(curves[gas.mass_rate], INF);
+    }
     measure_exits(x);
     first_leak_area_ = leak_area_;
 }
@@ -101,16 +120,20 @@ void UniformBag::book_load(const Points& v_mid, double span) {
 void UniformBag::flow(double t, double dt) {
     rate_in_ = rate_out_ = 0.0;
     flow_out(t, dt);
-    if (inflow_) flow_in(t, dt);
+    flow_in(t, dt);
 }
 
 void UniformBag::flow_in(double t, double dt) {
-    const double mass = inflow_->sum_until(t + dt) - inflow_->sum_until(t);
-    const double energy = mass * card_.cp * value(card_.temperature, t + 0.5 * dt);
-    gas_.add(0, mass / gas_.species()[0].molar_mass(), energy);
-    mass_in_ += mass;
-    inflow_energy_ += energy;
-    rate_in_ = mass / dt;
+    for (std::size_t k = 0; k < gases_.size(); ++k) {
+        if (!inflow_[k]) continue;
+        const Species& gas = gas_.species()[k];
+        const double mass = inflow_[k]->sum_until(t + dt) - inflow_[k]->sum_until(t);
+        const double energy = mass * gas.h(value(gases_[k].temperature, t + 0.5 * dt));
+        gas_.add(k, mass / gas.molar_mass(), energy);
+        mass_in_ += mass;
+        inflow_energy_ += energy;
+        rate_in_ += mass / dt;
+    }
 }
 
 /// At a rate in proportion to what is there, so that a bag never gives more than it has. What PPOP

@@ -91,7 +91,8 @@ private:
     std::vector<double> exit_area_;  ///< of exits that are shells, at t; of others 0      [m^2]
     std::vector<double> leak_area_;  ///< of leaks of the walls, at t                      [m^2]
     std::vector<double> first_leak_area_;  ///< at the start                               [m^2]
-    std::optional<FlowCurve> inflow_;
+    std::vector<UniformGasCard> gases_;
+    std::vector<std::optional<FlowCurve>> inflow_;  ///< by gas
     Points area_;  ///< N × 3, node areas at t                                            [m^2]
     bool is_open_ = false;  ///< PPOP has been reached
     double mass_in_ = 0.0, mass_out_ = 0.0, rate_in_ = 0.0, rate_out_ = 0.0;

@@ -150,9 +150,9 @@ private:
     Layout layout_;
     Line line_;
     std::array<std::string_view, Layout::MOST_FIELDS> field_{};
-    std::string_view rest_;    ///< after the last field
-    std::string_view beyond_;  ///< numbers beyond the last column of a card
-    std::uint32_t read_ = 0;  ///< bit i: field i was read or is harmless
+    std::string_view rest_;                 ///< after the last field
+    std::string_view beyond_;               ///< numbers beyond the last column of a card
+    std::uint32_t read_ = 0;                ///< bit i: field i was read or is harmless
     std::uint32_t acted_ = 0, warned_ = 0;  ///< bit i: it was read to be acted on; to be warned of
     int card_number_ = 0;
     bool is_missing_ = false;

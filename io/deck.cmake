@@ -21,6 +21,7 @@ target_sources(corpuscle_io PRIVATE
     keywords/airbag_gas.cpp
     keywords/mole_fraction.cpp
     keywords/airbag_uniform.cpp
+    keywords/airbag_hybrid.cpp
     keywords/airbag_vents.cpp
     keywords/reference_geometry.cpp
     keywords/rigid_parts.cpp
@@ -34,6 +35,7 @@ target_sources(corpuscle_io PRIVATE
     keywords/loads.cpp
     keywords/contact.cpp
     keywords/contact_surface.cpp
+    keywords/contact_tied.cpp
     keywords/walls.cpp
     keywords/walls_geometric.cpp
     keywords/database_sensor.cpp

@@ -99,8 +99,7 @@ std::string units(Parameters& parameters, Faults& faults) {
           std::pair{"KG-MM-MS-K", "kg-mm-ms-K"}, std::pair{"TON-MM-S", "ton-mm-s-K"},
           std::pair{"T-MM-S", "ton-mm-s-K"}, std::pair{"TON-MM-S-K", "ton-mm-s-K"}})
         if (word == name) return system;
-    faults.fault(Place{0, 1},
-                 fmt::format("UNITS = {}, expected SI, kg-mm-ms or ton-mm-s", *text));
+    faults.fault(Place{0, 1}, fmt::format("UNITS = {}, expected SI, kg-mm-ms or ton-mm-s", *text));
     return {};
 }
 
@@ -117,8 +116,8 @@ std::string guessed_units(const Model& model) {
         const std::pair<const char*, std::array<double, 2>> systems[] = {
             {"SI", {1.0, 1.0}}, {"kg-mm-ms-K", {1e9, 1e9}}, {"ton-mm-s-K", {1e12, 1e6}}};
         for (const auto& [name, to_si] : systems)
-            if (density * to_si[0] > 200.0 && density * to_si[0] < 3000.0 &&
-                E * to_si[1] > 1e6 && E * to_si[1] < 1e11)
+            if (density * to_si[0] > 200.0 && density * to_si[0] < 3000.0 && E * to_si[1] > 1e6 &&
+                E * to_si[1] < 1e11)
                 return name;
         return {};
     }
@@ -141,9 +140,10 @@ void settle_units(const std::string& said, Model& model, Faults& faults) {
     const std::string guess = guessed_units(model);
     if (guess.empty()) return;
     model.unit_system = guess;
-    model.notes.push_back(fmt::format("units are taken as {}, from density and modulus of the "
-                                      "fabric (-D UNITS=kg-mm-ms, ton-mm-s or SI says them)",
-                                      guess));
+    model.notes.push_back(
+        fmt::format("units are taken as {}, from density and modulus of the "
+                    "fabric (-D UNITS=kg-mm-ms, ton-mm-s or SI says them)",
+                    guess));
 }
 
 struct Task {

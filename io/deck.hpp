@@ -17,7 +17,7 @@ class FieldLog;
 /// What the command line adds to a deck.
 struct DeckOptions {
     std::vector<std::pair<std::string, std::string>> overrides;  ///< -D NAME=VALUE, one for each
-    FieldLog* log = nullptr;  ///< learns what becomes of fields
+    FieldLog* log = nullptr;                                     ///< learns what becomes of fields
 };
 
 /// The scene that an LS-DYNA keyword deck describes, with its includes.

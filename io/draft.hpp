@@ -73,6 +73,7 @@ struct Draft {
     Registry node_sets{"*SET_NODE"}, part_sets{"*SET_PART"}, shell_sets{"*SET_SHELL"},
         segment_sets{"*SET_SEGMENT"}, solid_sets{"*SET_SOLID"};
     Registry solids{"*ELEMENT_SOLID"};
+    Registry boxes{"*DEFINE_BOX"};
     Registry transformations{"*DEFINE_TRANSFORMATION"};
     Registry cpm_vents{"*DEFINE_CPM_VENT"}, cpm_chambers{"*DEFINE_CPM_CHAMBER"};
 
@@ -85,6 +86,7 @@ struct Draft {
     std::map<Index, Unread> bare_parts;        ///< without section or material, by part row
     std::vector<Index> stiffened_parts;        ///< of solids that deform, taken as rigid
     std::vector<Index> inertia_nodes;          ///< NODEID of *PART_INERTIA, node rows
+    std::vector<Eigen::AlignedBox3d> box;
     std::vector<Eigen::Affine3d> transformation;
     std::vector<RigidVelocity> inertia_start;  ///< of *PART_INERTIA, where nothing else says it
     std::vector<Index> rigid_owner;  ///< by node row: rigid part or -1; empty until it is asked for

@@ -83,7 +83,8 @@ public:
     [[nodiscard]] double added_mass() const { return added_mass_; }
 
     /// The next step and who limits it.
-    [[nodiscard]] StepLimit stable_step() const;
+    /// @param without_start  as if there were no DTINIT
+    [[nodiscard]] StepLimit stable_step(bool without_start = false) const;
 
     [[nodiscard]] EnergyBooks books() const;  ///< at t, inside an observer
     [[nodiscard]] RecordLayout layout() const;

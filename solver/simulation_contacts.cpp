@@ -49,7 +49,10 @@ std::vector<double> contact_moduli(const std::vector<fabric::Material>& material
 class ContactParts {
 public:
     explicit ContactParts(const Model& model)
-        : model_(model), group_(model.shells.size(), -1), groups_of_(model.parts.size()) {
+        : model_(model),
+          count_(model.parts.size()),
+          group_(model.shells.size(), -1),
+          groups_of_(model.parts.size()) {
         for (const ContactShells& shells : model.contact_shells)
             for (const auto* some : {&shells.first, &shells.second}) {
                 if (some->empty()) continue;
@@ -80,8 +83,11 @@ private:
         for (const std::vector<bool>& is_on : is_on_) meant.push_back(is_on[shell]);
         for (const auto& [known, group] : groups)
             if (known == meant) return group;
-        groups.emplace_back(std::move(meant), static_cast<Index>(count_));
-        return static_cast<Index>(count_++);
+        // whole parts keep their rows
+        const Index group =
+            groups.empty() ? model_.shells[shell].part : static_cast<Index>(count_++);
+        groups.emplace_back(std::move(meant), group);
+        return group;
     }
 
     [[nodiscard]] std::vector<Index> groups(const std::vector<Index>& parts,
@@ -101,7 +107,7 @@ private:
     }
 
     const Model& model_;
-    std::size_t count_ = 0;
+    std::size_t count_;
     std::vector<std::vector<bool>> is_on_;  ///< sides that mean some shells × shells
     std::vector<Index> group_;              ///< by shell
     std::vector<std::vector<std::pair<std::vector<bool>, Index>>> groups_of_;  ///< by part

@@ -34,7 +34,7 @@ std::string StepLimit::text() const {
     return "nothing";
 }
 
-StepLimit Simulation::stable_step() const {
+StepLimit Simulation::stable_step(bool without_start) const {
     StepLimit limit;
     for (const fabric::Membranes& fabric : fabric_) {
         const auto [dt, shell] = fabric.stable_step();
@@ -55,7 +55,7 @@ StepLimit Simulation::stable_step() const {
         if (const double dt = contact.stable_step(nodes_.v); dt < limit.dt)
             limit.tighten(dt, StepLimit::Who::CONTACT,
                           model_.contacts[contact.limiting_card(nodes_.v)].id);
-    if (clock_.step == 0 && model_.step_start > 0.0)
+    if (clock_.step == 0 && model_.step_start > 0.0 && !without_start)
         limit.tighten(model_.step_start, StepLimit::Who::START, 0);
     const double rest = model_.end_time - clock_.t;
     if (limit.dt >= rest * (1.0 - 1e-9)) return {rest, StepLimit::Who::END, 0};

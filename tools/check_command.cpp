@@ -10,6 +10,7 @@
 #include "solver/simulation.hpp"
 #include "tools/check_json.hpp"
 #include "tools/commands.hpp"
+#include "tools/sanity.hpp"
 #include "tools/summary.hpp"
 
 namespace corpuscle::tools {
@@ -92,7 +93,11 @@ void print_needs(const Simulation& simulation) {
 
 void print_estimate(const Simulation& simulation) {
     const Model& model = simulation.model();
-    const StepLimit limit = simulation.stable_step();
+    StepLimit limit = simulation.stable_step();
+    if (limit.who == StepLimit::Who::START) {  // DTINIT is of the first step alone
+        fmt::print("first step {:.4g}, by DTINIT\n", limit.dt);
+        limit = simulation.stable_step(/*without_start=*/true);
+    }
     const double steps = std::ceil(model.end_time / limit.dt);
     double seconds = static_cast<double>(simulation.active_shells()) * SECONDS_PER_ELEMENT_STEP;
     for (const gas::BagCard& bag : model.bags)
@@ -122,7 +127,10 @@ void print_contacts_at_start(Simulation& simulation) {
 int check_for_scripts(const DeckArguments& arguments) {
     try {
         const Simulation simulation = load(arguments);
-        fmt::print("{}", check_json(arguments.file, &simulation.model(), {}));
+        Model model = simulation.model();
+        for (std::string& warning : sanity_of(simulation).warnings)
+            model.warnings.push_back(std::move(warning));
+        fmt::print("{}", check_json(arguments.file, &model, {}));
         return 0;
     } catch (const InputError& error) {
         fmt::print("{}", check_json(arguments.file, nullptr, error.faults));
@@ -136,6 +144,8 @@ int check(const DeckArguments& arguments, bool as_json) {
     if (as_json) return check_for_scripts(arguments);
     Simulation simulation = load(arguments);
     print_scene(simulation);
+    const Sanity sanity = sanity_of(simulation);
+    for (const std::string& line : sanity.lines) fmt::print("  {}\n", line);
     print_needs(simulation);
     if (simulation.added_mass() > 0.0)
         fmt::print("mass added by DT2MS: {:.4g}\n", simulation.added_mass());
@@ -146,6 +156,7 @@ int check(const DeckArguments& arguments, bool as_json) {
     for (const std::string& note : simulation.model().notes) fmt::print("note: {}\n", note);
     for (const std::string& warning : simulation.model().warnings)
         fmt::print("warning: {}\n", warning);
+    for (const std::string& warning : sanity.warnings) fmt::print("warning: {}\n", warning);
     return 0;
 }
 

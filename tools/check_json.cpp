@@ -30,8 +30,7 @@ std::string message(const std::string& line) {
 
 std::string list(const std::vector<std::string>& lines) {
     std::string text;
-    for (const std::string& line : lines)
-        text += (text.empty() ? "\n  " : ",\n  ") + message(line);
+    for (const std::string& line : lines) text += (text.empty() ? "\n  " : ",\n  ") + message(line);
     return "[" + text + "]";
 }
 

@@ -36,6 +36,12 @@ struct MeshArguments {
     std::string input, output;
 };
 
+struct NewArguments {
+    std::string from;    ///< mesh, deck of a mesh, or recipe
+    std::string output;  ///< empty: the name of `from` with .new.k
+    bool head = false;   ///< with a headform and a study of its speed
+};
+
 struct FoldArguments {
     std::string recipe, output;
 };
@@ -72,6 +78,7 @@ struct ReportArguments {
 int run(const RunArguments& arguments);
 int check(const DeckArguments& arguments, bool as_json = false);
 int mesh(const MeshArguments& arguments);
+int new_deck(const NewArguments& arguments);
 int fold(const FoldArguments& arguments);
 int responses(const ResponsesArguments& arguments);
 int study(const StudyArguments& arguments);

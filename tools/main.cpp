@@ -66,6 +66,7 @@ int run(int argc, char** argv) {
         "  corpuscle check driver_bag_flat.k\n"
         "  corpuscle fold driver_bag.toml -o mesh.k\n"
         "  corpuscle mesh head.stl -o head.k\n"
+        "  corpuscle new --from disc.stl -o bag.k\n"
         "  corpuscle study oop.toml\n"
         "  corpuscle report driver_bag_flat.out");
 
@@ -89,6 +90,19 @@ int run(int argc, char** argv) {
         "mesh", "turn a surface mesh (STL, OBJ, PLY, ...) into a welded, checked deck");
     mesh->add_option("IN", to_mesh.input, "mesh file")->required();
     mesh->add_option("-o,--output", to_mesh.output, "deck to write")->required();
+
+    tools::NewArguments to_begin;
+    CLI::App* begin = app.add_subcommand(
+        "new", "a commented starting deck for a mesh or a folded bag, with guesses to think about");
+    begin->add_option("--from", to_begin.from, "mesh (STL, OBJ, ...), deck of a mesh, or recipe")
+        ->required();
+    begin->add_option("-o,--output", to_begin.output, "deck to write; its mesh is beside it");
+    begin->add_flag("--head", to_begin.head,
+                    "with a headform over the bag, and a study of its speed");
+    begin->footer(
+        "Examples:\n"
+        "  corpuscle new --from disc.stl --head -o bag.k\n"
+        "  corpuscle new --from models/recipes/zigzag.toml -o folded.k");
 
     tools::FoldArguments to_fold;
     CLI::App* fold = app.add_subcommand(
@@ -176,6 +190,7 @@ int run(int argc, char** argv) {
     }
     if (*run) return tools::run(to_run);
     if (*check) return tools::check(to_check, check_as_json);
+    if (*begin) return tools::new_deck(to_begin);
     if (*fold) return tools::fold(to_fold);
     if (*exports) return tools::export_results(to_export);
     if (*report) return tools::report(to_report);

@@ -254,8 +254,12 @@ int run(const RunArguments& arguments) {
     if (!from) io::remove_checkpoint(folder);
 
     const RecordLayout layout = simulation.layout();
-    const io::RunInfo info{"corpuscle",       std::string(VERSION), model.deck,
-                           model.unit_system, arguments.deck.seed,  parallel::threads(),
+    const io::RunInfo info{"corpuscle",
+                           std::string(VERSION),
+                           model.deck,
+                           model.unit_system,
+                           arguments.deck.seed,
+                           parallel::threads(),
                            fmt::format("{}", fmt::join(model.mendings, "\n"))};
     StateReader state(from ? std::span<const char>(from->state) : std::span<const char>());
     if (from) state(simulation);

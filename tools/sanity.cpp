@@ -31,7 +31,8 @@ struct ToSI {
 
 /// A number in its everyday unit, or as the deck has it.
 std::string told(double value, double to_unit, const char* unit, bool is_known) {
-    return is_known ? fmt::format("{:.4g} {}", value * to_unit, unit) : fmt::format("{:.4g}", value);
+    return is_known ? fmt::format("{:.4g} {}", value * to_unit, unit)
+                    : fmt::format("{:.4g}", value);
 }
 
 /// What comes in, and its share of heat capacities.
@@ -83,8 +84,9 @@ private:
     [[nodiscard]] double area(const Shell& shell) const {
         const auto& x = model().x;
         const auto& n = shell.nodes;
-        return 0.5 * (x[n[2]] - x[n[0]]).cross(shell.is_triangle() ? x[n[1]] - x[n[0]]
-                                                                   : x[n[3]] - x[n[1]]).norm();
+        return 0.5 * (x[n[2]] - x[n[0]])
+                         .cross(shell.is_triangle() ? x[n[1]] - x[n[0]] : x[n[3]] - x[n[1]])
+                         .norm();
     }
     [[nodiscard]] static double modulus(const fabric::Material& material) {
         if (const auto* cloth = std::get_if<fabric::FabricCard>(&material.card))
@@ -101,9 +103,10 @@ private:
         std::string likely;
         for (const double slip : {1e-12, 1e-9, 1e-6, 1e-3, 1e3, 1e6, 1e9, 1e12})
             if (likely.empty() && value * slip >= low && value * slip <= high)
-                likely = fmt::format("; {:.0e} times that would do: is it given in units other than "
-                                     "{}?",
-                                     slip, model().unit_system);
+                likely = fmt::format(
+                    "; {:.0e} times that would do: is it given in units other than "
+                    "{}?",
+                    slip, model().unit_system);
         warn(fmt::format("{} is {:.4g} {}, expected {:.3g} to {:.3g}{}", what, value, unit, low,
                          high, likely));
     }
@@ -157,11 +160,10 @@ private:
         say(fmt::format("airbag {}: {} now, some {} full", id, told(volume, litre, "l", is_known_),
                         told(full, litre, "l", is_known_)));
         if (in.mass > 0.0)
-            say(fmt::format("  gas: {}, {} mol, {}, {:.4g} to {:.4g} K",
-                            told(in.mass, 1e3 * si_.mass, "g", is_known_),
-                            fmt::format("{:.4g}", in.moles),
-                            told(in.enthalpy, 1e-3 * si_.energy(), "kJ", is_known_), in.coldest,
-                            in.hottest));
+            say(fmt::format(
+                "  gas: {}, {} mol, {}, {:.4g} to {:.4g} K",
+                told(in.mass, 1e3 * si_.mass, "g", is_known_), fmt::format("{:.4g}", in.moles),
+                told(in.enthalpy, 1e-3 * si_.energy(), "kJ", is_known_), in.coldest, in.hottest));
         const double heat = in.heat + inside_heat, gas = in.gas + inside_gas;
         if (!(heat > 0.0)) return;
         const double energy = in.enthalpy + inside_energy - p_atm * (full - volume);
@@ -172,13 +174,15 @@ private:
         const double strain = p * r / (2.0 * stiffness(walls));
         if (strain > 0.0) say(fmt::format("  cloth strains by {:.3g} % then", 100.0 * strain));
         if (strain > MOST_STRAIN)
-            warn(fmt::format("airbag {}: that pressure strains its cloth by {:.3g} %: too much gas, "
-                             "too soft or thin a cloth, or vents that must be there",
-                             id, 100.0 * strain));
+            warn(
+                fmt::format("airbag {}: that pressure strains its cloth by {:.3g} %: too much gas, "
+                            "too soft or thin a cloth, or vents that must be there",
+                            id, 100.0 * strain));
         if (is_known_ && p * si_.pressure() > 2e6)
-            warn(fmt::format("airbag {}: its gas would have {:.3g} kPa if nothing left, a bag has "
-                             "some 50: is the mass flow in {}?",
-                             id, p * kPa, model().unit_system));
+            warn(
+                fmt::format("airbag {}: its gas would have {:.3g} kPa if nothing left, a bag has "
+                            "some 50: is the mass flow in {}?",
+                            id, p * kPa, model().unit_system));
         if (in.coldest < 150.0 && in.mass > 0.0)
             warn(fmt::format("airbag {}: gas comes in at {:.4g} K, expected kelvin above 150", id,
                              in.coldest));
@@ -189,9 +193,8 @@ private:
         Filling in;
         for (const gas::InflowCard& flow : card.inflow)
             add_inflow(in, model().curves[flow.mass_rate], card.all_in,
-                       gas::Species(flow.species, card.gas_constant, "gas"), [&](double t) {
-                           return model().curves[flow.temperature](t);
-                       });
+                       gas::Species(flow.species, card.gas_constant, "gas"),
+                       [&](double t) { return model().curves[flow.temperature](t); });
         const double volume = bag.enclosure().volume(model().x);
         double energy = 0.0, heat = 0.0, moles = 0.0;
         if (card.air) {

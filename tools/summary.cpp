@@ -10,6 +10,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/json.hpp"
+#include "tools/everyday.hpp"
 
 namespace corpuscle::tools {
 namespace {
@@ -25,30 +26,33 @@ void print_phases(const Timings& timings, double wall) {
     fmt::print("  {:<16} {:>10.3f}\n", "all", wall);
 }
 
-void print_bag(const gas::BagGas& bag, const Points& x) {
+/// Gauge pressure with the absolute one beside it.
+void print_state(int id, double volume, double p, double p_atm, double T, const Everyday& unit) {
+    fmt::print("\n  airbag {}: volume {}, pressure {} gauge ({} absolute), temperature {:.5g} K\n",
+               id, unit.volume(volume), unit.pressure(p - p_atm), unit.pressure(p), T);
+}
+
+void print_bag(const gas::BagGas& bag, const Points& x, const Everyday& unit) {
     const gas::GasState gas = bag.state(x);
-    fmt::print(
-        "\n  airbag {}: volume {:.6g}, pressure {:.6g} ({:+.6g} to the atmosphere), temperature "
-        "{:.5g}\n",
-        bag.card().id, gas.volume, gas.pressure, gas.pressure - bag.card().p_atm, gas.temperature);
-    fmt::print(
-        "    gas {:.6g} in of {:.6g} inside, {} particles, {} wall hits, {} facet list builds\n",
-        gas.mass_in, gas.mass, bag.particles().size(), bag.hits(), bag.list_builds());
+    print_state(bag.card().id, gas.volume, gas.pressure, bag.card().p_atm, gas.temperature, unit);
+    fmt::print("    gas {} in of {} inside, {} particles, {} wall hits, {} facet list builds\n",
+               unit.mass(gas.mass_in), unit.mass(gas.mass), bag.particles().size(), bag.hits(),
+               bag.list_builds());
     if (!bag.openings().empty())
-        fmt::print("    out through vents {:.6g}, through fabric {:.6g}, {} particles\n",
-                   gas.mass_out_vent, gas.mass_out_fabric, bag.openings().particles_out());
+        fmt::print("    out through vents {}, through fabric {}, {} particles\n",
+                   unit.mass(gas.mass_out_vent), unit.mass(gas.mass_out_fabric),
+                   bag.openings().particles_out());
     for (const std::string& shortage : bag.openings().shortages()) fmt::print("    {}\n", shortage);
     fmt::print("    lost particles: {}\n", bag.lost());
     for (const std::string& loss : bag.losses()) fmt::print("      {}\n", loss);
 }
 
-void print_bag(const gas::UniformBag& bag) {
+void print_bag(const gas::UniformBag& bag, const Everyday& unit) {
     const gas::ControlVolume& gas = bag.gas();
-    fmt::print(
-        "\n  airbag {}: volume {:.6g}, pressure {:.6g} ({:+.6g} to the atmosphere), temperature "
-        "{:.5g}\n    gas {:.6g} in, {:.6g} out, {:.6g} inside\n",
-        bag.card().id, gas.volume(), gas.pressure(), gas.pressure() - bag.card().p_atm,
-        gas.temperature(), bag.mass_in(), bag.mass_out(), gas.mass());
+    print_state(bag.card().id, gas.volume(), gas.pressure(), bag.card().p_atm, gas.temperature(),
+                unit);
+    fmt::print("    gas {} in, {} out, {} inside\n", unit.mass(bag.mass_in()),
+               unit.mass(bag.mass_out()), unit.mass(gas.mass()));
 }
 
 /// The first few pairs, by ids.
@@ -79,9 +83,16 @@ void print_contact(const Simulation& simulation, const contact::SurfaceContact& 
     print_bad_starts(simulation);
 }
 
-void print_ledger(const EnergyBooks& e, double worst) {
+void print_ledger(EnergyBooks e, double worst, const Everyday& unit) {
+    if (unit.is_known()) {
+        for (double* energy :
+             {&e.kinetic, &e.strain, &e.gas, &e.contact, &e.friction, &e.damping, &e.ambient,
+              &e.inflow, &e.external, &e.residual, &e.smoothing, &worst})
+            *energy *= unit.joule();
+    }
     const double brought = e.inflow + std::abs(e.external);
-    fmt::print("\n  energy: inflow {:.6g}, external {:.6g}\n", e.inflow, e.external);
+    fmt::print("\n  energy{}: inflow {:.6g}, external {:.6g}\n", unit.is_known() ? " [J]" : "",
+               e.inflow, e.external);
     fmt::print(
         "    kinetic {:.6g}, strain {:.6g}, gas {:.6g}, ambient {:.6g}, contact {:.6g}, friction "
         "{:.6g}, damping {:.6g}, in transit to the fabric {:.6g}\n",
@@ -106,25 +117,26 @@ void print_bad_starts(const Simulation& simulation) {
 void Summary::print(Simulation& simulation, const std::string& folder,
                     double worst_residual) const {
     const double wall = this->wall();
+    const Everyday unit(simulation.model().unit_system);
     std::size_t flights = 0;
     for (const gas::BagGas& bag : simulation.bags()) flights += bag.flights();
     const double elements =
         static_cast<double>(simulation.active_shells()) * static_cast<double>(simulation.steps());
 
-    fmt::print("\nnormal termination at t = {:.6g} after {} steps\n", simulation.time(),
+    fmt::print("\nnormal termination at t = {} after {} steps\n", unit.time(simulation.time()),
                simulation.steps());
     print_phases(simulation.timings(), wall);
     fmt::print(
         "\n  {:.3g} particle-steps ({:.3g} a second), {:.3g} element-steps ({:.3g} a second)\n",
         static_cast<double>(flights), static_cast<double>(flights) / wall, elements,
         elements / wall);
-    for (const gas::BagGas& bag : simulation.bags()) print_bag(bag, simulation.nodes().x);
-    for (const gas::UniformBag& bag : simulation.uniform_bags()) print_bag(bag);
+    for (const gas::BagGas& bag : simulation.bags()) print_bag(bag, simulation.nodes().x, unit);
+    for (const gas::UniformBag& bag : simulation.uniform_bags()) print_bag(bag, unit);
     for (const contact::SurfaceContact& contact : simulation.contacts())
         print_contact(simulation, contact);
     for (const std::string& mending : simulation.model().mendings)
         fmt::print("\n  mended: {}\n", mending);
-    print_ledger(simulation.books(), worst_residual);
+    print_ledger(simulation.books(), worst_residual, unit);
     fmt::print("\nresults: {0}/results.h5, {0}/results.xdmf (ParaView)\n", folder);
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "gas/cards/bag.hpp"
 #include "gas/cards/leak_law.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/vec.hpp"
@@ -40,6 +41,14 @@ struct UniformLeak {
     std::optional<std::array<double, 4>> growth;
 };
 
+/// One of several gases of *AIRBAG_HYBRID.
+struct UniformGasCard {
+    SpeciesCard species;       ///< MW, A, B, C
+    double start_share = 0.0;  ///< INITM: of the mass inside at the start                   [-]
+    Index mass_rate = -1;      ///< LCIDM: of time                                        [kg/s]
+    CurveOr temperature;       ///< LCIDT: of time                                           [K]
+};
+
 /// One bag of uniform pressure.
 struct UniformBagCard {
     std::string keyword;  ///< for messages: "*AIRBAG_WANG_NEFSKE"
@@ -61,6 +70,8 @@ struct UniformBagCard {
     double start_temperature =
         NaN;  ///< IABT: of the gas inside at the start, RO follows; NaN: from RO     [K]
     std::vector<UniformLeak> leaks;
+    std::vector<UniformGasCard> gases;  ///< in the place of cv, cp, temperature, mass_rate, density
+    double gas_constant = NaN;          ///< GC, of `gases`                        [J/(mol K)]
 };
 
 }  // namespace corpuscle::gas

@@ -128,7 +128,7 @@ private:
         for (const std::int64_t word :
              {std::int64_t{-1}, 1 + nodes, 1 + nodes, 1 + nodes, after, nodes, std::int64_t{0},
               std::int64_t{0}, shells, std::int64_t{0}, after, after + parts, after + 2 * parts,
-              std::int64_t{0}, std::int64_t{0}, parts})
+              parts, std::int64_t{0}, parts})
             file.integer(word);
         for (const std::int32_t id : node_id_) file.integer(id);
         for (const std::int32_t id : shell_id_) file.integer(id);

@@ -148,7 +148,13 @@ private:
             if (const Index row = c.row_or_none("CHM", draft_.cpm_chambers); row >= 0)
                 bag_.chambers = draft_.cpm_chamber[static_cast<std::size_t>(row)];
         if (!c.good()) cards_.abandon();  // nobody can say which row is which
-        air_ = c.choice("IAIR", {0, 1, -1, 2}, {4});
+        air_ = c.choice("IAIR", {0, 1, -1, 2, 4});
+        if (air_ == 4) {
+            c.warn("IAIR",
+                   "taken as 2: initial air is particles that press as particles do, from the "
+                   "start on; there is no front to track");
+            air_ = 2;
+        }
         skips_air_ = air_ == 0 && c.integer("IAIR") != 0;
         if (!c.good()) return;
         if (gases_ == 0 && air_ == 0) c.fault("NGAS", ">= 1, or IAIR = 1: this bag has no gas");

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 
+#include "io/keywords/airbag_uniform.hpp"
 #include "io/keywords/keywords.hpp"
 
 namespace corpuscle::io::keywords {
@@ -60,25 +61,15 @@ void shells_of_parts(Card& c, const Draft& draft, std::vector<Index>& shells) {
     if (shells.empty()) c.fault("SID", "parts with shells in them");
 }
 
-/// The card that all control volumes begin with.
-UniformBagCard control_volume(Cards& cards, const Draft& draft, const char* keyword) {
-    UniformBagCard bag;
-    bag.keyword = keyword;
-    bag.id = static_cast<int>(draft.model.bags.size() + draft.model.uniform_bags.size()) + 1;
-    if (cards.has("ID")) {
-        Card c = cards.next("ID TITLE:70");
-        if (const int id = c.integer("ID", NON_NEGATIVE); id > 0) bag.id = id;
-        bag.title = c.text("TITLE");
+/// Of the shells that close the bag.
+std::vector<Index> parts_of(const Draft& draft, const UniformBagCard& bag) {
+    std::vector<Index> parts;
+    for (const Index shell : bag.shells) {
+        const Index part = draft.model.shells[static_cast<std::size_t>(shell)].part;
+        if (part >= 0 && std::find(parts.begin(), parts.end(), part) == parts.end())
+            parts.push_back(part);
     }
-    Card c = cards.next("SID SIDTYP RBID VSCA=1 PSCA=1 VINI MWD SPSF");
-    if (c.integer("SIDTYP") == 0)
-        shells_of_segments(c, draft, bag.shells);
-    else
-        shells_of_parts(c, draft, bag.shells);
-    bag.volume_scale = c.real("VSCA", POSITIVE);
-    bag.pressure_scale = c.real("PSCA", POSITIVE);
-    bag.volume_taken = c.real("VINI");
-    return bag;
+    return parts;
 }
 
 /// Heat capacities per mass; 0 for CV: they come with the molar ones of a later card.
@@ -122,7 +113,29 @@ std::vector<std::array<Index, 4>> vent_of_part(Card& c, const Draft& draft, cons
     return facets;
 }
 
-void keep(Cards& cards, Draft& draft, UniformBagCard bag) {
+}  // namespace
+
+UniformBagCard control_volume(Cards& cards, const Draft& draft, const char* keyword) {
+    UniformBagCard bag;
+    bag.keyword = keyword;
+    bag.id = static_cast<int>(draft.model.bags.size() + draft.model.uniform_bags.size()) + 1;
+    if (cards.has("ID")) {
+        Card c = cards.next("ID TITLE:70");
+        if (const int id = c.integer("ID", NON_NEGATIVE); id > 0) bag.id = id;
+        bag.title = c.text("TITLE");
+    }
+    Card c = cards.next("SID SIDTYP RBID VSCA=1 PSCA=1 VINI MWD SPSF");
+    if (c.integer("SIDTYP") == 0)
+        shells_of_segments(c, draft, bag.shells);
+    else
+        shells_of_parts(c, draft, bag.shells);
+    bag.volume_scale = c.real("VSCA", POSITIVE);
+    bag.pressure_scale = c.real("PSCA", POSITIVE);
+    bag.volume_taken = c.real("VINI");
+    return bag;
+}
+
+void keep_bag(Cards& cards, Draft& draft, UniformBagCard bag) {
     const auto is_same = [&](const auto& other) { return other.id == bag.id; };
     Model& model = draft.model;
     if (std::any_of(model.bags.begin(), model.bags.end(), is_same) ||
@@ -130,8 +143,6 @@ void keep(Cards& cards, Draft& draft, UniformBagCard bag) {
         cards.fault(fmt::format("has id {}, as another airbag has", bag.id));
     model.uniform_bags.push_back(std::move(bag));
 }
-
-}  // namespace
 
 void airbag_simple(Cards& cards, Draft& draft) {
     UniformBagCard bag = control_volume(cards, draft, "*AIRBAG_SIMPLE_AIRBAG_MODEL");
@@ -148,6 +159,14 @@ void airbag_simple(Cards& cards, Draft& draft) {
         bag.p_atm = c.real("PE", POSITIVE);
         bag.density = c.real("RO", POSITIVE);
     }
+    for (const Index part : parts_of(draft, bag))
+        if (leakage_of(draft.model, part) != nullptr) {
+            cards.warn(
+                fmt::format("has part {}, whose material leaks (FLC, FAC): this model knows "
+                            "MU and AREA alone, the leak does not count",
+                            draft.model.parts[static_cast<std::size_t>(part)].id));
+            break;
+        }
     if (bag.cv == 0.0 || cards.more()) {
         Card c = cards.next("LOU TEXT A B MW GASC - -");
         bag.exit_rate = c.row_or_none("LOU", draft.curves);
@@ -156,24 +175,10 @@ void airbag_simple(Cards& cards, Draft& draft) {
         else
             c.harmless("TEXT A B MW GASC");
     }
-    keep(cards, draft, std::move(bag));
+    keep_bag(cards, draft, std::move(bag));
 }
 
 namespace {
-
-/// Vent (23) and leak (p23): a coefficient over time and an area over absolute pressure.
-gas::ExitCard exit(Card& c, const Draft& draft, const char* C, const char* C_curve, const char* A,
-                   const char* A_curve) {
-    gas::ExitCard exit;
-    exit.coefficient = {c.real(C, NON_NEGATIVE), c.row_or_none(C_curve, draft.curves)};
-    const double area = c.real(A);
-    if (area < 0.0)
-        exit.facets = vent_of_part(c, draft, A, -area);
-    else
-        exit.area.value = area;
-    exit.area.curve = c.row_or_none(A_curve, draft.curves);
-    return exit;
-}
 
 /// The inflator card is always there; it counts only without LCMT, where it is refused. With CV = 0
 /// the card of heat capacities is behind it.
@@ -208,18 +213,28 @@ gas::LeakLaw law_of(int option) {
     return gas::LeakLaw::VELOCITY;
 }
 
-/// Fabric that leaks does so by its FVOPT, or by the bag's OPT where it is blank, instead of CP23
-/// and AP23.
+}  // namespace
+
+gas::ExitCard exit_card(Card& c, const Draft& draft, const char* C, const char* C_curve,
+                        const char* A, const char* A_curve) {
+    gas::ExitCard exit;
+    exit.coefficient = {c.real(C, NON_NEGATIVE), c.row_or_none(C_curve, draft.curves)};
+    const double area = c.real(A);
+    if (area < 0.0)
+        exit.facets = vent_of_part(c, draft, A, -area);
+    else
+        exit.area.value = area;
+    exit.area.curve = c.row_or_none(A_curve, draft.curves);
+    return exit;
+}
+
 void fabric_leaks(Cards& cards, const Draft& draft, int option, UniformBagCard& bag) {
-    std::vector<Index> parts;
-    for (const Index shell : bag.shells) {
-        const Index part = draft.model.shells[static_cast<std::size_t>(shell)].part;
-        if (part >= 0 && std::find(parts.begin(), parts.end(), part) == parts.end())
-            parts.push_back(part);
-    }
-    for (const Index part : parts) {
+    bool is_blocked = false;
+    for (const Index part : parts_of(draft, bag)) {
         const fabric::FabricCard* cloth = leakage_of(draft.model, part);
         if (cloth == nullptr) continue;
+        const int own = cloth->leak_option != 0 ? cloth->leak_option : option;
+        is_blocked |= own > 0 && own % 2 == 0;
         if (cloth->leak_option < 0)
             cards.fault(fmt::format(
                 "has part {}, whose material leaks with FVOPT = {}, expected 0 "
@@ -232,6 +247,10 @@ void fabric_leaks(Cards& cards, const Draft& draft, int option, UniformBagCard& 
                              cloth->leak_growth});
     }
     if (bag.leaks.empty()) return;
+    if (is_blocked)
+        cards.warn(
+            "has fabric that leaks with an even FVOPT or OPT: what touches is not taken out "
+            "of the leak here, more leaves than would");
     gas::ExitCard& leak = bag.exits.at(1);
     const auto counts = [](const gas::CurveOr& of) { return of.value != 0.0 || of.curve >= 0; };
     if (counts(leak.coefficient) && counts(leak.area))
@@ -241,8 +260,6 @@ void fabric_leaks(Cards& cards, const Draft& draft, int option, UniformBagCard& 
     leak = {};
     leak.coefficient.value = 0.0;
 }
-
-}  // namespace
 
 void airbag_wang_nefske(Cards& cards, Draft& draft) {
     UniformBagCard bag = control_volume(cards, draft, "*AIRBAG_WANG_NEFSKE");
@@ -262,8 +279,8 @@ void airbag_wang_nefske(Cards& cards, Draft& draft) {
     }
     {
         Card c = cards.next("C23 LCC23 A23 LCA23 CP23 LCCP23 AP23 LCAP23");
-        bag.exits = {exit(c, draft, "C23", "LCC23", "A23", "LCA23"),
-                     exit(c, draft, "CP23", "LCCP23", "AP23", "LCAP23")};
+        bag.exits = {exit_card(c, draft, "C23", "LCC23", "A23", "LCA23"),
+                     exit_card(c, draft, "CP23", "LCCP23", "AP23", "LCAP23")};
     }
     {
         Card c = cards.next("PE RO GC LCEFR POVER PPOP OPT=1 KNKDN");
@@ -278,7 +295,7 @@ void airbag_wang_nefske(Cards& cards, Draft& draft) {
     }
     inflator_and_capacities(cards, bag);
     fabric_leaks(cards, draft, option, bag);
-    keep(cards, draft, std::move(bag));
+    keep_bag(cards, draft, std::move(bag));
 }
 
 }  // namespace corpuscle::io::keywords

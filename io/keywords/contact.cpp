@@ -22,10 +22,12 @@ void surfaces(Cards& cards, const Draft& draft, contact::ContactCard& contact,
     Card c = cards.next("SURFA SURFB SURFATYP SURFBTYP SABOXID SBBOXID SAPR SBPR");
     c.harmless("SAPR SBPR");  // forces are always written
     ContactSide a = contact_side(c, draft, SIDE_A, contact.kind == Kind::NODES_TO_SURFACE);
+    keep_in_box(c, draft, "SABOXID", a);
     contact.parts = std::move(a.parts);
     some.first = std::move(a.some_shells);
     if (contact.kind == Kind::SINGLE_SURFACE) return c.harmless("SURFB SURFBTYP");
     ContactSide b = contact_side(c, draft, SIDE_B, /*may_be_nodes=*/false);
+    keep_in_box(c, draft, "SBBOXID", b);
     contact.other_parts = std::move(b.parts);
     some.second = std::move(b.some_shells);
     for (const SideFields& side : {SIDE_A, SIDE_B})

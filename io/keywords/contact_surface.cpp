@@ -164,4 +164,29 @@ ContactSide contact_side(Card& c, const Draft& draft, const SideFields& side, bo
     return {rest, {}};
 }
 
+void keep_in_box(Card& c, const Draft& draft, std::string_view field, ContactSide& side) {
+    const Index row = c.row_or_none(field, draft.boxes);
+    if (row < 0) return;
+    const Eigen::AlignedBox3d& box = draft.box[static_cast<std::size_t>(row)];
+    std::vector<std::uint8_t> is_of(draft.model.parts.size(), 0), is_parted(is_of),
+        is_on(draft.model.shells.size(), 0);
+    for (const Index part : side.parts) is_of[static_cast<std::size_t>(part)] = 1;
+    for (const Index shell : side.some_shells) {
+        is_on[static_cast<std::size_t>(shell)] = 1;
+        is_parted[static_cast<std::size_t>(
+            draft.model.shells[static_cast<std::size_t>(shell)].part)] = 1;
+    }
+    for (std::size_t s = 0; s < is_on.size(); ++s) {
+        const Shell& shell = draft.model.shells[s];
+        if (shell.part < 0) continue;
+        const auto part = static_cast<std::size_t>(shell.part);
+        const bool is_meant = is_parted[part] != 0 ? is_on[s] != 0 : is_of[part] != 0;
+        is_on[s] = is_meant && std::all_of(shell.nodes.begin(), shell.nodes.end(), [&](Index n) {
+                       return n >= 0 && box.contains(draft.model.x[static_cast<std::size_t>(n)]);
+                   });
+    }
+    side = listed_side(draft, is_on);
+    if (side.parts.empty()) c.fault(field, "a box with shells of this side in it");
+}
+
 }  // namespace corpuscle::io::keywords

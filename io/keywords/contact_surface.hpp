@@ -27,4 +27,7 @@ struct ContactSide {
 /// with a warning those that have some, where a node would be left out.
 ContactSide contact_side(Card& c, const Draft& draft, const SideFields& side, bool may_be_nodes);
 
+/// Leaves the shells alone whose nodes are all in the box that the field names, if it names one.
+void keep_in_box(Card& c, const Draft& draft, std::string_view field, ContactSide& side);
+
 }  // namespace corpuscle::io::keywords

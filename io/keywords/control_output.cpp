@@ -9,7 +9,7 @@ void title(Cards& cards, Draft& draft) {
 }
 
 void control_termination(Cards& cards, Draft& draft) {
-    Card c = cards.next("ENDTIM ENDCYC DTMIN ENDENG ENDMAS NOSOL");
+    Card c = cards.next("ENDTIM ENDCYC DTMIN ENDENG ENDMAS=1e8 NOSOL");
     draft.model.end_time = c.real("ENDTIM", POSITIVE);
     c.noted("DTMIN ENDENG ENDMAS NOSOL", "this way to stop early is not watched");
 }

@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
+
+#include "io/expression.hpp"
 #include "io/keywords/keywords.hpp"
+#include "io/text.hpp"
 
 namespace corpuscle::io::keywords {
 
@@ -33,6 +38,87 @@ void define_curve(Cards& cards, Draft& draft) {
     }
     if (curve.x.size() < 2 && cards.good()) cards.fault("has too few points, expected two or more");
     draft.model.curves.push_back(std::move(curve));
+}
+
+/// *DEFINE_CURVE_SMOOTH: a velocity that rises to VMAX within TRISE, stays, and falls within TRISE,
+/// each by half a cosine; over it a way of DIST = VMAX (TEND - TSTART - TRISE).
+void define_curve_smooth(Cards& cards, Draft& draft) {
+    constexpr int CORNERS = 50;  // of each half cosine
+    if (cards.has("TITLE")) cards.title();
+    Card c = cards.next("LCID SIDR DIST TSTART TEND TRISE VMAX -");
+    Curve curve;
+    curve.id = c.new_id("LCID", draft.curves, draft.model.curves.size());
+    c.choice("SIDR", {0, 2}, {1});
+    const double way = c.real("DIST"), start = c.real("TSTART", NON_NEGATIVE);
+    double end = c.real("TEND", NON_NEGATIVE), most = c.real("VMAX");
+    const double rise = c.real("TRISE", POSITIVE);
+    if (c.good() && end == 0.0 && most == 0.0) c.fault("TEND", "a time, or VMAX");
+    if (c.good() && end == 0.0) end = start + rise + way / most;
+    if (c.good() && end - start < 2.0 * rise) c.fault("TEND", "at least 2 TRISE after TSTART");
+    if (c.good() && most == 0.0) most = way / (end - start - rise);
+    curve.x = {0.0};
+    curve.y = {0.0};
+    const auto add = [&](double x, double y) {
+        if (x <= curve.x.back()) return;
+        curve.x.push_back(x);
+        curve.y.push_back(y);
+    };
+    add(start, 0.0);
+    for (int i = 1; i <= CORNERS; ++i)
+        add(start + rise * i / CORNERS,
+            0.5 * most * (1.0 - std::cos(std::numbers::pi * i / CORNERS)));
+    for (int i = 0; i <= CORNERS; ++i)
+        add(end - rise + rise * i / CORNERS,
+            0.5 * most * (1.0 + std::cos(std::numbers::pi * i / CORNERS)));
+    add(end + rise, 0.0);
+    draft.model.curves.push_back(std::move(curve));
+}
+
+/// *DEFINE_CURVE_FUNCTION: arithmetic of TIME, taken at 2000 equal steps of the run.
+void define_curve_function(Cards& cards, Draft& draft) {
+    constexpr int STEPS = 2000;
+    if (cards.has("TITLE")) cards.title();
+    Curve curve;
+    {
+        Card c = cards.next("LCID SIDR - - - - - -");
+        curve.id = c.new_id("LCID", draft.curves, draft.model.curves.size());
+        c.choice("SIDR", {0, 2}, {1});
+    }
+    std::string text;
+    while (cards.rows()) text += cards.title();
+    const double end = draft.model.end_time > 0.0 ? draft.model.end_time : 1.0;
+    try {
+        for (int i = 0; i <= STEPS; ++i) {
+            const double t = end * i / STEPS;
+            const auto value = evaluate(text, [&](std::string_view name) -> std::optional<Value> {
+                if (upper(name) == "TIME") return Value{t, false};
+                return cards.parameters().value(name, cards.block().place.file);
+            });
+            curve.x.push_back(t);
+            curve.y.push_back(value.number);
+        }
+    } catch (const ExpressionError& error) {
+        cards.fault(
+            fmt::format("= {}, expected arithmetic of TIME: {}", text.substr(0, 60), error.what()));
+        curve.x = {0.0, 1.0};
+        curve.y = {0.0, 0.0};
+    }
+    cards.warn(fmt::format("is taken as straight lines between {} equal steps of the run", STEPS));
+    draft.model.curves.push_back(std::move(curve));
+}
+
+/// *DEFINE_BOX: along the axes, at the start.
+void define_box(Cards& cards, Draft& draft) {
+    while (cards.rows()) {
+        if (cards.has("TITLE")) cards.title();
+        Card c = cards.next("BOXID XMN XMX YMN YMX ZMN ZMX");
+        c.new_id("BOXID", draft.boxes, draft.box.size());
+        const Vec3 low(c.real("XMN"), c.real("YMN"), c.real("ZMN")),
+            high(c.real("XMX"), c.real("YMX"), c.real("ZMX"));
+        if (c.good() && !(low.array() <= high.array()).all())
+            c.fault("XMX", "upper bounds that are not below the lower ones");
+        draft.box.push_back({low, high});
+    }
 }
 
 void define_vector(Cards& cards, Draft& draft) {

@@ -68,6 +68,9 @@ void mat_other(Cards&, Draft&);
 void mat_add_leakage(Cards&, Draft&);  // leakage.cpp
 // curves.cpp
 void define_curve(Cards&, Draft&);
+void define_curve_smooth(Cards&, Draft&);
+void define_curve_function(Cards&, Draft&);
+void define_box(Cards&, Draft&);
 void define_vector(Cards&, Draft&);
 // coordinates.cpp
 void define_coordinate_system(Cards&, Draft&);
@@ -85,6 +88,9 @@ void set_node_add(Cards&, Draft&);
 void set_part_add(Cards&, Draft&);
 void set_shell_add(Cards&, Draft&);
 void set_segment_add(Cards&, Draft&);
+void set_node_intersect(Cards&, Draft&);
+void set_shell_intersect(Cards&, Draft&);
+void set_segment_intersect(Cards&, Draft&);
 void set_node_general(Cards&, Draft&);
 void set_part_general(Cards&, Draft&);
 void set_shell_general(Cards&, Draft&);
@@ -92,6 +98,9 @@ void set_segment_general(Cards&, Draft&);
 // airbag_uniform.cpp
 void airbag_simple(Cards&, Draft&);
 void airbag_wang_nefske(Cards&, Draft&);
+void airbag_adiabatic(Cards&, Draft&);
+void airbag_hybrid(Cards&, Draft&);
+void airbag_load_curve(Cards&, Draft&);
 // airbag_particle.cpp, airbag_vents.cpp, reference_geometry.cpp
 void airbag_particle(Cards&, Draft&);
 void define_cpm_vent(Cards&, Draft&);
@@ -131,6 +140,7 @@ void constrained_adaptivity(Cards&, Draft&);
 void contact_single_surface(Cards&, Draft&);
 void contact_surface_to_surface(Cards&, Draft&);
 void contact_nodes_to_surface(Cards&, Draft&);
+void contact_tied(Cards&, Draft&);  // contact_tied.cpp
 void rigidwall_planar(Cards&, Draft&);
 void rigidwall_flat(Cards&, Draft&);
 void rigidwall_sphere(Cards&, Draft&);

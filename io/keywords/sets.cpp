@@ -3,6 +3,7 @@
 #include "io/keywords/sets.hpp"
 
 #include <array>
+#include <map>
 
 #include "io/keywords/keywords.hpp"
 
@@ -102,6 +103,24 @@ void sum_set(Cards& cards, Registry& sets, std::vector<std::vector<Item>>& store
     store.push_back(sum.close(cards));
 }
 
+/// What all of some other sets of the kind have.
+template <class Item>
+void common_set(Cards& cards, Registry& sets, std::vector<std::vector<Item>>& store) {
+    const Registry others = sets;
+    set_header(cards, sets, store.size());
+    Collection<Index> rows;
+    rows.add(listed(cards, others));
+    const std::vector<Index> of = rows.close(cards);
+    std::map<Item, std::size_t> count;
+    for (const Index row : of)
+        for (const Item& item : store[static_cast<std::size_t>(row)]) ++count[item];
+    Collection<Item> common;
+    for (const Index row : of)
+        for (const Item& item : store[static_cast<std::size_t>(row)])
+            if (count[item] == of.size()) common.add({item});
+    store.push_back(common.close(cards));
+}
+
 }  // namespace
 
 void set_node(Cards& cards, Draft& d) {
@@ -143,6 +162,15 @@ void set_shell_add(Cards& cards, Draft& d) {
 }
 void set_segment_add(Cards& cards, Draft& d) {
     sum_set(cards, d.segment_sets, d.segment_set);
+}
+void set_node_intersect(Cards& cards, Draft& d) {
+    common_set(cards, d.node_sets, d.node_set);
+}
+void set_shell_intersect(Cards& cards, Draft& d) {
+    common_set(cards, d.shell_sets, d.shell_set);
+}
+void set_segment_intersect(Cards& cards, Draft& d) {
+    common_set(cards, d.segment_sets, d.segment_set);
 }
 
 }  // namespace corpuscle::io::keywords

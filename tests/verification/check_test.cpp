@@ -63,3 +63,37 @@ TEST_CASE("check says whether a bag has particles enough, and how many would be"
     CHECK_THAT(check(deck, "-D NP=10000"), Contains("too few") && Contains("NP = "));
     CHECK_THAT(check(deck, "-D NP=100000"), Contains("enough") && !Contains("too few"));
 }
+
+TEST_CASE("check says what a person can judge, and what cannot be", "[check]") {
+    using Catch::Contains;
+    const test::DeckFolder folder;
+    const auto decks = std::filesystem::path(CORPUSCLE_MODELS).parent_path() / "tests" / "decks";
+    const std::string sane = check(decks / "wang_nefske_inflator_card.k");
+    CHECK_THAT(sane, Contains("cloth: 14.4 g on 0.06 m^2"));
+    CHECK_THAT(sane, Contains("airbag 7: 1 l now"));
+    CHECK_THAT(sane, Contains("gas: 0.2 g") && Contains("500 to 500 K"));
+    CHECK_THAT(sane, Contains("gauge in that volume"));
+    // the same numbers, said to be kg-mm-ms
+    const std::string absurd = check(decks / "wang_nefske_inflator_card.k", "-D UNITS=kg-mm-ms");
+    CHECK_THAT(absurd, Contains("material 1: its density is 8e+11 kg/m^3") &&
+                           Contains("1e-09 times that would do"));
+    CHECK_THAT(absurd, Contains("material 1: its modulus is 3e+17 Pa"));
+}
+
+TEST_CASE("check answers scripts in JSON, refused decks too", "[check]") {
+    using Catch::Contains;
+    const auto decks = std::filesystem::path(CORPUSCLE_MODELS).parent_path() / "tests" / "decks";
+    const std::string mended = check(decks / "closing_rim_part.k", "--json");
+    CHECK_THAT(mended,
+               Contains("\"accepted\": true") && Contains("\"mended\": [") && Contains("joins it"));
+    const std::string command = CORPUSCLE_PROGRAM " check '" +
+                                (decks / "closing_rim_part.k").string() + "' -D CLOSE=no --json";
+    FILE* const pipe = popen(command.c_str(), "r");
+    REQUIRE(pipe != nullptr);
+    std::string text;
+    std::array<char, 4096> part;
+    while (std::fgets(part.data(), part.size(), pipe) != nullptr) text += part.data();
+    CHECK(WEXITSTATUS(pclose(pipe)) == 2);
+    CHECK_THAT(text, Contains("\"accepted\": false") && Contains("\"line\": 11") &&
+                         Contains("is not closed: a hole of 8 edges"));
+}

@@ -88,7 +88,7 @@ TEST_CASE("a bag that is not closed gets the line of its card", "[io]") {
     const auto deck = folder.write("deck.k", balloon(CLOTH, "1e-4", "", 3));
     const auto [status, text] = run(deck, "");
     CHECK(status == 2);
-    CHECK_THAT(text, Contains("deck.k:19: *AIRBAG_PARTICLE 1, SID1: edge"));
+    CHECK_THAT(text, Contains("deck.k:19: *AIRBAG_PARTICLE 1: is not closed: a hole of 3 edges"));
 }
 
 TEST_CASE("initial air whose Cv is not above 0 is refused, as a gas and as particles", "[io]") {

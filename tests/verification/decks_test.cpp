@@ -118,6 +118,7 @@ TEST_CASE("MAT_ADD_AIRBAG_POROSITY_LEAKAGE: by the law of FVOPT", "[io]") {
         run.steps(1);
         CHECK(bag.mass_out() == Approx(first_loss(rate, mass, run.scene.time())).epsilon(1e-10));
         CHECK(tells(run.scene.model().warnings, "no part of material 5 closes a bag"));
+        CHECK(tells(run.scene.model().warnings, "what touches is not taken out"));
         run.steps(5);
     }
 }
@@ -233,6 +234,21 @@ TEST_CASE("a hanging node moves with the ends of its edge, which bear its mass",
     CHECK((run.x(7) - Vec3(0.1, 0.2, 0.0)).norm() > 1e-4);
 }
 
+TEST_CASE("a hanging node that lands hands the push to the ends of its edge", "[fabric][contact]") {
+    Run run("adaptivity_landing.k");
+    double least = 0.0;
+    while (!run.scene.is_over()) {
+        run.steps(1);
+        least = std::min(least, run.x(4).z());
+        CHECK((run.x(4) - 0.5 * (run.x(5) + run.x(3))).norm() < 1e-13);
+    }
+    CHECK(least > -0.002);       // above the plate
+    CHECK(least < -0.001);       // which it has met
+    CHECK(run.v(4).z() > -1.0);  // and been stopped by
+    CHECK(run.v(5).z() > -4.0);  // with the ends
+    for (int node = 1; node <= 8; ++node) CHECK(run.x(node).z() > -0.004 - 1e-12);
+}
+
 TEST_CASE("solids that deform are a rigid table where they are held", "[contact]") {
     Model past = read("table_of_solids.k");
     past.contacts.clear();
@@ -245,4 +261,56 @@ TEST_CASE("solids that deform are a rigid table where they are held", "[contact]
     CHECK((run.x(35) - Vec3(-0.1, -0.1, -0.002)).norm() < 1e-15);
     CHECK(run.v(1).z() > 0.0);  // the lower face comes back
     for (int node = 1; node <= 26; ++node) CHECK(run.x(node).z() > -0.002);
+}
+
+TEST_CASE("a hybrid bag holds a mixture of gases with heat capacities of their own", "[io]") {
+    Run run("hybrid.k");
+    const gas::UniformBag& bag = run.scene.uniform_bags().at(0);
+    constexpr double GC = 8.314, T = 293.0;
+    const double air = PE * VOLUME * 0.02897 / (GC * T);
+    CHECK(bag.gas().pressure() == Approx(PE).epsilon(1e-12));
+    CHECK(bag.gas().temperature() == Approx(T).epsilon(1e-12));
+    CHECK(bag.gas().mass(0) == Approx(air).epsilon(1e-12));
+    run.steps(1);
+    const double m = 0.1 * run.scene.time();
+    CHECK(bag.gas().mass(1) == Approx(m).epsilon(1e-12));
+    CHECK(bag.gas().mass(2) == Approx(m).epsilon(1e-12));
+    // enthalpy: the integral of cp from 0 to 600 K
+    const double h =
+        (28.0 * 600.0 + 0.5 * 0.003 * 600.0 * 600.0) / 0.028 + 20.786 * 600.0 / 0.03995;
+    CHECK(bag.inflow_energy() == Approx(m * h).epsilon(1e-12));
+    run.steps(5);
+    CHECK(bag.mass_out() > 0.0);
+}
+
+TEST_CASE("an adiabatic bag keeps p V^gamma", "[io]") {
+    Run run("adiabatic.k");
+    const gas::ControlVolume& gas = run.scene.uniform_bags().at(0).gas();
+    CHECK(gas.pressure() == Approx(151325.0).epsilon(1e-12));
+    CHECK(gas.mass() == Approx(1.8 * VOLUME).epsilon(1e-12));
+    run.to_the_end();
+    CHECK(gas.volume() > 1.05 * VOLUME);
+    CHECK(gas.pressure() == Approx(151325.0 * std::pow(VOLUME / gas.volume(), 1.4)).epsilon(2e-3));
+}
+
+TEST_CASE("a pressure over time swells the bag, whichever way its normals point", "[io]") {
+    Model model = read("load_curve.k");
+    REQUIRE(model.pressure_loads.size() == 1);
+    Run run(model);
+    run.to_the_end();
+    CHECK(run.x(25).z() < -0.001);  // the middles of the lower and the upper face
+    CHECK(run.x(26).z() > 0.101);
+}
+
+TEST_CASE("cloth that is tied to a rigid part rides on it; smooth curves, boxes, common sets",
+          "[io]") {
+    Run run("tied_contact.k");
+    const Model& model = run.scene.model();
+    CHECK(model.history_nodes == std::vector<Index>{2, 3});
+    CHECK(model.contact_shells.at(0).first.size() == 4);  // those of the upper face
+    CHECK(tells(model.warnings, "ties 9 nodes rigidly"));
+    run.to_the_end();
+    CHECK(run.x(31).z() == Approx(-0.0001 + 0.003).epsilon(1e-3));
+    for (const int node : {1, 2, 7, 10, 16, 20, 23, 25})
+        CHECK(run.x(node).z() == Approx(run.x(31).z() + 0.0001).epsilon(1e-9));
 }

@@ -207,8 +207,11 @@ TEST_CASE("AIRBAG_PARTICLE: what nothing acts on yet is one fault, its rows are 
     }
     SECTION("card 3 and the rows") {
         bag.card_3 = "4,1,1", bag.rows = "0,0,0.029,29.\n";
-        CHECK(contains(only_fault(folder, bag),
-                       "card 3, field 1 (IAIR) = 4, expected 0 or 1 or -1 or 2: this"));
+        const Model front = folder.read(bag.deck());
+        CHECK(front.bags.at(0).air->is_particles);
+        CHECK(any_contains(front.warnings, "(IAIR) = 4: taken as 2"));
+        bag.card_3 = "3,1,1";
+        CHECK(contains(only_fault(folder, bag), "(IAIR) = 3, expected 0 or 1 or -1 or 2 or 4"));
         bag.card_3 = "0,1,1,3", bag.rows = "";
         CHECK(folder.faults(bag.deck()).size() == 2);  // NID2 and NID3 are missing
         bag.card_3 = "0,1,1,1,2,5";

@@ -102,7 +102,7 @@ TEST_CASE("too few cards are a fault, and so are too many", "[io]") {
 TEST_CASE("a table with many bad rows shows some and counts the rest", "[io]") {
     const DeckFolder folder;
     std::string rows = "*NODE\n";
-    for (int i = 0; i < 1000; ++i) rows += "x" + std::to_string(i) + ",0,0,0\n";
+    for (int i = 0; i < 1000; ++i) rows.append("x").append(std::to_string(i)).append(",0,0,0\n");
     const auto faults = folder.faults(small_deck(rows));
     REQUIRE(faults.size() == 21);
     CHECK(contains(faults[0], "deck.k:30: *NODE has 980 more faults that are not shown"));
