@@ -165,7 +165,6 @@ struct Model {
 
     // Control and output
     double end_time = NaN;          ///< *CONTROL_TERMINATION ENDTIM                   [s]
-    bool implicit_contact = true;   ///< contact's response; false: the penalty before it
     double step_factor = 0.9;       ///< TSSFAC                                        [-]
     double step_start = 0.0;        ///< DTINIT, 0: stable step                        [s]
     double step_mass_scaled = 0.0;  ///< DT2MS < 0: mass is added where the step would be below
