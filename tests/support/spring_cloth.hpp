@@ -59,8 +59,7 @@ public:
         return 0.9 * 2.0 / std::sqrt(most);
     }
     /// @param card  with all of the cloth as its part 0
-    [[nodiscard]] contact::ContactSetup setup(contact::ContactCard card,
-                                              const Points& reference_x,
+    [[nodiscard]] contact::ContactSetup setup(contact::ContactCard card, const Points& reference_x,
                                               bool is_implicit = true) const {
         card.parts = {0};
         contact::ContactSetup setup;
