@@ -20,7 +20,7 @@ double contact_thickness(const Part& part) {
 
 /// Response of contact (ContactSetup): the penalty, until the implicit law restarts to the bit and
 /// holds its budgets.
-constexpr bool IMPLICIT = false;
+constexpr bool IMPLICIT = true;
 
 /// Modulus through the thickness over the lesser one in the plane: of woven fabric of 300 MPa it is
 /// 10 MPa, which gives way by 1 % at 1 bar and by 4 % at 4.

@@ -9,6 +9,7 @@ namespace corpuscle::contact {
 namespace {
 
 constexpr double SHALLOW = 0.95;   ///< gap over rest, from which areas of contacts change
+constexpr double DEEP = 0.5;       ///< gap over rest, below which an area grows to its first
 constexpr int PASSES = 2;          ///< a step; the areas live on
 constexpr double STRONGEST = 2.0;  ///< change of an area in a pass
 
@@ -33,11 +34,15 @@ void AreaShares::find(const Points& x, const Columns& columns, ContactList& cont
     for (int pass = 0; pass < PASSES; ++pass) {
         add_up(columns, contacts);
         contacts.for_each_apart([&](Contact& c) {
-            if (c.is_known && c.gap < SHALLOW * c.rest) return;
+            if (c.is_known && c.gap < SHALLOW * c.rest) {
+                if (c.gap < DEEP * c.rest && pass == 0)
+                    c.area = std::max(c.area, std::min(STRONGEST * c.area, first_area(c)));
+                return;
+            }
             std::array<double, 2> ratio{};
             for (int i = 0; i < 4; ++i) {
                 double sum = sum_[c.node[i]][c.sides >> i & 1U];
-                if (c.gap >= c.rest) sum += std::abs(c.weight[i]) * c.area;
+                if (c.gap >= c.rest) sum += std::abs(c.weight[i]) * c.area * c.exposure;
                 if (c.weight[i] != 0.0 && sum > 0.0)
                     ratio[c.weight[i] > 0.0 ? 0 : 1] +=
                         std::abs(c.weight[i]) * area_[c.node[i]] / sum;
@@ -59,19 +64,25 @@ void AreaShares::set_normals(const Points& x) {
     });
 }
 
+/// A quarter of the area of the nodes of its smaller place.
+double AreaShares::first_area(const Contact& c) const {
+    std::array<double, 2> mean{};
+    for (int i = 0; i < 4; ++i)
+        mean[c.weight[i] > 0.0 ? 0 : 1] += std::abs(c.weight[i]) * area_[c.node[i]];
+    return 0.25 * std::min(mean[0], mean[1]);
+}
+
 /// On which side of its nodes a contact is; and a first area for those that are new.
 void AreaShares::set_sides(ContactList& contacts) const {
     contacts.for_each_apart([&](Contact& c) {
         c.sides = 0;
         c.is_known = c.area > 0.0;
-        std::array<double, 2> mean{};
         for (int i = 0; i < 4; ++i) {
             const bool is_first = c.weight[i] > 0.0;
-            mean[is_first ? 0 : 1] += std::abs(c.weight[i]) * area_[c.node[i]];
             const bool is_above = (normal_[c.node[i]].dot(c.normal) > 0.0) != is_first;
             c.sides |= static_cast<std::uint8_t>((is_above ? 1U : 0U) << static_cast<unsigned>(i));
         }
-        if (!(c.area > 0.0)) c.area = 0.25 * std::min(mean[0], mean[1]);
+        if (!(c.area > 0.0)) c.area = first_area(c);
     });
 }
 
@@ -80,7 +91,7 @@ void AreaShares::add_up(const Columns& columns, const ContactList& contacts) {
     columns.for_each(contacts, [&](const Contact& c) {
         if (c.gap >= c.rest) return;
         for (int i = 0; i < 4; ++i)
-            sum_[c.node[i]][c.sides >> i & 1U] += std::abs(c.weight[i]) * c.area;
+            sum_[c.node[i]][c.sides >> i & 1U] += std::abs(c.weight[i]) * c.area * c.exposure;
     });
 }
 

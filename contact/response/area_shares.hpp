@@ -32,6 +32,7 @@ public:
 
 private:
     void set_normals(const Points& x);
+    [[nodiscard]] double first_area(const Contact& contact) const;
     void set_sides(ContactList& contacts) const;
     void add_up(const Columns& columns, const ContactList& contacts);
 

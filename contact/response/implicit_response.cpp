@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/response/exposure.hpp"
+
 namespace corpuscle::contact {
 namespace {
 
@@ -96,6 +98,7 @@ void ImplicitResponse::recall(ContactList& contacts, Candidates& pairs) {
 void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
                                 const Columns& columns, Candidates& pairs, Movement& motion) {
     recall(contacts, pairs);
+    contacts.for_each_apart([&](Contact& c) { c.exposure = exposure(cloth_, motion.x(), c); });
     areas_.find(motion.x(), columns, contacts);
     rows_.resize(columns.size());
     parallel::for_each(
@@ -116,7 +119,8 @@ ImplicitResponse::Row ImplicitResponse::row_of(double span, double dt, Contact& 
                                                const Movement& motion) const {
     const ContactCard& card = cloth_.rules.card(c.card);
     const double at = std::min(c.gap, c.rest);
-    c.stiffness = c.modulus * c.area * c.rest / (at * at);
+    const double area = c.area * c.exposure;
+    c.stiffness = c.modulus * area * c.rest / (at * at);
     c.rate_kicked = motion.rate(c);
     const double damping =
         c.mass < INF ? 0.02 * card.damping * std::sqrt(c.stiffness * c.mass) : 0.0;
@@ -129,7 +133,7 @@ ImplicitResponse::Row ImplicitResponse::row_of(double span, double dt, Contact& 
     row.normal = c.normal;
     row.gap = c.gap;
     row.rest = c.rest + dt * c.rest_rate;
-    row.push = span * c.modulus * c.area;
+    row.push = span * c.modulus * area;
     row.dt = dt;
     row.mass = c.mass;
     row.heft = (row.mass + span * damping) / dt;

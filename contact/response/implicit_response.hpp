@@ -85,13 +85,18 @@ private:
         }
         [[nodiscard]] bool rubs() const { return friction_static > 0.0 || friction_dynamic > 0.0; }
 
+        /// Least gap at the end of the step.                                                  [m]
+        [[nodiscard]] double floor() const {
+            return gap > 0.25 * rest ? 0.5 * (gap + 0.25 * rest) : gap;
+        }
         /// Change of the impulse that brings the row to its law, the rate being as it is.
         [[nodiscard]] double change(double rate) const {
             if (impulse == 0.0 && gap + dt * rate >= rest) return 0.0;
+            if (push == 0.0) return std::max(mass * (floor() - gap) / dt - mass * rate, -impulse);
             const double half = 0.5 * (heft * gap + mass * rate - push - impulse);
             const double root = std::sqrt(half * half + heft * push * rest);
             const double at = half > 0.0 ? (half + root) / heft : push * rest / (root - half);
-            const double least = gap > 0.25 * rest ? 0.5 * (gap + 0.25 * rest) : gap;
+            const double least = floor();
             if (at < least) return std::max(mass * (least - gap) / dt - mass * rate, -impulse);
             const double wanted = mass * (at - gap) / dt - mass * rate;
             return std::max(wanted, -impulse);

@@ -18,6 +18,7 @@ struct Contact {
     Vec3 normal;  ///< from the second place to the first
     double gap;   ///< [m]
     double mass;  ///< 1 / (what an impulse of one makes of the rate)             [kg]
+    bool is_edges;  ///< two edges, else a node and a triangle
     std::uint8_t column = ALONE;  ///< name of its column (contact/response/columns.hpp)
     bool on_body = false;         ///< on a rigid body, where `mass` holds for the normal only
     int card = 0;                 ///< row of the card by which they touch
@@ -28,6 +29,7 @@ struct Contact {
     double thickness = 0.0;  ///< of contact, at full                                        [m]
     double modulus = 0.0;    ///< through the thickness                                     [Pa]
     double area = 0.0;       ///< that it stands for                                       [m^2]
+    double exposure = 1.0;   ///< how far its places face each other                        [-]
     bool is_known = false;   ///< its area is that of the last step
     std::uint8_t sides = 0;  ///< bit i: it is above node i
     double share =
@@ -55,7 +57,8 @@ struct Contact {
     double inverse = 0.0;
     for (int i = 0; i < 4; ++i)
         inverse += nearest.weight[i] * nearest.weight[i] * inverse_mass[pair.node[i]];
-    return {pair.node, nearest.weight, nearest.apart / gap, gap, 1.0 / inverse};
+    return {pair.node, nearest.weight, nearest.apart / gap, gap, 1.0 / inverse,
+            pair.is_edges};
 }
 
 }  // namespace corpuscle::contact

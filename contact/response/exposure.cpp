@@ -1,0 +1,60 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "contact/response/exposure.hpp"
+
+#include <algorithm>
+
+namespace corpuscle::contact {
+namespace {
+
+constexpr double FULL = 0.1, NONE = 0.4;  ///< greatest n · u
+constexpr double LEAST_WEIGHT = 1e-12;    ///< below it a corner takes no part
+
+/// Greatest n · u beside an edge.
+double rise_beside_edge(const Cloth& cloth, const Points& x, Index a, Index b, const Vec3& n) {
+    const Vec3 along = (x[b] - x[a]).normalized();
+    double most = -1.0;
+    for (const Index t : cloth.triangles_of(a)) {
+        const Triangle& of = cloth.triangles[t];
+        if (of[0] != b && of[1] != b && of[2] != b) continue;
+        const Index third = of[0] + of[1] + of[2] - a - b;
+        Vec3 into = x[third] - x[a];
+        into -= along.dot(into) * along;
+        const double length = into.norm();
+        if (length > 0.0) most = std::max(most, n.dot(into) / length);
+    }
+    return most;
+}
+
+/// Greatest n · u along the edges of a node.
+double rise_round_node(const Cloth& cloth, const Points& x, Index a, const Vec3& n) {
+    double most = -1.0;
+    for (const Index t : cloth.triangles_of(a))
+        for (const Index b : cloth.triangles[t]) {
+            if (b == a) continue;
+            const Vec3 along = x[b] - x[a];
+            const double length = along.norm();
+            if (length > 0.0) most = std::max(most, n.dot(along) / length);
+        }
+    return most;
+}
+
+}  // namespace
+
+double exposure(const Cloth& cloth, const Points& x, const Contact& c) {
+    double most = -1.0;
+    if (c.is_edges) {
+        most = std::max(rise_beside_edge(cloth, x, c.node[0], c.node[1], -c.normal),
+                        rise_beside_edge(cloth, x, c.node[2], c.node[3], c.normal));
+    } else {
+        std::array<Index, 3> on{};
+        int count = 0;
+        for (int k = 1; k < 4; ++k)
+            if (c.weight[k] < -LEAST_WEIGHT) on[count++] = c.node[k];
+        if (count == 1) most = rise_round_node(cloth, x, on[0], c.normal);
+        if (count == 2) most = rise_beside_edge(cloth, x, on[0], on[1], c.normal);
+    }
+    return std::clamp((NONE - most) / (NONE - FULL), 0.0, 1.0);
+}
+
+}  // namespace corpuscle::contact

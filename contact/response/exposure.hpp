@@ -1,0 +1,22 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "contact/surface/cloth.hpp"
+#include "contact/surface/contact.hpp"
+
+namespace corpuscle::contact {
+
+/// How far the places of a contact are the nearest of the cloth round them.
+///
+/// Let n point from a place to the other one, and u, of length one, from the edge or node that it
+/// lies on into a triangle that has it, or along an edge. Where n · u > 0 the cloth beside the place
+/// is nearer: it has a contact of its own, and this one would push along the sheet. So it gives
+///
+///     1 where the greatest n · u <= 0.1, 0 from 0.4 on, linear between
+///
+/// of the pressure [the Voronoi regions of a surface, softened]. A node facing a triangle's inside
+/// has 1.
+[[nodiscard]] double exposure(const Cloth& cloth, const Points& x, const Contact& contact);
+
+}  // namespace corpuscle::contact
