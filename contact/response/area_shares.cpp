@@ -10,6 +10,7 @@ namespace {
 
 constexpr double SHALLOW = 0.95;   ///< gap over rest, from which areas of contacts change
 constexpr double DEEP = 0.5;       ///< gap over rest, below which an area grows to its first
+constexpr double LEAST = 1e-3;     ///< area over the first one
 constexpr int PASSES = 2;          ///< a step; the areas live on
 constexpr double STRONGEST = 2.0;  ///< change of an area in a pass
 
@@ -48,6 +49,7 @@ void AreaShares::find(const Points& x, const Columns& columns, ContactList& cont
                         std::abs(c.weight[i]) * area_[c.node[i]] / sum;
             }
             c.area *= std::clamp(std::min(ratio[0], ratio[1]), 1.0 / STRONGEST, STRONGEST);
+            c.area = std::max(c.area, LEAST * first_area(c));
         });
     }
 }

@@ -135,6 +135,8 @@ ImplicitResponse::Row ImplicitResponse::row_of(double span, double dt, Contact& 
     row.rest = c.rest + dt * c.rest_rate;
     row.push = span * c.modulus * area;
     row.dt = dt;
+    row.impulse = 0.0;
+    row.rubbed.setZero();
     row.mass = c.mass;
     row.heft = (row.mass + span * damping) / dt;
     row.rub_mass = most > 0.0 ? 1.0 / most : 0.0;
