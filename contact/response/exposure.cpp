@@ -7,7 +7,7 @@
 namespace corpuscle::contact {
 namespace {
 
-constexpr double FULL = 0.1, NONE = 0.4;  ///< greatest n · u
+constexpr double FULL = 0.02, NONE = 0.1;  ///< greatest n · u
 constexpr double LEAST_WEIGHT = 1e-12;    ///< below it a corner takes no part
 
 /// Greatest n · u beside an edge.
@@ -53,6 +53,7 @@ double exposure(const Cloth& cloth, const Points& x, const Contact& c) {
             if (c.weight[k] < -LEAST_WEIGHT) on[count++] = c.node[k];
         if (count == 1) most = rise_round_node(cloth, x, on[0], c.normal);
         if (count == 2) most = rise_beside_edge(cloth, x, on[0], on[1], c.normal);
+        if (count < 3) most = std::max(most, rise_round_node(cloth, x, c.node[0], -c.normal));
     }
     return std::clamp((NONE - most) / (NONE - FULL), 0.0, 1.0);
 }
