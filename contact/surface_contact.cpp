@@ -21,7 +21,7 @@ constexpr double REACH = 1.5;
 
 /// Time in which a gap that starts below the contact thickness grows to it, in steps like the
 /// first: long against a step, so that nothing is thrown, and short against a deployment.
-constexpr double GROWTH_STEPS = 50.0;
+constexpr double GROWTH_STEPS = 200.0;
 
 /// Approach in one step, in contact thicknesses, beyond which the step is asked to be shorter. The
 /// limit of approach holds at any speed, but what it stops at once is stopped without rebound.

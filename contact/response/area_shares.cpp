@@ -11,6 +11,7 @@ namespace {
 constexpr double SHALLOW = 0.95;   ///< gap over rest, from which areas of contacts change
 constexpr double DEEP = 0.5;       ///< gap over rest, below which an area grows to its first
 constexpr double LEAST = 1e-3;     ///< area over the first one
+constexpr double MOST = 4.0;       ///< likewise: all that its nodes have
 constexpr int PASSES = 2;          ///< a step; the areas live on
 constexpr double STRONGEST = 2.0;  ///< change of an area in a pass
 
@@ -35,6 +36,7 @@ void AreaShares::find(const Points& x, const Columns& columns, ContactList& cont
     for (int pass = 0; pass < PASSES; ++pass) {
         add_up(columns, contacts);
         contacts.for_each_apart([&](Contact& c) {
+            if (c.exposure == 0.0) return;
             if (c.is_known && c.gap < SHALLOW * c.rest) {
                 if (c.gap < DEEP * c.rest && pass == 0)
                     c.area = std::max(c.area, std::min(STRONGEST * c.area, first_area(c)));
@@ -49,7 +51,8 @@ void AreaShares::find(const Points& x, const Columns& columns, ContactList& cont
                         std::abs(c.weight[i]) * area_[c.node[i]] / sum;
             }
             c.area *= std::clamp(std::min(ratio[0], ratio[1]), 1.0 / STRONGEST, STRONGEST);
-            c.area = std::max(c.area, LEAST * first_area(c));
+            const double first = first_area(c);
+            c.area = std::clamp(c.area, LEAST * first, MOST * first);
         });
     }
 }
@@ -78,13 +81,13 @@ double AreaShares::first_area(const Contact& c) const {
 void AreaShares::set_sides(ContactList& contacts) const {
     contacts.for_each_apart([&](Contact& c) {
         c.sides = 0;
-        c.is_known = c.area > 0.0;
+        c.is_known = c.area > 0.0 && c.exposure > 0.0;
         for (int i = 0; i < 4; ++i) {
             const bool is_first = c.weight[i] > 0.0;
             const bool is_above = (normal_[c.node[i]].dot(c.normal) > 0.0) != is_first;
             c.sides |= static_cast<std::uint8_t>((is_above ? 1U : 0U) << static_cast<unsigned>(i));
         }
-        if (!(c.area > 0.0)) c.area = first_area(c);
+        if (!c.is_known) c.area = first_area(c);
     });
 }
 

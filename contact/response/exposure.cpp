@@ -7,7 +7,7 @@
 namespace corpuscle::contact {
 namespace {
 
-constexpr double FULL = 0.02, NONE = 0.1;  ///< greatest n · u
+constexpr double FULL = 0.0, NONE = 0.02;  ///< greatest n · u
 constexpr double LEAST_WEIGHT = 1e-12;    ///< below it a corner takes no part
 
 /// Greatest n · u beside an edge.

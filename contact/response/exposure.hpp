@@ -13,7 +13,7 @@ namespace corpuscle::contact {
 /// lies on into a triangle that has it, or along an edge. Where n · u > 0 the cloth beside the place
 /// is nearer: it has a contact of its own, and this one would push along the sheet. So it gives
 ///
-///     1 where the greatest n · u <= 0.1, 0 from 0.4 on, linear between
+///     1 where the greatest n · u <= 0, 0 from 0.02 on, linear between
 ///
 /// of the pressure [the Voronoi regions of a surface, softened]. A node facing a triangle's inside
 /// has 1.
