@@ -8,9 +8,8 @@
 #include "contact/response/crossing_guard.hpp"
 #include "contact/response/facet_load.hpp"
 #include "contact/response/implicit_response.hpp"
-#include "contact/response/impulses.hpp"
 #include "contact/response/pair_look.hpp"
-#include "contact/response/step_control.hpp"
+#include "contact/response/stopping_impulses.hpp"
 
 namespace corpuscle::contact {
 namespace {
@@ -19,29 +18,19 @@ namespace {
 /// sides.
 constexpr double REACH = 1.5;
 
-/// Time in which a gap that starts below the contact thickness grows to it, in steps like the
-/// first: long against a step, so that nothing is thrown, and short against a deployment.
-constexpr double GROWTH_STEPS = 200.0;
-
-/// Approach in one step, in contact thicknesses, beyond which the step is asked to be shorter. The
-/// limit of approach holds at any speed, but what it stops at once is stopped without rebound.
-constexpr double APPROACH = 3.0;
-
 }  // namespace
 
 struct SurfaceContact::State {
     Cloth cloth;
     Candidates pairs;
-    Repulsion repulsion;
-    Impulses impulses;
+    std::vector<ImpulseBooks> books;  ///< by card
     ImplicitResponse response;
-    bool is_implicit;
+    StoppingImpulses stops;
     CrossingGuard guard;
     FacetLoad load;
     ContactList contacts;
     Columns columns;
     PairLook look;
-    StepControl step;
     ContactCounts counts;
     std::vector<double> most;         ///< contact thickness now, by card                  [m]
     std::vector<double> least_gap;    ///< over its rest value, by chunk                   [-]
@@ -52,10 +41,9 @@ struct SurfaceContact::State {
     explicit State(const ContactSetup& setup)
         : cloth(setup),
           pairs(cloth, REACH),
-          repulsion(cloth),
-          impulses(cloth),
+          books(setup.cards.size()),
           response(cloth),
-          is_implicit(setup.is_implicit),
+          stops(cloth, books),
           guard(cloth),
           load(cloth),
           columns(cloth),
@@ -65,16 +53,9 @@ struct SurfaceContact::State {
 
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(pairs, impulses, response, guard, load, contacts, look, step, counts, most, is_on,
-                t, dt_last, span, is_started);
+        archive(pairs, books, response, guard, load, contacts, counts, most, is_on, t, dt_last, span, is_started);
     }
     bool look_at_cards(double now);
-    struct Shortest {
-        double step = INF;  ///< [s]
-        int card = -1;
-    };
-    [[nodiscard]] Shortest shortest_step(const Points& v) const;
-    void let_debtors_part();
     void count();
     [[nodiscard]] bool any_on() const {
         return std::any_of(is_on.begin(), is_on.end(), [](std::uint8_t on) { return on != 0; });
@@ -108,19 +89,17 @@ void SurfaceContact::find(const Points& x, const Points& v, double t, double dt,
     const bool is_born = s.look_at_cards(t);
     if (!s.any_on()) return s.columns.sort(s.contacts);
     if (!s.is_started) {
-        s.look.set_growth(GROWTH_STEPS * dt);
         s.is_started = true;
         s.pairs.start(x, v, t, dt, s.is_on);
     } else {
         s.pairs.follow(x, t);
         if (is_born) s.pairs.admit(x, v, t, dt, s.is_on);
-        if (s.is_implicit) s.pairs.foresee(x, v, t, dt);
+        s.pairs.foresee(x, v, t, dt);
     }
     s.counts.close_starts = s.pairs.close_starts().size();
     if (s.pairs.size() > 0) {
         s.columns.lay(x);
-        s.look.find({x, v, t, s.is_implicit ? dt : 0.0, bodies, s.is_on, s.most}, s.columns,
-                    s.pairs, s.contacts);
+        s.look.find({x, v, t, dt, bodies, s.is_on, s.most}, s.columns, s.pairs, s.contacts);
     }
     s.columns.sort(s.contacts);
     s.count();
@@ -157,72 +136,20 @@ void SurfaceContact::State::count() {
     }
 }
 
-void SurfaceContact::add_force(const Points& x, const Points& /*v*/, double dt, Points& f,
-                               std::span<const RigidMover> bodies, const OwnRates& own) {
+bool SurfaceContact::respond(const Points& x, double dt, Points& v, std::span<RigidMover> bodies,
+                             Points* v_before) {
     State& s = *state_;
-    if (!s.is_implicit) {
-        s.repulsion.find(std::max(dt, s.dt_last), x, bodies, own, s.columns, s.contacts);
-        s.let_debtors_part();
-        s.repulsion.add(s.columns, s.contacts, f);
-    }
     s.span = 0.5 * (s.dt_last + dt);
     s.dt_last = dt;
-}
-
-bool SurfaceContact::filter(const Points& x, double dt, Points& v, std::span<RigidMover> bodies,
-                            Points* v_before) {
-    State& s = *state_;
     s.load.pass(s.span);
     if (!s.any_on()) return false;
     Movement motion(s.cloth, x, v, bodies, v_before);
     if (s.counts.near > 0) motion.begin();
-    if (s.is_implicit)
-        s.response.apply(s.span, dt, s.contacts, s.columns, s.pairs, motion, s.impulses.books());
-    else
-        s.impulses.apply(s.span, dt, s.contacts, s.columns, s.pairs, motion);
+    s.response.apply(s.span, dt, s.contacts, s.columns, s.pairs, motion, s.books);
     s.columns.for_each(s.contacts, [&](const Contact& c) { s.load.add(c); });
-    s.guard.stop(s.t, dt, s.pairs, s.impulses, s.load, motion);
-    s.step.follow(dt, s.guard.stopped(), s.counts.touching, s.guard.card());
+    s.guard.stop(s.t, dt, s.pairs, s.stops, s.load, motion);
     motion.settle();
     return motion.has_begun();
-}
-
-/// A pair that has given more energy than it took, and is parting, does not push on.
-void SurfaceContact::State::let_debtors_part() {
-    contacts.for_each_apart([&](Contact& c) {
-        if (c.memory >= 0 && pairs.memory_at(c.memory).account < 0.0 && c.rate_before > 0.0)
-            c.force = c.stiffness = 0.0;
-    });
-}
-
-/// What is near, but not in the list of contacts, closes in by less than its contact thickness in a
-/// step.
-SurfaceContact::State::Shortest SurfaceContact::State::shortest_step(const Points& v) const {
-    Shortest all;
-    std::vector<Shortest> least(contacts.chunks());
-    contacts.for_each_chunk([&](std::size_t chunk) {
-        for (const Contact& c : contacts.chunk(chunk)) {
-            const double approach = -c.rate(v);
-            if (approach <= 0.0 || APPROACH * c.rest / approach >= least[chunk].step) continue;
-            least[chunk] = {APPROACH * c.rest / approach, c.card};
-        }
-    });
-    for (const Shortest& of : least)
-        if (of.step < all.step) all = of;
-    return all;
-}
-
-double SurfaceContact::stable_step(const Points& v) const {
-    return state_->is_implicit ? INF : state_->shortest_step(v).step;
-}
-int SurfaceContact::limiting_card(const Points& v) const {
-    return state_->shortest_step(v).card;
-}
-double SurfaceContact::holding_step() const {
-    return state_->is_implicit ? INF : state_->step.longest();
-}
-int SurfaceContact::pressed_card() const {
-    return static_cast<int>(state_->step.card());
 }
 
 const std::vector<std::pair<Index, Index>>& SurfaceContact::crossing() const {
@@ -239,7 +166,7 @@ double SurfaceContact::stored_energy() const {
 }
 double SurfaceContact::friction_energy() const {
     double energy = 0.0;
-    for (const ImpulseBooks& book : state_->impulses.books()) energy += book.friction;
+    for (const ImpulseBooks& book : state_->books) energy += book.friction;
     return energy;
 }
 double SurfaceContact::friction_work(const Points& v_mid) const {
@@ -249,24 +176,22 @@ double SurfaceContact::friction_work(const Points& v_mid) const {
 }
 double SurfaceContact::damping_energy() const {
     double energy = 0.0;
-    for (const ImpulseBooks& book : state_->impulses.books()) energy += book.normal;
-    return state_->is_implicit ? energy - stored_energy() : energy;
+    for (const ImpulseBooks& book : state_->books) energy += book.normal;
+    return energy - stored_energy();
 }
 double SurfaceContact::held_work() const {
     double work = 0.0;
-    for (const ImpulseBooks& book : state_->impulses.books()) work += book.held_work;
+    for (const ImpulseBooks& book : state_->books) work += book.held_work;
     return work;
 }
 Vec3 SurfaceContact::force(int card) const {
     if (state_->is_on[static_cast<std::size_t>(card)] == 0) return Vec3::Zero();
-    const Vec3& given = state_->impulses.books()[static_cast<std::size_t>(card)].given;
+    const Vec3& given = state_->books[static_cast<std::size_t>(card)].given;
     return state_->span > 0.0 ? Vec3(given / state_->span) : given;
 }
 double SurfaceContact::energy_of(int card) const {
-    const ImpulseBooks& book = state_->impulses.books()[static_cast<std::size_t>(card)];
-    const double stored =
-        state_->is_implicit ? 0.0 : contact::stored_energy(state_->contacts, card);
-    return stored + book.friction + book.normal;
+    const ImpulseBooks& book = state_->books[static_cast<std::size_t>(card)];
+    return book.friction + book.normal;
 }
 SurfaceContact::Depth SurfaceContact::depth(int card) const {
     Depth now;

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "contact/response/repulsion.hpp"
 #include "contact/surface/cloth.hpp"
 #include "contact/surface/movers.hpp"
 #include "solver/base/archive.hpp"
@@ -37,12 +36,10 @@ struct ContactCounts {
 /// and edges against edges, both sides, for all cards at once, so that none undoes what another has
 /// seen to.
 ///
-/// A step calls find() and add_force() at t, then filter() between the kick and the drift.
-/// Repulsion is elastic and conserves; all that loses energy is done by the filter's impulses,
-/// exact in momentum. Before a card's birth and after its death nothing is found by it.
+/// A step calls find() at t, then respond() between the kick and the drift. Before a card's birth
+/// and after its death nothing is found by it.
 ///
-///     contact.find(x, v, t, dt);  contact.add_force(x, v, dt, f);  kick;  contact.filter(x, dt,
-///     v);  drift;
+///     contact.find(x, v, t, dt);  kick;  contact.respond(x, dt, v);  drift;
 class SurfaceContact {
 public:
     /// @throws InputError for a contact thickness that is not positive or a free node without mass
@@ -57,37 +54,22 @@ public:
     void find(const Points& x, const Points& v, double t, double dt,
               std::span<const RigidMover> bodies = {});
 
-    /// Adds repulsion to f. It is taken to act for half the last step and half this one.
-    /// @param own  what the nodes' own forces take of the stability that the step has
-    void add_force(const Points& x, const Points& v, double dt, Points& f,
-                   std::span<const RigidMover> bodies = {}, const OwnRates& own = {});
-
-    /// Damping, friction, and the limit of approach for the step ahead; changes velocities only,
-    /// and what the bodies have taken.
+    /// Presses apart, damps, rubs, and stops what would pass through in the step ahead; changes
+    /// velocities only, and what the bodies have taken. Its impulses stand for half the last step
+    /// and half this one.
     /// @param v_before  gets v as it was, unless null or nothing is near
     /// @returns whether it may have changed any
-    bool filter(const Points& x, double dt, Points& v, std::span<RigidMover> bodies = {},
-                Points* v_before = nullptr);
-
-    /// Longest step for the speeds at which near places approach each other; INF when none do. [s]
-    [[nodiscard]] double stable_step(const Points& v) const;
-    /// Row of the card by which those places touch; -1: none do.
-    [[nodiscard]] int limiting_card(const Points& v) const;
-
-    /// Longest step with which repulsion holds what presses on it, as the guard has lately been
-    /// told (step_control.hpp); INF: any. [s]
-    [[nodiscard]] double holding_step() const;
-    /// Row of the card by which the pair touches that the guard stopped last; -1: none.
-    [[nodiscard]] int pressed_card() const;
+    bool respond(const Points& x, double dt, Points& v, std::span<RigidMover> bodies = {},
+                 Points* v_before = nullptr);
 
     /// Triangles that crossed at the start and still do, rows i < j; their pairs do not push.
     [[nodiscard]] const std::vector<std::pair<Index, Index>>& crossing() const;
     /// Pairs of triangles that are nearer at the start than their contact thickness, rows.
     [[nodiscard]] const std::vector<std::pair<Index, Index>>& close_starts() const;
 
-    [[nodiscard]] double stored_energy() const;    ///< in the repulsion now                     [J]
+    [[nodiscard]] double stored_energy() const;    ///< in what is pressed, as it was found      [J]
     [[nodiscard]] double friction_energy() const;  ///< rubbed away so far                       [J]
-    [[nodiscard]] double damping_energy() const;  ///< damped or stopped by the filter so far    [J]
+    [[nodiscard]] double damping_energy() const;  ///< pressed in and not given back so far      [J]
     [[nodiscard]] double energy() const {         ///< all three                                 [J]
         return stored_energy() + friction_energy() + damping_energy();
     }
@@ -95,7 +77,7 @@ public:
     /// all impulses: - sum of friction impulse · relative velocity. Of a place that friction holds
     /// at rest it is nothing, while friction_energy() has what the kick gave it and lost again. [J]
     [[nodiscard]] double friction_work(const Points& v_mid) const;
-    /// Work that what is held has done through the filter's impulses so far.                  [J]
+    /// Work that what is held has done through these impulses so far.                  [J]
     [[nodiscard]] double held_work() const;
 
     /// By one card (row): in the last step to SURFA, or of a single surface to the free nodes,

@@ -91,7 +91,7 @@ public:
     /// Flattened: with so many laws in one file the compiler would call what must be inline.
     [[gnu::flatten]] Result force(std::size_t begin, std::size_t end, const Points& x,
                                   const Points& v, double* elastic, double* damping) override {
-        Lanes energy{}, rate{}, pack_of{}, lost{}, pull{}, stiffest = Lanes{} + 1.0;
+        Lanes energy{}, rate{}, pack_of{}, lost{}, pull{};
         for (std::size_t p = begin; p < end; ++p) {
             const Pack<Element>& pack = packs_[p];
             const auto motion = pack.shape.motion(corners_of(x.data()->data(), pack.nodes));
@@ -102,14 +102,11 @@ public:
             energy += stored;
             if constexpr (DAMPED) damp(p, motion, v, damping);
 
-            const Lanes stiffer = stiffening(strain), now = pack.rate * stiffer;
-            stiffest = greater(stiffer, stiffest);
+            const Lanes now = pack.rate * stiffening(strain);
             pack_of = select(now > rate, Lanes{} + static_cast<double>(p), pack_of);
             rate = greater(now, rate);
         }
         Result out = summary(energy, rate, pack_of);
-        for (std::size_t l = 0; l < LANES; ++l)
-            out.stiffening = std::max(out.stiffening, stiffest[l]);
         if constexpr (Remembering<Law>) out.lost = sum_of(lost);
         if (!history_.empty()) out.pull = sum_of(pull);
         return out;

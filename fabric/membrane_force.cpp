@@ -41,7 +41,7 @@ Index Membranes::add_force(const Points& x, const Points& v, Points& f) {
             const MembraneBlock::Result r = blocks_[task.block]->force(
                 task.begin, task.end, x, v, corner_force_.data() + block_start_[task.block],
                 corner_damping_.data() + damped_start_[task.block]);
-            found_[i] = {r.energy, r.rate, r.shell, r.lost, r.pull, r.stiffening};
+            found_[i] = {r.energy, r.rate, r.shell, r.lost, r.pull};
         },
         /*chunk=*/1);
 
@@ -88,11 +88,9 @@ void Membranes::reduce() {
     std::fill(part_energy_.begin(), part_energy_.end(), 0.0);
     double rate = 0.0;
     Index shell = -1;
-    stiffening_ = 1.0;
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
         part_energy_[static_cast<std::size_t>(blocks_[tasks_[i].block]->part)] += found_[i].energy;
         lost_energy_ += found_[i].lost;
-        stiffening_ = std::max(stiffening_, found_[i].stiffening);
         if (found_[i].rate > rate) {
             rate = found_[i].rate;
             shell = found_[i].shell;

@@ -93,21 +93,6 @@ void Membranes::find_rest_step() {
                 rate = block->rate(e);
                 step_ = HeldStep(coat_.shortened(2.0 / std::sqrt(rate)), block->shells[e]);
             }
-    find_node_rates();
-}
-
-/// Every element has K_e <= rate_e M_e, so the sum over elements is below the diagonal of the
-/// nodes' mean rates, weighted by the mass that they have lent.
-void Membranes::find_node_rates() {
-    node_rate_.assign(node_count_, 0.0);
-    std::vector<double> lent(node_count_, 0.0);
-    for_corners(blocks_,
-                [&](const MembraneBlock& b, std::size_t e, std::size_t corner, std::size_t node) {
-                    node_rate_[node] += b.rate(e) * b.mass[corner];
-                    lent[node] += b.mass[corner];
-                });
-    for (std::size_t n = 0; n < node_count_; ++n)
-        if (lent[n] > 0.0) node_rate_[n] = node_rate_[n] / lent[n] + coat_.rate();
 }
 
 Membranes::AddedMass Membranes::scale_mass(double wish, Scaling where) {

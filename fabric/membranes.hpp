@@ -103,13 +103,6 @@ public:
     void stress_strain(const Points& x, std::span<std::array<float, 3>> stress,
                        std::span<std::array<float, 3>> strain) const;
 
-    /// Bound of the membranes' stiffness by node, coats included, K <= diag(m · rate ·
-    /// stiffening()): what else acts on a node may take of a step's stability what this leaves. N
-    /// [1/s^2]
-    [[nodiscard]] const std::vector<double>& node_rates() const { return node_rate_; }
-    /// Largest growth of an element's rate over that of its reference shape, in the last add_force.
-    [[nodiscard]] double stiffening() const { return stiffening_; }
-
     [[nodiscard]] const CoatBending& coat() const { return coat_; }
     [[nodiscard]] std::size_t element_count() const { return element_count_; }
 
@@ -122,7 +115,6 @@ private:
         double rate;  ///< (2/dt)² of the element that limits it [1/s^2]
         Index shell;
         double lost, pull;  ///< [J]
-        double stiffening;
     };
     struct Restoring {  ///< a block with TSRFAC
         std::size_t block;
@@ -144,7 +136,6 @@ private:
     [[nodiscard]] static std::size_t chunks_of(const Gather& gather);
     void find_rest_rates(const std::vector<double>& mass);
     void find_rest_step();
-    void find_node_rates();
     void gather_damping(Points& f);
     void add_restoring(std::size_t block, const StrainRestoration& how,
                        std::span<const Curve> curves);
@@ -164,8 +155,6 @@ private:
     std::vector<double> gather_check_,
         damping_check_;  ///< sums that are finite when all forces are
     std::vector<double> part_energy_;
-    std::vector<double> node_rate_;  ///< of the reference shapes [1/s^2]
-    double stiffening_ = 1.0;
     Points damping_force_;
     std::vector<Restoring> restoring_;
     double lost_energy_ = 0.0, restored_energy_ = 0.0;

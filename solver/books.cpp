@@ -52,7 +52,7 @@ void Simulation::book_forces(double span) {
         rubbed_ += contact.friction_work(v_mid_);
     double friction = rubbed_;
     for (const contact::RigidWall& wall : walls_) friction += wall.friction_energy();
-    moved.contact += -contact_force_.work(v_mid_, span) - (friction - moved.friction);
+    moved.contact -= friction - moved.friction;
     moved.friction = friction;
 
     moved.ambient = moved.smoothing = 0.0;
@@ -122,18 +122,17 @@ void Simulation::find_touching(double span) {
         if (bag.asks_for_contact()) bag.set_touching(touching_, contact_push_);
 }
 
-/// What contact does to each node: its force, and at free nodes the impulse of what stopped them.
+/// What contact does to each free node: the impulse that it gave, over its time.
 void Simulation::find_contact_push(double span) {
     if (held_.empty()) held_ = held_nodes();
-    contact_push_ = contact_force_.f;
-    contact_push_.resize(nodes_.size(), Vec3::Zero());  // without contact cards there is no force
+    contact_push_.assign(nodes_.size(), Vec3::Zero());
     for (std::size_t n = 0; n < nodes_.size(); ++n)
         if (held_[n] == 0)
-            contact_push_[n] += nodes_.mass[n] / span * (nodes_.v[n] - v_before_[n]) - nodes_.f[n];
+            contact_push_[n] = nodes_.mass[n] / span * (nodes_.v[n] - v_before_[n]) - nodes_.f[n];
 }
 
-Vec3 Simulation::contact_and_gas_force(Index node) const {
-    Vec3 force = contact_force_.f.empty() ? Vec3(Vec3::Zero()) : contact_force_.f[node];
+Vec3 Simulation::gas_force(Index node) const {
+    Vec3 force = Vec3::Zero();
     for (const gas::BagGas& bag : bags_) force += bag.force(node);
     for (const gas::UniformBag& bag : uniform_bags_) force += bag.force(node);
     return force;

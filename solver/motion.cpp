@@ -29,19 +29,12 @@ void Simulation::kick(double dt, double span) {
     v_before_ = nodes_.v;
     nodes_.add(load_force_.f);
     nodes_.add(damping_force_.f);
-    nodes_.add(contact_force_.f);
     ties_.share_force(nodes_.f);
     nodes_.kick(span);
     move_bodies(dt, span);
     supports_.hold(clock_.t, dt, span, nodes_);
     ties_.hold(nodes_.v);
     ledger_.after.kinetic = kinetic_energy();
-}
-
-/// What the fabric leaves of the nodes' stability is contact's.
-contact::OwnRates Simulation::fabric_rates() const {
-    if (fabric_.empty()) return {};
-    return {fabric_.front().node_rates(), fabric_.front().stiffening()};
 }
 
 void Simulation::move_bodies(double dt, double span) {
@@ -77,7 +70,7 @@ void Simulation::stop_at_obstacles(double dt) {
     for (contact::SurfaceContact& contact : contacts_) {
         const double by_held = contact.held_work();
         has_stopped |=
-            contact.filter(nodes_.x, dt, nodes_.v, movers_, has_stopped ? nullptr : &v_kicked_);
+            contact.respond(nodes_.x, dt, nodes_.v, movers_, has_stopped ? nullptr : &v_kicked_);
         ledger_.after.external += contact.held_work() - by_held;
         ledger_.after.contact += contact.held_work() - by_held;
     }

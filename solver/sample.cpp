@@ -104,7 +104,7 @@ RecordLayout Simulation::layout() const {
 
 Vec3 Simulation::force_on(const RigidBody& body) const {
     Vec3 force = body.impulse_force();
-    for (const Index n : body.nodes()) force += contact_and_gas_force(n);
+    for (const Index n : body.nodes()) force += gas_force(n);
     return force;
 }
 

@@ -108,7 +108,6 @@ private:
     void bear_references();
     [[nodiscard]] std::vector<Index> fabric_nodes() const;
     [[nodiscard]] std::vector<double> fabric_sizes() const;  // by node
-    [[nodiscard]] contact::OwnRates fabric_rates() const;
     void build_bags(std::uint64_t seed);
     void build_bodies();
     void check_ties();
@@ -137,7 +136,7 @@ private:
     void check_finite() const;
     [[noreturn]] void stop_for(Index broken_shell) const;
     [[nodiscard]] std::string growing_shell(Index node) const;
-    [[nodiscard]] Vec3 contact_and_gas_force(Index node) const;
+    [[nodiscard]] Vec3 gas_force(Index node) const;
     [[nodiscard]] Vec3 velocity(Index node) const;  ///< at t                        [m/s]
 
     Model model_;
@@ -174,7 +173,7 @@ private:
     std::vector<std::uint8_t> held_;  ///< N: as held_nodes() says, if contact_push_ is asked for
     Points contact_push_;             ///< N × 3: contact and obstacles, if a bag asks    [N]
     std::vector<std::uint8_t> touching_;  ///< N: nodes in contact, if a bag asks for it
-    ForceShare load_force_, damping_force_, contact_force_, fabric_force_;
+    ForceShare load_force_, damping_force_, fabric_force_;
     Ledger ledger_;
     ImpulseBook wall_impulses_, contact_impulses_;  ///< by wall; by card
     double rubbed_ = 0.0;  ///< by friction in contact, so far                           [J]

@@ -9,12 +9,6 @@
 #include "solver/simulation.hpp"
 
 namespace corpuscle {
-namespace {
-
-/// Part of the step that all others allow to which contact may shorten it where it is pressed hard.
-constexpr double LEAST_HELD = 0.3;
-
-}  // namespace
 
 std::string StepLimit::text() const {
     switch (who) {
@@ -22,8 +16,6 @@ std::string StepLimit::text() const {
             return fmt::format("shell {}", id);
         case Who::GAS:
             return fmt::format("gas of bag {}", id);
-        case Who::CONTACT:
-            return fmt::format("contact {}", id);
         case Who::START:
             return "DTINIT";
         case Who::END:
@@ -47,14 +39,6 @@ StepLimit Simulation::stable_step(bool without_start) const {
         limit.tighten(bag.stable_step(), StepLimit::Who::GAS, bag.card().id);
     // Rigid bodies alone set no limit: a thousand steps are what a path wants to be seen.
     if (limit.who == StepLimit::Who::NOTHING) limit.dt = model_.end_time / 1000.0;
-    const double least = LEAST_HELD * limit.dt;
-    for (const contact::SurfaceContact& contact : contacts_)
-        if (const double dt = std::max(contact.holding_step(), least); dt < limit.dt)
-            limit.tighten(dt, StepLimit::Who::CONTACT, model_.contacts[contact.pressed_card()].id);
-    for (const contact::SurfaceContact& contact : contacts_)
-        if (const double dt = contact.stable_step(nodes_.v); dt < limit.dt)
-            limit.tighten(dt, StepLimit::Who::CONTACT,
-                          model_.contacts[contact.limiting_card(nodes_.v)].id);
     if (clock_.step == 0 && model_.step_start > 0.0 && !without_start)
         limit.tighten(model_.step_start, StepLimit::Who::START, 0);
     const double rest = model_.end_time - clock_.t;

@@ -10,7 +10,7 @@ namespace corpuscle {
 
 /// How long the next step may be, and who says so.
 struct StepLimit {
-    enum class Who { NOTHING, SHELL, GAS, CONTACT, START, END };
+    enum class Who { NOTHING, SHELL, GAS, START, END };
 
     double dt = INF;  ///< [s]
     Who who = Who::NOTHING;

@@ -26,7 +26,7 @@ StepReport Simulation::step(const Observer& observe) {
 
     // 2. v(t - dt/2) -> v(t + dt/2); between the two, at t, the books balance
     kick(dt, span);                                                             lap("motion");
-    stop_at_obstacles(dt);                                                      lap("obstacles");
+    stop_at_obstacles(dt);                                                      lap("contact");
     book_forces(span);                                                          lap("motion");
     observe(*this);                                                             lap("output");
 
@@ -71,11 +71,8 @@ void Simulation::find_forces(double dt, double span, Stopwatch& lap) {
     for (gas::UniformBag& bag : uniform_bags_) {
         bag.add_load(clock_.t, nodes_.x, nodes_.f);                             lap("gas load");
     }
-    std::fill(contact_force_.f.begin(), contact_force_.f.end(), Vec3::Zero());
     for (contact::SurfaceContact& contact : contacts_) {
         contact.find(nodes_.x, nodes_.v, clock_.t, dt, movers_);                lap("contact search");
-        contact.add_force(nodes_.x, nodes_.v, dt, contact_force_.f, movers_,
-                          fabric_rates());                                      lap("contact force");
     }
     loads_.find_force(clock_.t, nodes_.x, nodes_.mass, load_force_.f);
     add_mass_damping();                                                         lap("loads");

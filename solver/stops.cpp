@@ -113,7 +113,6 @@ void Simulation::check_finite() const {
                             bag.force(node));
     for (const gas::UniformBag& bag : uniform_bags_)
         forces.emplace_back(fmt::format("the gas of airbag {}", bag.card().id), bag.force(node));
-    forces.emplace_back("contact", part_of(contact_force_));
     forces.emplace_back("loads", part_of(load_force_));
     forces.emplace_back("damping", part_of(damping_force_));
     const auto largest = std::max_element(

@@ -190,15 +190,14 @@ void Candidates::sort_memories() {
               [](const auto& a, const auto& b) { return a.key < b.key; });
 }
 
-/// Forgets the memories of pairs that are not in the list any more; their accounts are not lost.
+/// Forgets the memories of pairs that are not in the list any more.
 void Candidates::forget_parted_pairs() {
     std::vector<std::uint8_t> is_used(memories_.size(), 0);
     for (const Candidate& c : list_)
         if (c.memory >= 0) is_used[c.memory] = 1;
     for (std::size_t m = 0; m < memories_.size(); ++m) {
         if (is_used[m]) continue;
-        parted_accounts_ += memories_[m].account;
-        memories_[m].account = memories_[m].short_by = memories_[m].area = 0.0;
+        memories_[m].short_by = memories_[m].area = 0.0;
     }
 }
 

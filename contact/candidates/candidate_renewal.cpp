@@ -104,7 +104,7 @@ void Candidates::list_renewed_pairs(const Points& x) {
 }
 
 /// Pairs that were listed before keep what they know; what those know that are not listed again is
-/// forgotten, but for their accounts.
+/// forgotten.
 void Candidates::hand_on_memories(std::size_t first) {
     for (std::size_t i = first; i < list_.size(); ++i) {
         const auto known = std::lower_bound(handed_on_.begin(), handed_on_.end(),
@@ -114,7 +114,6 @@ void Candidates::hand_on_memories(std::size_t first) {
     }
     for (const auto& [key, memory] : handed_on_) {
         if (memory < 0) continue;
-        parted_accounts_ += std::exchange(memories_[memory].account, 0.0);
         memories_[memory].short_by = memories_[memory].area = 0.0;
     }
 }

@@ -20,7 +20,6 @@ namespace corpuscle::contact {
 /// What a pair remembers.
 struct PairMemory {
     std::uint64_t key;      ///< names the pair
-    double account = 0.0;   ///< energy that repulsion has taken and not given back            [J]
     double short_by = 0.0;  ///< contact thickness less the gap it was first seen with         [m]
     double born = 0.0;      ///< when that was                                                 [s]
     double force = 0.0;     ///< normal, in its last step                                      [N]
@@ -28,7 +27,7 @@ struct PairMemory {
     Vec3 friction = Vec3::Zero();  ///< then, on the first place                               [N]
     std::uint32_t step = 0;        ///< that last step's number
 
-    [[nodiscard]] bool is_empty() const { return account == 0.0 && short_by == 0.0 && area == 0.0; }
+    [[nodiscard]] bool is_empty() const { return short_by == 0.0 && area == 0.0; }
 };
 
 /// Pairs that are near enough to be looked at.
@@ -121,9 +120,6 @@ public:
     [[nodiscard]] PairMemory& memory_at(Index row) { return memories_[row]; }
     PairMemory& make_memory(std::size_t i);
 
-    /// Sum of the accounts of pairs that have gone out of reach since the last call.           [J]
-    double take_parted_accounts() { return std::exchange(parted_accounts_, 0.0); }
-
     /// Triangles that crossed at the start and still do, rows i < j, sorted. Their pairs do not
     /// push.
     [[nodiscard]] const std::vector<std::pair<Index, Index>>& crossing() const { return crossing_; }
@@ -142,7 +138,7 @@ public:
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(patches_, motion_, budget_, steps_, life_, list_, watch_, memories_,
-                parted_accounts_, crossing_, close_starts_, was_on_, barred_, builds_, renewals_,
+                crossing_, close_starts_, was_on_, barred_, builds_, renewals_,
                 dead_, node_box_, own_, search_);
     }
 
@@ -223,7 +219,6 @@ private:
     WatchList watch_;
     std::vector<Chunk> chunks_;
     std::vector<PairMemory> memories_;
-    double parted_accounts_ = 0.0;  ///< [J]
     std::vector<std::pair<Index, Index>> crossing_, close_starts_;
     std::vector<std::uint8_t> was_on_;   ///< by card: its pairs have met
     std::vector<std::uint64_t> barred_;  ///< pairs of crossing triangles, ascending

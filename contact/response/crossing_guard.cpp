@@ -31,9 +31,8 @@ CrossingGuard::CrossingGuard(const Cloth& cloth)
     std::iota(parent_.begin(), parent_.end(), 0);
 }
 
-void CrossingGuard::stop(double t, double dt, Candidates& pairs, Impulses& impulses,
+void CrossingGuard::stop(double t, double dt, Candidates& pairs, StoppingImpulses& impulses,
                          FacetLoad& load, Movement& motion) {
-    stopped_.clear();
     // Impulses change velocities, and so what may meet: look again until nothing new has to be
     // stopped.
     for (int look = 0;; ++look) {
@@ -52,7 +51,7 @@ void CrossingGuard::stop(double t, double dt, Candidates& pairs, Impulses& impul
 
 /// Stops the listed pairs, by impulses for so many rounds, then by clumps.
 /// @returns whether there was anything to stop
-bool CrossingGuard::stop_dangers(int rounds, double dt, Candidates& pairs, Impulses& impulses,
+bool CrossingGuard::stop_dangers(int rounds, double dt, Candidates& pairs, StoppingImpulses& impulses,
                                  FacetLoad& load, Movement& motion) {
     checked_ = 0;
     int n = 0;
@@ -111,7 +110,7 @@ bool CrossingGuard::find_impacts(double dt, const Candidates& pairs, const Movem
 }
 
 /// Stops each pair as it is at its time of impact.
-void CrossingGuard::stop_impacts(double dt, const Candidates& pairs, Impulses& impulses,
+void CrossingGuard::stop_impacts(double dt, const Candidates& pairs, StoppingImpulses& impulses,
                                  FacetLoad& load, Movement& motion) {
     for (const auto& some : found_)
         for (const auto& [i, time] : some) {
@@ -124,8 +123,7 @@ void CrossingGuard::stop_impacts(double dt, const Candidates& pairs, Impulses& i
             const double gap = places.apart.norm();
             if (gap == 0.0) continue;  // an earlier impulse has changed its course: next round
             Contact contact = contact_at(cloth_, motion.bodies(), motion.x(), pair, places, gap);
-            contact.card = card_ = pairs.card(i);
-            stopped_.push_back(pair.node);
+            contact.card = pairs.card(i);
             contact.side = pairs.side(i);
             const double rate = motion.rate(contact);
             if (rate >= 0.0 || contact.mass == INF) continue;
@@ -139,12 +137,10 @@ void CrossingGuard::stop_impacts(double dt, const Candidates& pairs, Impulses& i
 /// several places of a body are several: else a form, the pack under it and the housing that this
 /// rests on would stop dead as one whenever a few layers are tangled.
 /// @returns whether anything was joined that was not before
-bool CrossingGuard::make_clumps(const Candidates& pairs, Impulses& impulses, Movement& motion) {
+bool CrossingGuard::make_clumps(const Candidates& pairs, StoppingImpulses& impulses, Movement& motion) {
     bool is_new = false;
     for (const auto& some : found_)
         for (const auto& impact : some) {
-            card_ = pairs.card(impact.pair);
-            stopped_.push_back(pairs[impact.pair].node);
             for (const Index node : pairs[impact.pair].node) {
                 joined_.push_back(node);
                 is_new |= unite(node, pairs[impact.pair].node[0]);

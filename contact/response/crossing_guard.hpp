@@ -6,7 +6,7 @@
 
 #include "contact/candidates/candidates.hpp"
 #include "contact/response/facet_load.hpp"
-#include "contact/response/impulses.hpp"
+#include "contact/response/stopping_impulses.hpp"
 
 namespace corpuscle::contact {
 
@@ -23,7 +23,7 @@ public:
 
     /// Changes velocities so that the step is safe. Pairs whose card is off at t are left alone.
     /// @param load  takes what stops the others
-    void stop(double t, double dt, Candidates& pairs, Impulses& impulses, FacetLoad& load,
+    void stop(double t, double dt, Candidates& pairs, StoppingImpulses& impulses, FacetLoad& load,
               Movement& motion);
 
     [[nodiscard]] std::size_t impacts() const { return impacts_; }  ///< stopped by impulses so far
@@ -32,11 +32,6 @@ public:
     /// Pairs that could not be stopped, summed over the steps: held nodes drive them through each
     /// other.
     [[nodiscard]] std::size_t unstopped() const { return unstopped_; }
-
-    /// Pairs stopped or joined in the last step, some more than once, and the row of a card by
-    /// which one of them touches.
-    [[nodiscard]] std::vector<std::array<Index, 4>>& stopped() { return stopped_; }
-    [[nodiscard]] int card() const { return card_; }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
@@ -50,13 +45,13 @@ private:
         double time;       ///< part of the step
     };
 
-    bool stop_dangers(int rounds, double dt, Candidates& pairs, Impulses& impulses, FacetLoad& load,
+    bool stop_dangers(int rounds, double dt, Candidates& pairs, StoppingImpulses& impulses, FacetLoad& load,
                       Movement& motion);
     void list_dangers(double t, const Candidates& pairs);
     bool find_impacts(double dt, const Candidates& pairs, const Movement& motion);
-    void stop_impacts(double dt, const Candidates& pairs, Impulses& impulses, FacetLoad& load,
+    void stop_impacts(double dt, const Candidates& pairs, StoppingImpulses& impulses, FacetLoad& load,
                       Movement& motion);
-    bool make_clumps(const Candidates& pairs, Impulses& impulses, Movement& motion);
+    bool make_clumps(const Candidates& pairs, StoppingImpulses& impulses, Movement& motion);
     Index root(Index node);
     /// @returns whether they were of two clumps before
     bool unite(Index node, Index other) {
@@ -81,8 +76,6 @@ private:
     std::vector<Index> joined_;  ///< nodes in clumps
     bool is_hub_ = false;        ///< all that hits a body, wherever, is one clump with it
     std::size_t impacts_ = 0, clumps_ = 0, unstopped_ = 0;
-    std::vector<std::array<Index, 4>> stopped_;
-    int card_ = -1;
 };
 
 }  // namespace corpuscle::contact

@@ -121,7 +121,6 @@ ImplicitResponse::Row ImplicitResponse::row_of(double span, double dt, Contact& 
     const double at = std::min(c.gap, c.rest);
     const double area = c.area * c.exposure;
     c.stiffness = c.modulus * area * c.rest / (at * at);
-    c.rate_kicked = motion.rate(c);
     const double damping =
         c.mass < INF ? 0.02 * card.damping * std::sqrt(c.stiffness * c.mass) : 0.0;
     double most = 0.0;
@@ -283,6 +282,14 @@ void ImplicitResponse::close(double span, const Columns& columns, Candidates& pa
             memory.step = step_;
         },
         CHUNK);
+}
+
+double stored_energy(const ContactList& contacts, int card) {
+    return contacts.sum([&](const Contact& c) {
+        if (c.card != card || c.gap >= c.rest) return 0.0;
+        return c.modulus * c.area * c.exposure *
+               (c.rest * std::log(c.rest / c.gap) - (c.rest - c.gap));
+    });
 }
 
 }  // namespace corpuscle::contact

@@ -9,7 +9,7 @@
 #include "contact/candidates/candidates.hpp"
 #include "contact/response/area_shares.hpp"
 #include "contact/response/columns.hpp"
-#include "contact/response/impulses.hpp"
+#include "contact/response/impulse_books.hpp"
 #include "contact/surface/movers.hpp"
 
 namespace corpuscle::contact {
@@ -131,5 +131,8 @@ private:
     Convergence convergence_;
     std::uint32_t step_ = 0;
 };
+
+/// U of one card's contacts, as they were found.                                                [J]
+[[nodiscard]] double stored_energy(const ContactList& contacts, int card);
 
 }  // namespace corpuscle::contact

@@ -81,10 +81,7 @@ void PairLook::find(const Scene& scene, const Columns& columns, Candidates& pair
             batch.add(i, pairs);
             if (batch.is_full()) finish();
         };
-        if (scene.dt > 0.0)
-            pairs.for_each_due_ahead(begin, end, add);
-        else
-            pairs.for_each_due(begin, end, add);
+        pairs.for_each_due_ahead(begin, end, add);
         finish();
     };
     parallel::for_chunks(pairs.size(), look, ContactList::CHUNK);
@@ -99,15 +96,13 @@ void PairLook::take(const Found& found, const Scene& scene, const Columns& colum
     const double thickness = std::min(pairs.thickness(row), scene.most[card]);
     if (!places.is_inside || gap == 0.0) return;
     if (gap >= reach_ * thickness) {
-        if (scene.dt == 0.0) return;
         const double approach = greatest_approach(pairs[row], corners(pairs[row], scene.v));
         if (gap - MARGIN * scene.dt * approach >= thickness) return;
     }
     PairMemory* const memory = pairs.memory(row);
     const RestGap rest = rest_gap(thickness, scene.t, memory);
     if (gap >= rest.now) {
-        const bool has_account = memory != nullptr && memory->account != 0.0;
-        contacts.near(chunk).push_back({pairs[row], row, gap, rest.now, has_account});
+        contacts.near(chunk).push_back({pairs[row], row, gap, rest.now});
         return;
     }
     const Contact touching = contact_at(cloth_, scene.bodies, scene.x, pairs[row], places, gap);
@@ -120,18 +115,17 @@ void PairLook::take(const Found& found, const Scene& scene, const Columns& colum
     contact.rest_rate = rest.rate;
     contact.thickness = thickness;
     contact.modulus = pairs.modulus(row);
-    contact.rate_before = contact.rate(scene.v);
 }
 
 /// A pair that began nearer than its thickness starts with the gap that it had.
 PairLook::RestGap PairLook::rest_gap(double thickness, double t, PairMemory* memory) const {
     if (memory == nullptr || memory->short_by == 0.0) return {thickness, 0.0};
-    const double missing = memory->short_by * std::exp(-(t - memory->born) / growth_time_);
+    const double missing = memory->short_by * std::exp(-(t - memory->born) / cloth_.growth_time);
     if (missing < 1e-6 * thickness) {
         memory->short_by = 0.0;
         return {thickness, 0.0};
     }
-    if (missing < thickness) return {thickness - missing, missing / growth_time_};
+    if (missing < thickness) return {thickness - missing, missing / cloth_.growth_time};
     return {0.0, 0.0};
 }
 

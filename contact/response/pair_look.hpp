@@ -17,13 +17,10 @@ public:
     /// @param reach  gap below which pairs are kept, in contact thicknesses
     PairLook(const Cloth& cloth, double reach) : cloth_(cloth), reach_(reach) {}
 
-    /// @param time  in which gaps that start below the contact thickness grow to it            [s]
-    void set_growth(double time) { growth_time_ = time; }
-
     struct Scene {
         const Points &x, &v;                  ///< N × 3                                  [m, m/s]
         double t;                             ///< [s]
-        double dt;                            ///< looked ahead; 0: not                        [s]
+        double dt;                            ///< looked ahead                                [s]
         std::span<const RigidMover> bodies;   ///< by number
         std::span<const std::uint8_t> is_on;  ///< by card
         std::span<const double> most;         ///< contact thickness now, by card          [m]
@@ -31,12 +28,6 @@ public:
     /// Fills the list, which is empty.
     void find(const Scene& scene, const Columns& columns, Candidates& pairs,
               ContactList& contacts) const;
-
-    /// What a checkpoint holds of it (solver/base/archive.hpp).
-    template <class Archive>
-    void visit_state(Archive& archive) {
-        archive(growth_time_);
-    }
 
 private:
     class Batch;
@@ -55,7 +46,6 @@ private:
 
     const Cloth& cloth_;
     double reach_;
-    double growth_time_ = NaN;  ///< [s]
 };
 
 }  // namespace corpuscle::contact

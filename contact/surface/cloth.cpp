@@ -180,6 +180,7 @@ Cloth::Cloth(const ContactSetup& setup)
     : rules(setup.cards, setup.curves, setup.parts),
       triangles(setup.triangles),
       part(setup.part),
+      growth_time(setup.growth_time),
       mean_edge(mean_edge_of(setup)),
       body(bodies_of(setup)),
       reference_x(setup.reference_x.begin(), setup.reference_x.end()),

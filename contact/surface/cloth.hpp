@@ -24,7 +24,9 @@ struct ContactSetup {
     std::vector<double> thickness;  ///< of the section, per triangle; 0: a skin              [m]
     std::vector<double> modulus;    ///< through the thickness, per triangle; empty: 10 MPa   [Pa]
     std::size_t parts = 1;          ///< in the scene
-    bool is_implicit = true;        ///< response: ImplicitResponse, else Repulsion and Impulses
+    /// In which gaps that start below the contact thickness grow to it, but for 1/e; long against a
+    /// step, so that nothing is thrown, and short against a deployment.                        [s]
+    double growth_time = 1e-3;
     std::span<const double> node_mass;   ///< N; of rigid bodies' nodes: any               [kg]
     std::span<const Vec3> reference_x;   ///< stress-free node positions, N × 3            [m]
     std::span<const Vec3> x0;            ///< node positions at the start, N × 3           [m]
@@ -42,6 +44,7 @@ struct Cloth {
     std::vector<std::vector<double>> thickness;  ///< contact thickness by card and triangle   [m]
     std::vector<double> node_thickness;          ///< by node: the greatest of its triangles   [m]
     double greatest_thickness = 0.0;             ///< [m]
+    double growth_time = 0.0;         ///< of gaps that start below the thickness        [s]
     double mean_edge = 0.0;       ///< mean length of the edges, each seen from its triangles  [m]
     std::vector<double> modulus;  ///< by triangle: through the thickness            [Pa]
     std::vector<double> inverse_mass;  ///< by node row; 0: held, or of a rigid body     [1/kg]

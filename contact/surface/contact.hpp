@@ -32,13 +32,9 @@ struct Contact {
     double exposure = 1.0;   ///< how far its places face each other                        [-]
     bool is_known = false;   ///< its area is that of the last step
     std::uint8_t sides = 0;  ///< bit i: it is above node i
-    double share =
-        0.0;  ///< (omega)² that it was found for, all contacts of its softest node  [1/s^2]
-    double force = 0.0;    ///< repulsion, >= 0                                            [N]
-    double impulse = 0.0;  ///< of the repulsion and of what follows it, normal            [N s]
+    double force = 0.0;    ///< normal, >= 0                                              [N]
+    double impulse = 0.0;  ///< likewise, of the step                                     [N s]
     Vec3 rubbed = Vec3::Zero();  ///< by friction, on the first place                          [N s]
-    double rate_before = 0.0;    ///< before the kick                                          [m/s]
-    double rate_kicked = 0.0;    ///< after it, before all impulses                            [m/s]
     std::size_t pair = 0;        ///< candidate row
     Index memory = -1;           ///< row of what the pair remembers, or -1; until lists change
 

@@ -16,7 +16,6 @@ struct NearPair {
     Pair nodes;
     std::size_t pair;  ///< candidate row
     double gap, rest;  ///< [m]
-    bool has_account;  ///< of what it took or gave when it pushed
 };
 
 /// Contacts of a step, filled by chunks of candidates in parallel and read in the candidates'

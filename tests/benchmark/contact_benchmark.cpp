@@ -44,22 +44,21 @@ double size_of(const Points& x) {
 
 /// Costs of the steps since the last line.
 struct Costs {
-    double search = 0.0, force = 0.0, filter = 0.0;  ///< [ms]
-    std::size_t builds = 0, steps = 0;               ///< builds: before the first of them
+    double search = 0.0, response = 0.0;  ///< [ms]
+    std::size_t builds = 0, steps = 0;    ///< builds: before the first of them
 
     void add(const Costs& more) {
         search += more.search;
-        force += more.force;
-        filter += more.filter;
+        response += more.response;
         steps += more.steps;
     }
     void print(double size, const ContactCounts& counts) const {
         const auto n = static_cast<double>(steps);
         fmt::print(
-            "{:>6.3f} {:>6} {:>10} {:>8} {:>9} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.3f}\n",
+            "{:>6.3f} {:>6} {:>10} {:>8} {:>9} {:>8.3f} {:>8.3f} {:>10.3f} {:>8.3f}\n",
             size, steps, counts.candidates, counts.near, counts.touching,
-            static_cast<double>(counts.builds - builds) / n, search / n, force / n, filter / n,
-            (search + force + filter) / n);
+            static_cast<double>(counts.builds - builds) / n, search / n, response / n,
+            (search + response) / n);
     }
 };
 
@@ -73,14 +72,12 @@ Costs advance(SpringCloth& cloth, SurfaceContact& contact, double dt, int n, dou
     const double start = now();
     contact.find(cloth.x, cloth.v, n * dt, dt);
     const double found = now();
-    contact.add_force(cloth.x, cloth.v, dt, cloth.f);
-    const double forced = now();
     cloth.kick(dt);
     const double kicked = now();
-    contact.filter(cloth.x, dt, cloth.v);
-    const double filtered = now();
+    contact.respond(cloth.x, dt, cloth.v);
+    const double responded = now();
     cloth.drift(dt);
-    return {found - start, forced - found, filtered - kicked, 0, 1};
+    return {found - start, responded - kicked, 0, 1};
 }
 
 /// Draws a sheet together by a flow towards its centre, at 20 m/s where it is widest, that drags it
@@ -95,7 +92,7 @@ void crumple() {
     const double dt = cloth.stable_step();
     fmt::print("{} facets drawn together, {:.3g} us a step\n", cloth.triangles.size(), 1e6 * dt);
     fmt::print(
-        "  size  steps candidates     near  touching builds/st  find/ms force/ms filter/ms"
+        "  size  steps candidates     near  touching builds/st  find/ms respond/ms"
         " all/ms\n");
     Costs costs;
     int n = 0;
@@ -134,7 +131,7 @@ void inflate(std::size_t particles) {
     const auto spent = [&](bool on_contact) {
         double sum = 0.0;
         for (const auto& [phase, seconds] : simulation.timings().phases())
-            if (!on_contact || phase.starts_with("contact") || phase == "obstacles") sum += seconds;
+            if (!on_contact || phase.starts_with("contact")) sum += seconds;
         return sum;
     };
     const auto watch = [](Simulation&) {};

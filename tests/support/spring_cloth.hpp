@@ -14,14 +14,12 @@
 
 namespace corpuscle::support {
 
-/// Response of a set-up: Repulsion and Impulses.
-inline constexpr bool PENALTY = false;
-
 /// Point masses and linear springs along the edges of a sheet: the least cloth that contact can be
 /// tried on. Airbag fabric: E 300 MPa, 750 kg/m³, 0.33 mm.
 class SpringCloth {
 public:
-    static constexpr double THICKNESS = 0.33e-3;  ///< [m]
+    static constexpr double THICKNESS = 0.33e-3;   ///< [m]
+    static constexpr double GROWTH_TIME = 200e-6;  ///< of gaps below the thickness            [s]
 
     /// @param rest  node positions at which the springs are free of force
     SpringCloth(const Sheet& sheet, const Points& rest)
@@ -59,8 +57,8 @@ public:
         return 0.9 * 2.0 / std::sqrt(most);
     }
     /// @param card  with all of the cloth as its part 0
-    [[nodiscard]] contact::ContactSetup setup(contact::ContactCard card, const Points& reference_x,
-                                              bool is_implicit = true) const {
+    [[nodiscard]] contact::ContactSetup setup(contact::ContactCard card,
+                                              const Points& reference_x) const {
         card.parts = {0};
         contact::ContactSetup setup;
         setup.cards = {card};
@@ -71,7 +69,7 @@ public:
         setup.reference_x = reference_x;
         setup.x0 = x;
         setup.held = held;
-        setup.is_implicit = is_implicit;
+        setup.growth_time = GROWTH_TIME;
         return setup;
     }
     void add_spring_force() {
@@ -128,13 +126,10 @@ private:
 
 /// What a run with contact has come to.
 struct ClothRun {
-    double work_of_contact =
-        0.0;  ///< of repulsion on the cloth: sum of f · (v before + after) / 2 dt   [J]
-    double work_of_loads = 0.0;  ///< likewise [J]
+    double work_of_loads = 0.0;  ///< sum of f · (v before + after) / 2 dt                   [J]
     double work_of_springs =
         0.0;  ///< likewise: what leapfrog makes of them, not their energy's change  [J]
-    double work_of_contact_on_free = 0.0;  ///< the same, held nodes left out  [J]
-    double work_of_springs_on_free = 0.0;  ///< likewise  [J]
+    double work_of_springs_on_free = 0.0;  ///< the same, held nodes left out  [J]
     double peak_strain = 0.0;              ///< greatest strain energy [J]
 };
 
@@ -144,8 +139,7 @@ inline ClothRun run_cloth(SpringCloth& cloth, contact::SurfaceContact& contact, 
                           int steps, const std::function<void(double, SpringCloth&)>& load,
                           const std::function<void(int)>& watch) {
     ClothRun run;
-    const std::vector<double> rates = cloth.own_rates();
-    Points pushed(cloth.x.size()), loads(cloth.x.size()), before;
+    Points loads(cloth.x.size()), before;
     for (int n = 0; n <= steps; ++n) {
         const double span = n == 0 || n == steps ? 0.5 * dt : dt;
         watch(n);
@@ -153,25 +147,20 @@ inline ClothRun run_cloth(SpringCloth& cloth, contact::SurfaceContact& contact, 
         if (load) load(n * dt, cloth);
         loads = cloth.f;
         cloth.add_spring_force();
-        std::fill(pushed.begin(), pushed.end(), Vec3::Zero());
         contact.find(cloth.x, cloth.v, n * dt, dt);
-        contact.add_force(cloth.x, cloth.v, dt, pushed, {}, {rates});
-        for (std::size_t i = 0; i < pushed.size(); ++i) cloth.f[i] += pushed[i];
         before = cloth.v;
         cloth.kick(span);
-        for (std::size_t i = 0; i < pushed.size(); ++i) {
+        for (std::size_t i = 0; i < loads.size(); ++i) {
             const Vec3 way = 0.5 * span * (before[i] + cloth.v[i]);
-            const Vec3 spring = cloth.f[i] - pushed[i] - loads[i];
-            run.work_of_contact += pushed[i].dot(way);
+            const Vec3 spring = cloth.f[i] - loads[i];
             run.work_of_loads += loads[i].dot(way);
             run.work_of_springs += spring.dot(way);
             if (cloth.held[i]) continue;
-            run.work_of_contact_on_free += pushed[i].dot(way);
             run.work_of_springs_on_free += spring.dot(way);
         }
         run.peak_strain = std::max(run.peak_strain, cloth.strain_energy());
         if (n == steps) break;
-        contact.filter(cloth.x, dt, cloth.v);
+        contact.respond(cloth.x, dt, cloth.v);
         cloth.drift(dt);
     }
     return run;

@@ -8,7 +8,6 @@
 
 using namespace corpuscle;
 using namespace corpuscle::contact;
-using support::PENALTY;
 using support::SpringCloth;
 
 namespace {
@@ -30,46 +29,50 @@ double lowest_above(const SpringCloth& cloth) {
 
 }  // namespace
 
-TEST_CASE("repulsion pushes apart and adds up to nothing, in force and in moment", "[contact]") {
+TEST_CASE("contact pushes apart and adds up to nothing, in momentum and in its moment",
+          "[contact]") {
     SpringCloth cloth(pair_of_sheets(0.4 * H));
-    SurfaceContact contact(cloth.setup({}, cloth.x, PENALTY));
-    Points f(cloth.x.size(), Vec3::Zero());
+    SurfaceContact contact(cloth.setup({}, cloth.x));
     contact.find(cloth.x, cloth.v, 0.0, 1e-6);
-    contact.add_force(cloth.x, cloth.v, 1e-6, f);
     CHECK(contact.stored_energy() == 0.0);  // it starts with the gap that it has
 
     for (std::size_t i = 36; i < cloth.x.size(); ++i) cloth.x[i].z() -= 0.1 * H;
     contact.find(cloth.x, cloth.v, 1e-6, 1e-6);
-    contact.add_force(cloth.x, cloth.v, 1e-6, f);
+    contact.respond(cloth.x, 1e-6, cloth.v);
     CHECK(contact.stored_energy() > 0.0);
     CHECK(contact.counts().close_starts > 0);
     Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
     double upward = 0.0, scale = 0.0;
-    for (std::size_t i = 0; i < f.size(); ++i) {
-        sum += f[i];
-        moment += cloth.x[i].cross(f[i]);
-        scale += f[i].norm();
-        if (i >= 36) upward += f[i].z();
+    for (std::size_t i = 0; i < cloth.x.size(); ++i) {
+        const Vec3 given = cloth.mass[i] * cloth.v[i];
+        sum += given;
+        moment += cloth.x[i].cross(given);
+        scale += given.norm();
+        if (i >= 36) upward += given.z();
     }
     CHECK(upward > 0.4 * scale);
     CHECK(sum.norm() < 1e-14 * scale);
     CHECK(moment.norm() < 1e-14 * scale);
 }
 
-TEST_CASE("contact stiffness keeps within its share of the stable step", "[contact]") {
-    // released from rest below the contact thickness, in an undamped cloth, nothing explodes
+TEST_CASE("a sheet that meets another at any step does not come through, nor faster back",
+          "[contact]") {
+    const double step_factor = GENERATE(1.0, 0.3, 0.1);
     SpringCloth cloth(pair_of_sheets(1.2 * H));
     ContactCard card;
     card.damping = 0.0;
-    SurfaceContact contact(cloth.setup(card, cloth.x, PENALTY));
+    SurfaceContact contact(cloth.setup(card, cloth.x));
     const double speed = 2.0;
     for (std::size_t i = 36; i < cloth.x.size(); ++i) cloth.v[i].z() = -speed;
-    const double start = cloth.kinetic_energy();
-    double most = 0.0;
-    support::run_cloth(cloth, contact, cloth.stable_step(), 400, {},
-                       [&](int) { most = std::max(most, cloth.kinetic_energy()); });
+    const double start = cloth.kinetic_energy(), dt = step_factor * cloth.stable_step();
+    double most = 0.0, lowest = INF;
+    support::run_cloth(cloth, contact, dt, static_cast<int>(400 / step_factor), {}, [&](int) {
+        most = std::max(most, cloth.kinetic_energy());
+        lowest = std::min(lowest, lowest_above(cloth));
+    });
     CHECK(most < 1.001 * start);
-    CHECK(lowest_above(cloth) > 1.5 * H);
+    CHECK(lowest > -4.0 * H);  // where the lower sheet, which gives way, has gone
+    CHECK(contact.counts().least_gap > 0.5);
 }
 
 TEST_CASE("sheets that start too close part gently", "[contact]") {
@@ -80,13 +83,13 @@ TEST_CASE("sheets that start too close part gently", "[contact]") {
     SurfaceContact contact(cloth.setup(card, cloth.x));
     const double dt = 1e-6;
     double fastest = 0.0;
-    support::run_cloth(cloth, contact, dt, 500, {}, [&](int) {
+    support::run_cloth(cloth, contact, dt, 2000, {}, [&](int) {
         for (const Vec3& v : cloth.v) fastest = std::max(fastest, v.norm());
     });
     CHECK(lowest_above(cloth) > 0.9 * H);  // the contact thickness is there again
     CHECK(fastest > 0.0);
-    // what is missing, in the 50 steps that it takes; the corners, which are light, some faster
-    CHECK(fastest < 2.5 * 0.7 * H / (50 * dt));
+    // what is missing, in the time that it takes; the corners, which are light, some faster
+    CHECK(fastest < 2.5 * 0.7 * H / SpringCloth::GROWTH_TIME);
 }
 
 TEST_CASE("triangles that cross at the start are named, and nothing is thrown", "[contact]") {
@@ -112,11 +115,10 @@ TEST_CASE("neighbours on the cloth do not push each other, however thick it is",
     ContactCard card;
     card.thickness = 4e-3;
     SurfaceContact contact(cloth.setup(card, cloth.x));
-    Points f(cloth.x.size(), Vec3::Zero());
     contact.find(cloth.x, cloth.v, 0.0, 1e-6);
-    contact.add_force(cloth.x, cloth.v, 1e-6, f);
+    contact.respond(cloth.x, 1e-6, cloth.v);
     CHECK(contact.counts().touching == 0);
-    for (const Vec3& force : f) CHECK(force.isZero());
+    for (const Vec3& v : cloth.v) CHECK(v.isZero());
 }
 
 TEST_CASE("panels that a seam joins keep their thickness next to it", "[contact]") {
@@ -132,38 +134,15 @@ TEST_CASE("panels that a seam joins keep their thickness next to it", "[contact]
         if (x.x() > seam) x.x() = 2.0 * seam - x.x();
     }
     SpringCloth cloth(sheet);
-    SurfaceContact contact(cloth.setup({}, reference, PENALTY));
+    SurfaceContact contact(cloth.setup({}, reference));
     const double dt = 1e-6;
-    Points f(cloth.x.size(), Vec3::Zero());
     for (int step = 0; step <= 1000; ++step) contact.find(cloth.x, cloth.v, step * dt, dt);
-    contact.add_force(cloth.x, cloth.v, dt, f);
-    for (std::size_t i = 0; i < f.size(); ++i) {
-        const bool is_beside_seam = std::abs(std::abs(sheet.x[i].x() - seam) - 0.005) < 1e-6;
-        if (is_beside_seam) CHECK(std::abs(f[i].z()) > 0.0);
-    }
     CHECK(contact.counts().touching > 0);
-}
-
-TEST_CASE("of the contacts that share a node the deeper one is the stiffer", "[contact]") {
-    // Three sheets: the middle one is near the lower one, and a little too near the upper one
-    support::Sheet all = support::square_sheet(3, 0.02);
-    all.append(support::square_sheet(3, 0.02), Vec3(1.3e-3, 1.7e-3, 2.0 * H));
-    all.append(support::square_sheet(3, 0.02), Vec3(2.6e-3, 3.1e-3, 4.0 * H));
-    SpringCloth cloth(all);
-    SurfaceContact contact(cloth.setup({}, cloth.x, PENALTY));
-    contact.find(cloth.x, cloth.v, 0.0, 1e-6);
-    const double low = 0.5, high = 0.1;  // depths, in contact thicknesses
-    for (std::size_t i = 16; i < 32; ++i) cloth.x[i].z() = (1.0 - low) * H;
-    for (std::size_t i = 32; i < 48; ++i) cloth.x[i].z() = (2.0 - low - high) * H;
-    Points f(cloth.x.size(), Vec3::Zero());
-    contact.find(cloth.x, cloth.v, 1e-6, 1e-6);
-    contact.add_force(cloth.x, cloth.v, 1e-6, f);
-    double below = 0.0, above = 0.0;
-    for (std::size_t i = 0; i < 16; ++i) below -= f[i].z();
-    for (std::size_t i = 32; i < 48; ++i) above += f[i].z();
-    // Shared alike, forces would be as the depths
-    CHECK(above > 0.0);
-    CHECK(below > 1.5 * low / high * above);
+    contact.respond(cloth.x, dt, cloth.v);
+    for (std::size_t i = 0; i < cloth.v.size(); ++i) {
+        const bool is_beside_seam = std::abs(std::abs(sheet.x[i].x() - seam) - 0.005) < 1e-6;
+        if (is_beside_seam) CHECK(std::abs(cloth.v[i].z()) > 0.0);
+    }
 }
 
 TEST_CASE("there is no contact before its birth and after its death", "[contact]") {
@@ -201,11 +180,9 @@ TEST_CASE("held cloth is not moved, and the work it does is booked", "[contact]"
     for (std::size_t i = 0; i < 36; ++i) REQUIRE(cloth.v[i] == Vec3(0, 0, 20.0));
     CHECK(lowest_above(cloth) > 20.0 * 100 * cloth.stable_step());
     CHECK(contact.held_work() != 0.0);
-    // free nodes: kinetic energy gained = springs + repulsion on them + what the impulses brought
-    // in
+    // free nodes: kinetic energy gained = springs on them + what the impulses brought in
     const double gained = cloth.kinetic_energy() - held_kinetic - start;
-    const double given = run.work_of_springs_on_free + run.work_of_contact_on_free +
-                         contact.held_work() - contact.damping_energy() - contact.friction_energy();
+    const double given = run.work_of_springs_on_free + contact.held_work() - contact.energy();
     CHECK(gained == Approx(given).epsilon(1e-9));
 }
 

@@ -11,7 +11,6 @@
 
 using namespace corpuscle;
 using namespace corpuscle::contact;
-using support::PENALTY;
 using support::SpringCloth;
 
 namespace {
@@ -70,7 +69,7 @@ TEST_CASE("what meets cloth edge on is shared by area", "[contact]") {
     CHECK(sum_of(load.forces(cloth.x)) == Approx(12.0).epsilon(1e-14));
 }
 
-TEST_CASE("a needle stopped at the last moment: its load is the momentum that it lost",
+TEST_CASE("a needle stopped at once: its load is the momentum that it lost",
           "[contact]") {
     constexpr double H = SpringCloth::THICKNESS;
     support::Sheet both = support::square_sheet(5, 0.05);
@@ -79,15 +78,12 @@ TEST_CASE("a needle stopped at the last moment: its load is the momentum that it
     both.append(needle, Vec3(0.0233, 0.0247, 10.0 * H));
     SpringCloth cloth(both);
     for (std::size_t i = 0; i < first; ++i) cloth.held[i] = 1;  // so that it stays flat
-    SurfaceContact contact(cloth.setup({}, cloth.x, PENALTY));
+    SurfaceContact contact(cloth.setup({}, cloth.x));
     const double dt = cloth.stable_step();
     for (std::size_t i = first; i < cloth.x.size(); ++i) cloth.v[i].z() = -30.0 * H / dt;
-    Points f(cloth.x.size(), Vec3::Zero());
     const Points before = cloth.v;
     contact.find(cloth.x, cloth.v, 0.0, dt);
-    contact.add_force(cloth.x, cloth.v, dt, f);
-    contact.filter(cloth.x, dt, cloth.v);
-    REQUIRE(contact.counts().near == 0);
+    contact.respond(cloth.x, dt, cloth.v);
     double lost = 0.0;
     for (std::size_t i = first; i < cloth.x.size(); ++i)
         lost += cloth.mass[i] * (cloth.v[i].z() - before[i].z());
@@ -95,8 +91,11 @@ TEST_CASE("a needle stopped at the last moment: its load is the momentum that it
     const std::vector<double> forces = contact.take_facet_forces(cloth.x);
     const double span = 0.5 * dt;  // of the first step's kick
     const auto upper = forces.begin() + static_cast<std::ptrdiff_t>(first_triangle);
-    CHECK(span * std::accumulate(upper, forces.end(), 0.0) == Approx(lost).epsilon(1e-9));
-    CHECK(span * std::accumulate(forces.begin(), upper, 0.0) == Approx(lost).epsilon(1e-9));
+    const double above = span * std::accumulate(upper, forces.end(), 0.0);
+    const double below = span * std::accumulate(forces.begin(), upper, 0.0);
+    CHECK(above == Approx(below).epsilon(1e-9));
+    CHECK(above >= (1.0 - 1e-9) * lost);  // the needle's flanks press aside too
+    CHECK(above < 1.1 * lost);
     CHECK(sum_of(contact.take_facet_forces(cloth.x)) == 0.0);  // it has begun anew
 }
 

@@ -1,0 +1,41 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/response/impulse_books.hpp"
+#include "contact/surface/movers.hpp"
+
+namespace corpuscle::contact {
+
+/// What the guard does to velocities: impulses between the two places of a pair, and clumps. Both
+/// keep momentum, and what they take of the energy is booked exactly.
+class StoppingImpulses {
+public:
+    /// @param books  by card; what is taken goes there
+    StoppingImpulses(const Cloth& cloth, std::vector<ImpulseBooks>& books)
+        : cloth_(cloth), books_(books) {}
+
+    /// Changes a contact's rate, and rubs.
+    /// @param rate  wanted, not below the present one                                         [m/s]
+    void raise_rate(double rate, Contact& contact, Movement& motion);
+
+    /// Gives nodes one velocity, that of their momentum, or the held ones' if there are any: a
+    /// rigid clump. Nodes that touch a rigid body move with it.
+    void clump(std::span<const Index> nodes, std::span<const double> mass, Movement& motion);
+
+private:
+    void rub(Contact& contact, Movement& motion);
+    double push(double impulse, const Vec3& direction, double mass, const Contact& contact,
+                Movement& motion);
+    void note_given(const Contact& contact, const Vec3& impulse);
+    void clump_round(Index body, std::span<const Index> nodes, Movement& motion);
+    [[nodiscard]] ImpulseBooks& book(const Contact& c) { return books_[c.card]; }
+
+    const Cloth& cloth_;
+    std::vector<ImpulseBooks>& books_;
+};
+
+}  // namespace corpuscle::contact
