@@ -43,6 +43,7 @@ std::vector<std::uint8_t> strained_shells(const Model& model, const Constraints&
 
 Simulation::Simulation(Model model, std::uint64_t seed)
     : model_(std::move(model)), seed_(seed), supports_(model_), ties_(model_), loads_(model_) {
+    part_coinciding_cloth();
     const std::size_t count = model_.x.size();
     if (model_.velocity.empty()) model_.velocity.assign(count, Vec3::Zero());
     nodes_ = {model_.x, model_.x, model_.velocity, Points(count, Vec3::Zero()), {}};

@@ -111,6 +111,7 @@ private:
     void build_bags(std::uint64_t seed);
     void build_bodies();
     void check_ties();
+    void part_coinciding_cloth();
     void build_contacts();
     void build_walls();
     [[nodiscard]] std::vector<std::uint8_t> held_nodes() const;

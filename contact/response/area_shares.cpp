@@ -21,7 +21,8 @@ AreaShares::AreaShares(const Cloth& cloth)
     : cloth_(cloth),
       area_(cloth.inverse_mass.size(), 0.0),
       normal_(area_.size(), Vec3::Zero()),
-      sum_(area_.size()) {
+      sum_(area_.size()),
+      looked_at_(area_.size(), 0) {
     for (const Triangle& t : cloth.triangles) {
         const auto& x = cloth.reference_x;
         const double third = (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).norm() / 6.0;
@@ -31,7 +32,7 @@ AreaShares::AreaShares(const Cloth& cloth)
 
 void AreaShares::find(const Points& x, const Columns& columns, ContactList& contacts) {
     if (columns.size() == 0) return;
-    set_normals(x);
+    set_normals(x, columns, contacts);
     set_sides(contacts);
     for (int pass = 0; pass < PASSES; ++pass) {
         add_up(columns, contacts);
@@ -57,15 +58,20 @@ void AreaShares::find(const Points& x, const Columns& columns, ContactList& cont
     }
 }
 
-void AreaShares::set_normals(const Points& x) {
-    parallel::for_each(cloth_.nodes.size(), [&](std::size_t i) {
-        const Index node = cloth_.nodes[i];
-        Vec3 sum = Vec3::Zero();
-        for (const Index t : cloth_.triangles_of(node)) {
-            const Triangle& n = cloth_.triangles[t];
-            sum += (x[n[1]] - x[n[0]]).cross(x[n[2]] - x[n[0]]);
+/// Of the contacts' nodes.
+void AreaShares::set_normals(const Points& x, const Columns& columns,
+                             const ContactList& contacts) {
+    ++look_;
+    columns.for_each(contacts, [&](const Contact& c) {
+        for (const Index node : c.node) {
+            if (!is_first_look(node)) continue;
+            Vec3 sum = Vec3::Zero();
+            for (const Index t : cloth_.triangles_of(node)) {
+                const Triangle& n = cloth_.triangles[t];
+                sum += (x[n[1]] - x[n[0]]).cross(x[n[2]] - x[n[0]]);
+            }
+            normal_[node] = sum;
         }
-        normal_[node] = sum;
     });
 }
 
@@ -92,11 +98,14 @@ void AreaShares::set_sides(ContactList& contacts) const {
 }
 
 void AreaShares::add_up(const Columns& columns, const ContactList& contacts) {
-    parallel::for_each(sum_.size(), [&](std::size_t n) { sum_[n] = {}; });
+    ++look_;
     columns.for_each(contacts, [&](const Contact& c) {
-        if (c.gap >= c.rest) return;
-        for (int i = 0; i < 4; ++i)
-            sum_[c.node[i]][c.sides >> i & 1U] += std::abs(c.weight[i]) * c.area * c.exposure;
+        for (int i = 0; i < 4; ++i) {
+            if (is_first_look(c.node[i])) sum_[c.node[i]] = {};
+            if (c.gap < c.rest)
+                sum_[c.node[i]][c.sides >> i & 1U] +=
+                    std::abs(c.weight[i]) * c.area * c.exposure;
+        }
     });
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "contact/response/columns.hpp"
@@ -31,7 +32,8 @@ public:
     void find(const Points& x, const Columns& columns, ContactList& contacts);
 
 private:
-    void set_normals(const Points& x);
+    void set_normals(const Points& x, const Columns& columns, const ContactList& contacts);
+    bool is_first_look(Index node) { return std::exchange(looked_at_[node], look_) != look_; }
     [[nodiscard]] double first_area(const Contact& contact) const;
     void set_sides(ContactList& contacts) const;
     void add_up(const Columns& columns, const ContactList& contacts);
@@ -40,6 +42,8 @@ private:
     std::vector<double> area_;                ///< by node                               [m^2]
     Points normal_;                           ///< by node: twice the area around it     [m^2]
     std::vector<std::array<double, 2>> sum_;  ///< by node and side: S                   [m^2]
+    std::vector<unsigned> looked_at_;         ///< by node: in which look last
+    unsigned look_ = 0;
 };
 
 }  // namespace corpuscle::contact

