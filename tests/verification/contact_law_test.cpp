@@ -194,3 +194,22 @@ TEST_CASE("a plate comes back from taut cloth with its speed, at any step", "[co
         CHECK(back == Approx(SPEED).epsilon(0.01));
     }
 }
+
+TEST_CASE("a sheet at 100 m/s is stopped by a stack, at any step", "[contact][impact]") {
+    for (const double step : {0.9, 0.45, 0.2}) {
+        LayersDeck deck = stack(10, step);
+        const double h = deck.thickness;
+        deck.layers.push_back({.z = 20 * h, .cells = 7, .side = 0.06});
+        const std::size_t top = deck.layers.size() - 1;
+        const DeckRun run(fmt::format("impact_{}", static_cast<int>(100 * step)),
+                          deck.text("a sheet flies onto a stack",
+                                    deck.velocity(top, {0.0, 0.0, -100.0}), 2e-3, 1e-4));
+        REQUIRE(run.status() == 0);
+        CHECK(frame_crossings(run.results()).crossings == 0);
+        const double back = layer_state(run, deck, top, last_frame(run)).mean_v.z();
+        report(fmt::format("sheet at 100 m/s on ten layers, TSSFAC {}: speed after [m/s]", step),
+               0.0, back);
+        CHECK(back > 0.0);
+        CHECK(back < 20.0);  // what the layers give back grows as the step shrinks
+    }
+}
