@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "contact/broad_phase/brute_force.hpp"
+#include "tests/support/brute_force.hpp"
 #include "contact/broad_phase/intersections.hpp"
 #include "contact/geometry/orientation.hpp"
 #include "tests/support/cloth.hpp"

@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "contact/broad_phase/brute_force.hpp"
+#include "tests/support/brute_force.hpp"
 #include "contact/candidates/candidates.hpp"
 #include "tests/support/spring_cloth.hpp"
 

@@ -1,6 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "contact/broad_phase/brute_force.hpp"
+#include "tests/support/brute_force.hpp"
 
 #include "contact/geometry/orientation.hpp"
 
