@@ -53,7 +53,8 @@ struct SurfaceContact::State {
 
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(pairs, books, response, guard, load, contacts, counts, most, is_on, t, dt_last, span, is_started);
+        archive(pairs, books, response, guard, load, contacts, counts, most, is_on, t, dt_last,
+                span, is_started);
     }
     bool look_at_cards(double now);
     void count();

@@ -31,9 +31,9 @@ public:
 
     struct Result {
         double energy = 0.0;
-        double rate = 0.0;        ///< largest (2/dt)² met                              [1/s^2]
-        Index shell = -1;         ///< whose it is
-        double lost = 0.0;        ///< by loops of loading since the last call          [J]
+        double rate = 0.0;  ///< largest (2/dt)² met                              [1/s^2]
+        Index shell = -1;   ///< whose it is
+        double lost = 0.0;  ///< by loops of loading since the last call          [J]
         double pull = 0.0;  ///< what the stress would do on the strain of the start: ΣV·S:E_0 [J]
     };
     /// Forces of packs begin..end; laws that remember move on. `damping` is written only by damped

@@ -116,7 +116,8 @@ Sample Simulation::sample() {
     row.energy = books();
     const double since = clock_.t - last_sample_;
     last_sample_ = clock_.t;
-    for (gas::BagGas& bag : bags_) row.airbags.push_back(sample_of(bag, nodes_.x, since, ledger_.weight));
+    for (gas::BagGas& bag : bags_)
+        row.airbags.push_back(sample_of(bag, nodes_.x, since, ledger_.weight));
     for (const gas::UniformBag& bag : uniform_bags_)
         row.airbags.push_back(sample_of(bag, nodes_.x));
 

@@ -160,8 +160,8 @@ void Simulation::part_coinciding_cloth() {
     }
     if (!(thickness < INF)) return;
     const double lift = LIFT * thickness;
-    const Points lifts = contact::lifts_of_coinciding(triangles_of(model_, wanted).triangles,
-                                                      model_.x, lift);
+    const Points lifts =
+        contact::lifts_of_coinciding(triangles_of(model_, wanted).triangles, model_.x, lift);
     std::size_t moved = 0;
     for (std::size_t n = 0; n < lifts.size(); ++n) {
         if (lifts[n].isZero(0.0)) continue;

@@ -153,11 +153,20 @@ void Summary::write(const Simulation& simulation, const std::string& folder) con
         mended.push_back(io::json(mending));
     for (const auto& [phase, seconds] : simulation.timings().phases())
         phases.push_back(io::json(phase) + ": " + io::json(seconds));
+    std::string contact;
+    for (const contact::SurfaceContact& of : simulation.contacts()) {
+        const contact::ContactCounts& counts = of.counts();
+        contact = fmt::format(
+            "\"pairs_stopped\": {}, \"tangles\": {}, \"unstopped\": {}, \"sweeps\": {}, "
+            "\"residual\": {}, \"worst_residual\": {}",
+            counts.impacts, counts.clumps, counts.unstopped, io::json(counts.sweeps),
+            io::json(counts.residual), io::json(counts.worst_residual));
+    }
     io::replace_text(std::filesystem::path(folder) / "run.json",
                      fmt::format("{{\"wall\": {}, \"steps\": {},\n\"phases\": {{{}}},\n"
                                  "\"warnings\": [{}],\n\"mended\": [{}]}}\n",
                                  io::json(wall()), simulation.steps(), fmt::join(phases, ", "),
-                                 fmt::join(warnings, ", "), fmt::join(mended, ", ")));
+                                 contact, fmt::join(warnings, ", "), fmt::join(mended, ", ")));
 }
 
 }  // namespace corpuscle::tools

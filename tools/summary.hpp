@@ -17,7 +17,8 @@ void print_bad_starts(const Simulation& simulation);
 class Summary {
 public:
     void print(Simulation& simulation, const std::string& folder, double worst_residual) const;
-    /// FOLDER/run.json: wall time, phases, steps, warnings; for the report.
+    /// FOLDER/run.json: wall time, phases, steps, what contact had to stop, warnings; for the
+    /// report.
     void write(const Simulation& simulation, const std::string& folder) const;
 
 private:

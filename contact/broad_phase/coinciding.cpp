@@ -24,8 +24,7 @@ struct Heap {
     /// Whether the centroid of a lies on b.
     [[nodiscard]] bool lies_on(Index a, Index b) const {
         const Vec3 centroid = (corner(a, 0) + corner(a, 1) + corner(a, 2)) / 3.0;
-        const Vec3 w =
-            foot_on_triangle(centroid, corner(b, 0), corner(b, 1), corner(b, 2)).weights;
+        const Vec3 w = foot_on_triangle(centroid, corner(b, 0), corner(b, 1), corner(b, 2)).weights;
         const Vec3 foot = w[0] * corner(b, 0) + w[1] * corner(b, 1) + w[2] * corner(b, 2);
         return (centroid - foot).norm() <= near;
     }

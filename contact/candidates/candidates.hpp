@@ -137,9 +137,9 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(patches_, motion_, budget_, steps_, life_, list_, watch_, memories_,
-                crossing_, close_starts_, was_on_, barred_, builds_, renewals_,
-                dead_, node_box_, own_, search_);
+        archive(patches_, motion_, budget_, steps_, life_, list_, watch_, memories_, crossing_,
+                close_starts_, was_on_, barred_, builds_, renewals_, dead_, node_box_, own_,
+                search_);
     }
 
 private:

@@ -59,8 +59,7 @@ void AreaShares::find(const Points& x, const Columns& columns, ContactList& cont
 }
 
 /// Of the contacts' nodes.
-void AreaShares::set_normals(const Points& x, const Columns& columns,
-                             const ContactList& contacts) {
+void AreaShares::set_normals(const Points& x, const Columns& columns, const ContactList& contacts) {
     ++look_;
     columns.for_each(contacts, [&](const Contact& c) {
         for (const Index node : c.node) {
@@ -103,8 +102,7 @@ void AreaShares::add_up(const Columns& columns, const ContactList& contacts) {
         for (int i = 0; i < 4; ++i) {
             if (is_first_look(c.node[i])) sum_[c.node[i]] = {};
             if (c.gap < c.rest)
-                sum_[c.node[i]][c.sides >> i & 1U] +=
-                    std::abs(c.weight[i]) * c.area * c.exposure;
+                sum_[c.node[i]][c.sides >> i & 1U] += std::abs(c.weight[i]) * c.area * c.exposure;
         }
     });
 }

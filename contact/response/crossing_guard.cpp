@@ -51,8 +51,8 @@ void CrossingGuard::stop(double t, double dt, Candidates& pairs, StoppingImpulse
 
 /// Stops the listed pairs, by impulses for so many rounds, then by clumps.
 /// @returns whether there was anything to stop
-bool CrossingGuard::stop_dangers(int rounds, double dt, Candidates& pairs, StoppingImpulses& impulses,
-                                 FacetLoad& load, Movement& motion) {
+bool CrossingGuard::stop_dangers(int rounds, double dt, Candidates& pairs,
+                                 StoppingImpulses& impulses, FacetLoad& load, Movement& motion) {
     checked_ = 0;
     int n = 0;
     for (; find_impacts(dt, pairs, motion); ++n) {
@@ -137,7 +137,8 @@ void CrossingGuard::stop_impacts(double dt, const Candidates& pairs, StoppingImp
 /// several places of a body are several: else a form, the pack under it and the housing that this
 /// rests on would stop dead as one whenever a few layers are tangled.
 /// @returns whether anything was joined that was not before
-bool CrossingGuard::make_clumps(const Candidates& pairs, StoppingImpulses& impulses, Movement& motion) {
+bool CrossingGuard::make_clumps(const Candidates& pairs, StoppingImpulses& impulses,
+                                Movement& motion) {
     bool is_new = false;
     for (const auto& some : found_)
         for (const auto& impact : some) {

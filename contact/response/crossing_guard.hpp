@@ -45,12 +45,12 @@ private:
         double time;       ///< part of the step
     };
 
-    bool stop_dangers(int rounds, double dt, Candidates& pairs, StoppingImpulses& impulses, FacetLoad& load,
-                      Movement& motion);
+    bool stop_dangers(int rounds, double dt, Candidates& pairs, StoppingImpulses& impulses,
+                      FacetLoad& load, Movement& motion);
     void list_dangers(double t, const Candidates& pairs);
     bool find_impacts(double dt, const Candidates& pairs, const Movement& motion);
-    void stop_impacts(double dt, const Candidates& pairs, StoppingImpulses& impulses, FacetLoad& load,
-                      Movement& motion);
+    void stop_impacts(double dt, const Candidates& pairs, StoppingImpulses& impulses,
+                      FacetLoad& load, Movement& motion);
     bool make_clumps(const Candidates& pairs, StoppingImpulses& impulses, Movement& motion);
     Index root(Index node);
     /// @returns whether they were of two clumps before

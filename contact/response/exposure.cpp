@@ -8,7 +8,7 @@ namespace corpuscle::contact {
 namespace {
 
 constexpr double FULL = 0.0, NONE = 0.02;  ///< greatest n · u
-constexpr double LEAST_WEIGHT = 1e-12;    ///< below it a corner takes no part
+constexpr double LEAST_WEIGHT = 1e-12;     ///< below it a corner takes no part
 
 /// Greatest n · u beside an edge.
 double rise_beside_edge(const Cloth& cloth, const Points& x, Index a, Index b, const Vec3& n) {

@@ -11,7 +11,7 @@
 namespace corpuscle::contact {
 
 /// Normal forces of contact on the facets, mean over a time: all that a contact's impulse came to,
-/// repulsion and what stopped it alike. An impulse acts in one step, so a single step says little.
+/// its pressure and what stopped it alike. An impulse acts in one step, so a single step says little.
 ///
 /// A contact presses each of its nodes with J = |weight| · impulse along its normal n. Kept by node
 /// is T = sum of J n nᵀ; its trace, the node's whole load, goes to the triangles there in

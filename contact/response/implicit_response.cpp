@@ -11,7 +11,7 @@ namespace corpuscle::contact {
 namespace {
 
 constexpr int LEAST_SWEEPS = 4, MOST_SWEEPS = 32;
-constexpr int WHOLE = 4;  ///< every so many sweeps go over all rows
+constexpr int WHOLE = 4;            ///< every so many sweeps go over all rows
 constexpr double CONVERGED = 2e-3;  ///< change by a sweep over all impulses
 constexpr std::size_t CHUNK = 256;  ///< rows
 

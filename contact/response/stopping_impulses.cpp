@@ -19,7 +19,8 @@ void StoppingImpulses::raise_rate(double rate, Contact& c, Movement& motion) {
     rub(c, motion);
 }
 
-void StoppingImpulses::clump(std::span<const Index> nodes, std::span<const double> mass, Movement& motion) {
+void StoppingImpulses::clump(std::span<const Index> nodes, std::span<const double> mass,
+                             Movement& motion) {
     const auto on_body =
         std::find_if(nodes.begin(), nodes.end(), [&](Index n) { return cloth_.body[n] >= 0; });
     if (on_body != nodes.end()) return clump_round(cloth_.body[*on_body], nodes, motion);
@@ -85,7 +86,7 @@ void StoppingImpulses::rub(Contact& c, Movement& motion) {
 /// @param mass  of the contact along that direction                                       [kg]
 /// @returns energy taken: -J (rate before + rate after) / 2                                    [J]
 double StoppingImpulses::push(double impulse, const Vec3& direction, double mass, const Contact& c,
-                      Movement& motion) {
+                              Movement& motion) {
     const double rate = direction.dot(motion.relative(c));
     const Vec3 whole = impulse * direction;
     for (int i = 0; i < 4; ++i)

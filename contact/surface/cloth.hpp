@@ -44,7 +44,7 @@ struct Cloth {
     std::vector<std::vector<double>> thickness;  ///< contact thickness by card and triangle   [m]
     std::vector<double> node_thickness;          ///< by node: the greatest of its triangles   [m]
     double greatest_thickness = 0.0;             ///< [m]
-    double growth_time = 0.0;         ///< of gaps that start below the thickness        [s]
+    double growth_time = 0.0;     ///< of gaps that start below the thickness        [s]
     double mean_edge = 0.0;       ///< mean length of the edges, each seen from its triangles  [m]
     std::vector<double> modulus;  ///< by triangle: through the thickness            [Pa]
     std::vector<double> inverse_mass;  ///< by node row; 0: held, or of a rigid body     [1/kg]

@@ -15,9 +15,9 @@ struct Contact {
 
     std::array<Index, 4> node;
     std::array<double, 4> weight;
-    Vec3 normal;  ///< from the second place to the first
-    double gap;   ///< [m]
-    double mass;  ///< 1 / (what an impulse of one makes of the rate)             [kg]
+    Vec3 normal;    ///< from the second place to the first
+    double gap;     ///< [m]
+    double mass;    ///< 1 / (what an impulse of one makes of the rate)             [kg]
     bool is_edges;  ///< two edges, else a node and a triangle
     std::uint8_t column = ALONE;  ///< name of its column (contact/response/columns.hpp)
     bool on_body = false;         ///< on a rigid body, where `mass` holds for the normal only
@@ -32,8 +32,8 @@ struct Contact {
     double exposure = 1.0;   ///< how far its places face each other                        [-]
     bool is_known = false;   ///< its area is that of the last step
     std::uint8_t sides = 0;  ///< bit i: it is above node i
-    double force = 0.0;    ///< normal, >= 0                                              [N]
-    double impulse = 0.0;  ///< likewise, of the step                                     [N s]
+    double force = 0.0;      ///< normal, >= 0                                              [N]
+    double impulse = 0.0;    ///< likewise, of the step                                     [N s]
     Vec3 rubbed = Vec3::Zero();  ///< by friction, on the first place                          [N s]
     std::size_t pair = 0;        ///< candidate row
     Index memory = -1;           ///< row of what the pair remembers, or -1; until lists change
@@ -53,8 +53,7 @@ struct Contact {
     double inverse = 0.0;
     for (int i = 0; i < 4; ++i)
         inverse += nearest.weight[i] * nearest.weight[i] * inverse_mass[pair.node[i]];
-    return {pair.node, nearest.weight, nearest.apart / gap, gap, 1.0 / inverse,
-            pair.is_edges};
+    return {pair.node, nearest.weight, nearest.apart / gap, gap, 1.0 / inverse, pair.is_edges};
 }
 
 }  // namespace corpuscle::contact

@@ -54,11 +54,10 @@ struct Costs {
     }
     void print(double size, const ContactCounts& counts) const {
         const auto n = static_cast<double>(steps);
-        fmt::print(
-            "{:>6.3f} {:>6} {:>10} {:>8} {:>9} {:>8.3f} {:>8.3f} {:>10.3f} {:>8.3f}\n",
-            size, steps, counts.candidates, counts.near, counts.touching,
-            static_cast<double>(counts.builds - builds) / n, search / n, response / n,
-            (search + response) / n);
+        fmt::print("{:>6.3f} {:>6} {:>10} {:>8} {:>9} {:>8.3f} {:>8.3f} {:>10.3f} {:>8.3f}\n", size,
+                   steps, counts.candidates, counts.near, counts.touching,
+                   static_cast<double>(counts.builds - builds) / n, search / n, response / n,
+                   (search + response) / n);
     }
 };
 

@@ -59,9 +59,8 @@ std::string LayersDeck::text(const std::string& title, const std::string& cards,
             parts += fmt::format("*MAT_RIGID\n{}, {}, 2.1e11, 0.3\n{}\n\n", part, layer.density,
                                  is_fixed ? "1, 7, 7" : "0, 0, 0");
         else
-            parts += fmt::format(
-                "*MAT_FABRIC\n{0}, {1}, {2}, {2}, , 0.3, 0.3\n{3}\n0\n0\n, 0\n0\n", part,
-                layer.density, modulus, 0.4 * modulus);
+            parts += fmt::format("*MAT_FABRIC\n{0}, {1}, {2}, {2}, , 0.3, 0.3\n{3}\n0\n0\n, 0\n0\n",
+                                 part, layer.density, modulus, 0.4 * modulus);
     }
     std::string held = "*SET_NODE_LIST\n1\n";
     int so_far = 0;

@@ -13,9 +13,9 @@ namespace corpuscle::test {
 
 /// A square sheet of cloth, across z; its part is its place in the deck + 1.
 struct Layer {
-    double z = 0.0;     ///< [m]
-    int cells = 8;      ///< along an edge
-    double side = 0.1;  ///< [m]
+    double z = 0.0;              ///< [m]
+    int cells = 8;               ///< along an edge
+    double side = 0.1;           ///< [m]
     Vec3 centre = Vec3::Zero();  ///< z of it does not count                                 [m]
     enum class Kind { CLOTH, FIXED_PLATE, FREE_PLATE, HELD_CLOTH } kind = Kind::CLOTH;
     double density = 800.0;  ///< [kg/m^3]

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <fstream>
 #include <stdexcept>
 
 #include "io/hdf5.hpp"
@@ -31,6 +32,15 @@ ModelRun::ModelRun(const std::string& model, const std::string& options,
 ModelRun::~ModelRun() {
     std::error_code ignored;  // a directory left behind harms nobody
     std::filesystem::remove_all(directory_, ignored);
+}
+
+double ModelRun::of_run(const std::string& name) const {
+    std::ifstream in(directory_ / "run.json");
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    const std::string before = '"' + name + "\": ";
+    const auto at = text.find(before);
+    if (at == std::string::npos) throw std::runtime_error("run.json has no " + name);
+    return std::stod(text.substr(at + before.size()));
 }
 
 std::vector<double> ModelRun::history(const std::string& path) const {

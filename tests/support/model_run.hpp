@@ -22,6 +22,9 @@ public:
     [[nodiscard]] int status() const { return status_; }  ///< the program's exit status
     [[nodiscard]] std::filesystem::path results() const { return directory_ / "results.h5"; }
 
+    /// A number of run.json, by its name.
+    [[nodiscard]] double of_run(const std::string& name) const;
+
     /// One number a sample of results.h5, in order of /history/time.
     [[nodiscard]] std::vector<double> history(const std::string& path) const;
     /// The history at `time`, linear between samples.

@@ -42,13 +42,10 @@ void hold_to_claim(Model& model) {
     }
     const contact::ContactCounts& counts = simulation.contacts()[0].counts();
     std::size_t most_near = 0;
-    const auto watch = [&](Simulation&) {
-        most_near = std::max(most_near, counts.near);
-    };
+    const auto watch = [&](Simulation&) { most_near = std::max(most_near, counts.near); };
     const EnergyBooks books = scenes::run(simulation, watch, 5);
-    INFO(simulation.steps() << " steps, " << counts.builds << " builds, " << most_near
-                            << " near, " << counts.impacts << " impacts, residual "
-                            << books.residual / kinetic);
+    INFO(simulation.steps() << " steps, " << counts.builds << " builds, " << most_near << " near, "
+                            << counts.impacts << " impacts, residual " << books.residual / kinetic);
     CHECK(counts.unstopped == 0);
     CHECK(most_near > 100);
     CHECK((scenes::totals(simulation).momentum - before.momentum).norm() < 1e-9 * scale);

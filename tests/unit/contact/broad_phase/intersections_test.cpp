@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
-#include "tests/support/brute_force.hpp"
 #include "contact/broad_phase/intersections.hpp"
 #include "contact/geometry/orientation.hpp"
+#include "tests/support/brute_force.hpp"
 #include "tests/support/cloth.hpp"
 
 using namespace corpuscle;

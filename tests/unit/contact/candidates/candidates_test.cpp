@@ -7,8 +7,8 @@
 #include <random>
 #include <set>
 
-#include "tests/support/brute_force.hpp"
 #include "contact/candidates/candidates.hpp"
+#include "tests/support/brute_force.hpp"
 #include "tests/support/spring_cloth.hpp"
 
 using namespace corpuscle;

@@ -61,6 +61,6 @@ TEST_CASE("edges beside each other in two sheets hide behind the sheets", "[cont
         return exposure(cloth, both.x,
                         contact_at(pair, places, places.apart.norm(), cloth.inverse_mass));
     };
-    CHECK(of(6, 7, 25 + 6, 25 + 7) == 0.0);                           // side by side
-    CHECK(of(6, 7, 25 + 1, 25 + 6) == Approx(1.0).margin(1e-9));      // across
+    CHECK(of(6, 7, 25 + 6, 25 + 7) == 0.0);                       // side by side
+    CHECK(of(6, 7, 25 + 1, 25 + 6) == Approx(1.0).margin(1e-9));  // across
 }

@@ -69,8 +69,7 @@ TEST_CASE("what meets cloth edge on is shared by area", "[contact]") {
     CHECK(sum_of(load.forces(cloth.x)) == Approx(12.0).epsilon(1e-14));
 }
 
-TEST_CASE("a needle stopped at once: its load is the momentum that it lost",
-          "[contact]") {
+TEST_CASE("a needle stopped at once: its load is the momentum that it lost", "[contact]") {
     constexpr double H = SpringCloth::THICKNESS;
     support::Sheet both = support::square_sheet(5, 0.05);
     const auto first = both.x.size(), first_triangle = both.triangles.size();
