@@ -85,6 +85,7 @@ public:
     /// The next step and who limits it.
     /// @param without_start  as if there were no DTINIT
     [[nodiscard]] StepLimit stable_step(bool without_start = false) const;
+    [[nodiscard]] StepLimit shells_step() const;  ///< what the shells alone allow
 
     [[nodiscard]] EnergyBooks books() const;  ///< at t, inside an observer
     [[nodiscard]] RecordLayout layout() const;

@@ -26,13 +26,18 @@ std::string StepLimit::text() const {
     return "nothing";
 }
 
-StepLimit Simulation::stable_step(bool without_start) const {
+StepLimit Simulation::shells_step() const {
     StepLimit limit;
     for (const fabric::Membranes& fabric : fabric_) {
         const auto [dt, shell] = fabric.stable_step();
         if (shell >= 0)
             limit.tighten(model_.step_factor * dt, StepLimit::Who::SHELL, model_.shells[shell].id);
     }
+    return limit;
+}
+
+StepLimit Simulation::stable_step(bool without_start) const {
+    StepLimit limit = shells_step();
     for (const gas::BagGas& bag : bags_)
         limit.tighten(bag.stable_step(), StepLimit::Who::GAS, bag.card().id);
     for (const gas::UniformBag& bag : uniform_bags_)

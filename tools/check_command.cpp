@@ -98,6 +98,8 @@ void print_estimate(const Simulation& simulation) {
         fmt::print("first step {:.4g}, by DTINIT\n", limit.dt);
         limit = simulation.stable_step(/*without_start=*/true);
     }
+    const StepLimit first = limit, shells = simulation.shells_step();
+    if (limit.who == StepLimit::Who::GAS && shells.dt < INF) limit = shells;  // gas soon allows more
     const double steps = std::ceil(model.end_time / limit.dt);
     double seconds = static_cast<double>(simulation.active_shells()) * SECONDS_PER_ELEMENT_STEP;
     for (const gas::BagCard& bag : model.bags)
@@ -108,9 +110,9 @@ void print_estimate(const Simulation& simulation) {
         seconds += static_cast<double>(contact.counts().near) * SECONDS_PER_NEAR_PAIR_STEP;
     seconds *= steps / parallel::threads();
     fmt::print(
-        "estimate: first step {:.4g} (set by {}), {:.3g} steps if it stays, some {:.2g} s on {} "
+        "estimate: first step {:.4g} (set by {}), {:.3g} steps of {:.4g} ({}), some {:.2g} s on {} "
         "threads\n",
-        limit.dt, limit.text(), steps, seconds, parallel::threads());
+        first.dt, first.text(), steps, limit.dt, limit.text(), seconds, parallel::threads());
 }
 
 void print_contacts_at_start(Simulation& simulation) {

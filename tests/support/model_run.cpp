@@ -7,6 +7,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 #include "io/hdf5.hpp"
@@ -36,8 +37,9 @@ ModelRun::~ModelRun() {
 
 double ModelRun::of_run(const std::string& name) const {
     std::ifstream in(directory_ / "run.json");
-    const std::string text(std::istreambuf_iterator<char>(in), {});
-    const std::string before = '"' + name + "\": ";
+    std::ostringstream all;
+    all << in.rdbuf();
+    const std::string text = all.str(), before = '"' + name + "\": ";
     const auto at = text.find(before);
     if (at == std::string::npos) throw std::runtime_error("run.json has no " + name);
     return std::stod(text.substr(at + before.size()));
