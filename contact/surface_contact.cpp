@@ -138,7 +138,7 @@ void SurfaceContact::State::count() {
 }
 
 bool SurfaceContact::respond(const Points& x, double dt, Points& v, std::span<RigidMover> bodies,
-                             Points* v_before) {
+                             Points* v_before, const Hold& hold) {
     State& s = *state_;
     s.span = 0.5 * (s.dt_last + dt);
     s.dt_last = dt;
@@ -146,7 +146,7 @@ bool SurfaceContact::respond(const Points& x, double dt, Points& v, std::span<Ri
     if (!s.any_on()) return false;
     Movement motion(s.cloth, x, v, bodies, v_before);
     if (s.counts.near > 0) motion.begin();
-    s.response.apply(s.span, dt, s.contacts, s.columns, s.pairs, motion, s.books);
+    s.response.apply(s.span, dt, s.contacts, s.columns, s.pairs, motion, s.books, hold);
     s.columns.for_each(s.contacts, [&](const Contact& c) { s.load.add(c); });
     s.guard.stop(s.t, dt, s.pairs, s.stops, s.load, motion);
     motion.settle();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <utility>
@@ -42,6 +43,8 @@ struct ContactCounts {
 ///     contact.find(x, v, t, dt);  kick;  contact.respond(x, dt, v);  drift;
 class SurfaceContact {
 public:
+    using Hold = std::function<void(bool is_last)>;
+
     /// @throws InputError for a contact thickness that is not positive or a free node without mass
     explicit SurfaceContact(const ContactSetup& setup);
     ~SurfaceContact();
@@ -58,9 +61,11 @@ public:
     /// velocities only, and what the bodies have taken. Its impulses stand for half the last step
     /// and half this one.
     /// @param v_before  gets v as it was, unless null or nothing is near
+    /// @param hold      stops nodes that others hold: hold(false) after each sweep, on those that it
+    ///                  has held lately, hold(true) after the last one, on all; may be empty
     /// @returns whether it may have changed any
     bool respond(const Points& x, double dt, Points& v, std::span<RigidMover> bodies = {},
-                 Points* v_before = nullptr);
+                 Points* v_before = nullptr, const Hold& hold = {});
 
     /// Triangles that crossed at the start and still do, rows i < j; their pairs do not push.
     [[nodiscard]] const std::vector<std::pair<Index, Index>>& crossing() const;

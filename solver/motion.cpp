@@ -60,20 +60,29 @@ void Simulation::stop_at_obstacles(double dt) {
     if (!ties_.empty()) v_free_ = nodes_.v;
     v_kicked_.clear();
     if (has_stopped) v_kicked_ = nodes_.v;
+    double by_walls = 0.0;
     for (contact::RigidWall& wall : walls_) {
-        const double by_others = wall.driving_work() + wall.held_work();
+        by_walls -= wall.driving_work() + wall.held_work();
         wall.hold(nodes_.x, met_mass(), clock_.t, dt, nodes_.v, {body_of_node_, movers_});
-        const double work = wall.driving_work() + wall.held_work() - by_others;
-        ledger_.after.external += work;
-        ledger_.after.contact += work;
     }
+    contact::SurfaceContact::Hold hold_by_walls;
+    if (!walls_.empty())
+        hold_by_walls = [&](bool is_last) {
+            for (contact::RigidWall& wall : walls_)
+                wall.hold_again(is_last, nodes_.x, met_mass(), clock_.t, dt, nodes_.v,
+                                {body_of_node_, movers_});
+        };
     for (contact::SurfaceContact& contact : contacts_) {
         const double by_held = contact.held_work();
         has_stopped |=
-            contact.respond(nodes_.x, dt, nodes_.v, movers_, has_stopped ? nullptr : &v_kicked_);
+            contact.respond(nodes_.x, dt, nodes_.v, movers_, has_stopped ? nullptr : &v_kicked_,
+                            hold_by_walls);
         ledger_.after.external += contact.held_work() - by_held;
         ledger_.after.contact += contact.held_work() - by_held;
     }
+    for (const contact::RigidWall& wall : walls_) by_walls += wall.driving_work() + wall.held_work();
+    ledger_.after.external += by_walls;
+    ledger_.after.contact += by_walls;
     if (!ties_.empty() && has_stopped)
         ties_.settle(v_free_, nodes_.mass, met_mass_, nodes_.x, body_of_node_, movers_, nodes_.v);
     for (std::size_t b = 0; b < bodies_.size(); ++b)

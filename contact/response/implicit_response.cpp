@@ -26,7 +26,8 @@ ImplicitResponse::ImplicitResponse(const Cloth& cloth) : cloth_(cloth), areas_(c
 
 void ImplicitResponse::apply(double span, double dt, ContactList& contacts, Columns& columns,
                              Candidates& pairs, Movement& motion,
-                             std::vector<ImpulseBooks>& books) {
+                             std::vector<ImpulseBooks>& books,
+                             const std::function<void(bool is_last)>& hold) {
     for (ImpulseBooks& book : books) book.given.setZero();
     ++step_;
     take_up(dt, contacts, columns, pairs, motion);
@@ -34,7 +35,8 @@ void ImplicitResponse::apply(double span, double dt, ContactList& contacts, Colu
     if (columns.size() == 0) return;
     motion.begin();
     set_rows(span, dt, contacts, columns, pairs, motion);
-    const double residual = solve_all(columns, motion);
+    const double residual = solve_all(columns, motion, hold);
+    if (hold) hold(true);
     ++convergence_.steps;
     convergence_.sum += residual;
     convergence_.worst = std::max(convergence_.worst, residual);
@@ -167,11 +169,13 @@ void ImplicitResponse::begin(Row& row, Movement& motion) {
     for (int i = 0; i < 4; ++i) motion.push(row.node[i], row.weight[i] * whole);
 }
 
-double ImplicitResponse::solve_all(const Columns& columns, Movement& motion) {
+double ImplicitResponse::solve_all(const Columns& columns, Movement& motion,
+                                   const std::function<void(bool is_last)>& hold) {
     active_.resize(rows_.size());
     bool is_whole = true;
     for (int k = 1;; ++k) {
         const double residual = sweep(is_whole, columns, motion);
+        if (hold) hold(false);
         ++convergence_.sweeps;
         const bool is_done = residual <= CONVERGED && k >= LEAST_SWEEPS;
         if (is_whole && (is_done || k >= MOST_SWEEPS)) return residual;

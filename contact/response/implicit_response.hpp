@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -42,8 +43,10 @@ public:
     /// @param dt    the step ahead                                                            [s]
     /// @param columns  in which the contacts are sorted, then those too that this takes up
     /// @param books    by card
+    /// @param hold     what else holds nodes, after each sweep and after the last
     void apply(double span, double dt, ContactList& contacts, Columns& columns, Candidates& pairs,
-               Movement& motion, std::vector<ImpulseBooks>& books);
+               Movement& motion, std::vector<ImpulseBooks>& books,
+               const std::function<void(bool is_last)>& hold = {});
 
     /// How the sweeps went: what the last one of a step still changed, over all its impulses.
     struct Convergence {
@@ -118,7 +121,8 @@ private:
     static void warm(double span, const PairMemory& memory, Row& row);
     void begin(Row& row, Movement& motion);
     /// Sweeps until little changes; returns what the last one did, over all impulses.
-    double solve_all(const Columns& columns, Movement& motion);
+    double solve_all(const Columns& columns, Movement& motion,
+                     const std::function<void(bool is_last)>& hold);
     /// @param is_whole  over all rows; else over those that the last such sweep found to push
     /// @returns what it changed, over all impulses
     double sweep(bool is_whole, const Columns& columns, Movement& motion);

@@ -5,6 +5,11 @@
 #include <algorithm>
 
 namespace corpuscle::contact {
+namespace {
+
+constexpr double NEAR_STEPS = 4.0;  ///< ways of that many steps are near
+
+}  // namespace
 
 RigidWall::RigidWall(const WallCard& card, const Curve* curve, double end_time) : card_(card) {
     const WallMotion& motion = card_.motion;
@@ -25,17 +30,49 @@ void RigidWall::hold(const Points& x, std::span<const double> mass, double t, do
     stops_.clear();
     touching_.clear();
     Vec3 impulse = Vec3::Zero();
-    if (t >= card_.birth && t <= card_.death) {
+    impulse_.setZero();
+    near_.clear();
+    if (is_on(t)) {
         if (is_behind_.size() != card_.nodes.size()) note_nodes_behind(x);
-        find_stops(x, dt, v, bodies);
+        for (std::size_t i = 0; i < card_.nodes.size(); ++i) find_stop(i, x, dt, v, bodies);
         slow_down(mass);
+        find_near(x, dt, v);
         stop(mass, v, impulse);
         stop_bodies(x, dt, v, bodies, impulse);
-        if (!(card_.motion.mass > 0.0)) driving_work_ -= impulse.dot(velocity_);
     }
-    impulse_ = impulse;
-    force_ = impulse / dt;
+    take(impulse, dt);
+}
+
+void RigidWall::hold_again(bool is_whole, const Points& x, std::span<const double> mass, double t,
+                           double dt, Points& v, const WallBodies& bodies) {
+    if (!is_on(t)) return;
+    stops_.clear();
+    if (is_whole)
+        for (std::size_t i = 0; i < card_.nodes.size(); ++i) find_stop(i, x, dt, v, bodies);
+    else
+        for (const std::size_t i : near_) find_stop(i, x, dt, v, bodies);
+    if (stops_.empty()) return;
+    Vec3 impulse = Vec3::Zero();
+    slow_down(mass);
+    stop(mass, v, impulse);
+    take(impulse, dt);
+}
+
+/// Books what the wall has got.
+void RigidWall::take(const Vec3& impulse, double dt) {
+    if (!(card_.motion.mass > 0.0)) driving_work_ -= impulse.dot(velocity_);
+    impulse_ += impulse;
+    force_ = impulse_ / dt;
     if (!curve_) next_shift_ = shift_ + dt * velocity_;
+}
+
+/// Nodes that a few steps could bring to the wall.
+void RigidWall::find_near(const Points& x, double dt, const Points& v) {
+    for (std::size_t i = 0; i < card_.nodes.size(); ++i) {
+        const Index node = card_.nodes[i];
+        const double reach = NEAR_STEPS * dt * (v[node] - velocity_).norm();
+        if (nearest(card_.shape, x[node] - shift_).gap <= reach) near_.push_back(i);
+    }
 }
 
 /// Takes the place that the last step led to, and the velocity of the next one: exactly the way
@@ -96,15 +133,14 @@ std::optional<RigidWall::Plane> RigidWall::plane_before(std::size_t i, const Vec
     return Plane{in->normal, -in->share * in->normal.dot(way)};
 }
 
-void RigidWall::find_stops(const Points& x, double dt, const Points& v, const WallBodies& bodies) {
-    for (std::size_t i = 0; i < card_.nodes.size(); ++i) {
-        const Index node = card_.nodes[i];
-        if (bodies.has(node)) continue;
-        const auto plane = plane_before(i, x[node] - shift_, dt * (v[node] - velocity_));
-        if (!plane) continue;
-        const double spare = plane->normal.dot(v[node]) + plane->gap / dt;
-        if (spare < plane->normal.dot(velocity_)) stops_.push_back({node, plane->normal, spare});
-    }
+void RigidWall::find_stop(std::size_t i, const Points& x, double dt, const Points& v,
+                          const WallBodies& bodies) {
+    const Index node = card_.nodes[i];
+    if (bodies.has(node)) return;
+    const auto plane = plane_before(i, x[node] - shift_, dt * (v[node] - velocity_));
+    if (!plane) return;
+    const double spare = plane->normal.dot(v[node]) + plane->gap / dt;
+    if (spare < plane->normal.dot(velocity_)) stops_.push_back({node, plane->normal, spare});
 }
 
 /// The common speed of a wall that has mass and of the nodes that it meets: the root of

@@ -45,6 +45,11 @@ public:
     void hold(const Points& x, std::span<const double> mass, double t, double dt, Points& v,
               const WallBodies& bodies = {});
 
+    /// Stops nodes that something else has sent in since hold(), in the same step.
+    /// @param is_whole  all nodes; else those alone that were near in hold()
+    void hold_again(bool is_whole, const Points& x, std::span<const double> mass, double t,
+                    double dt, Points& v, const WallBodies& bodies = {});
+
     /// On the wall in the last step: impulse / dt.                                              [N]
     [[nodiscard]] const Vec3& force() const { return force_; }
     /// On the wall in the last step.                                                           [Ns]
@@ -101,7 +106,11 @@ private:
     void note_nodes_behind(const Points& x);
     [[nodiscard]] bool passes(std::size_t i, const Vec3& at, double gap);
     [[nodiscard]] std::optional<Plane> plane_before(std::size_t i, const Vec3& at, const Vec3& way);
-    void find_stops(const Points& x, double dt, const Points& v, const WallBodies& bodies);
+    [[nodiscard]] bool is_on(double t) const { return t >= card_.birth && t <= card_.death; }
+    void find_stop(std::size_t i, const Points& x, double dt, const Points& v,
+                   const WallBodies& bodies);
+    void find_near(const Points& x, double dt, const Points& v);
+    void take(const Vec3& impulse, double dt);
     void slow_down(std::span<const double> mass);
     void stop(std::span<const double> mass, Points& v, Vec3& impulse);
     double find_bumps(const Points& x, double dt, const Points& v, const WallBodies& bodies);
@@ -117,6 +126,7 @@ private:
     std::vector<std::uint8_t> is_behind_;  ///< by row in card_.nodes; empty before birth
     Points last_;                          ///< of a plate: where the nodes were, seen from it  [m]
     std::vector<Stop> stops_;
+    std::vector<std::size_t> near_;  ///< rows in card_.nodes
     std::vector<Bump> bumps_;
     std::vector<Index> touching_;
     Vec3 force_ = Vec3::Zero(), impulse_ = Vec3::Zero();

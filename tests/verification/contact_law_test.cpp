@@ -165,6 +165,44 @@ TEST_CASE("a sheet held along x and y stays there, whatever slides over it", "[c
     CHECK(layer_state(run, deck, 2, last_frame(run)).mean_v.x() < 9.0);  // it was rubbed
 }
 
+TEST_CASE("a sheet that is led moves as it is told, whatever rubs on it", "[contact][held]") {
+    LayersDeck deck;
+    deck.friction = 0.3;
+    deck.layers = {{.z = -deck.thickness, .cells = 9, .side = 0.12, .kind = Kind::FIXED_PLATE},
+                   {.z = 0.0, .cells = 8},
+                   {.z = deck.thickness, .cells = 7, .side = 0.06}};
+    const auto led = deck.ids(1);
+    std::string cards = curve_card(1, {{0.0, 1.0}, {1.0, 1.0}}) +
+                        curve_card(2, {{0.0, 5.0}, {1.0, 5.0}}) + deck.press(2, 1, 50e3) +
+                        "*SET_NODE_LIST_GENERATE\n7\n";
+    cards += fmt::format("{}, {}\n*BOUNDARY_PRESCRIBED_MOTION_SET\n7, 1, 0, 2, 1.0\n", led.node,
+                         led.node_end - 1);
+    const DeckRun run("led", deck.text("a sheet that is led", cards, 1e-3, 1e-4));
+    REQUIRE(run.status() == 0);
+    const LayerState first = layer_state(run, deck, 1, 0),
+                     last = layer_state(run, deck, 1, last_frame(run));
+    for (std::size_t n = 0; n < last.x.size(); ++n)
+        CHECK(last.x[n].x() - first.x[n].x() == Approx(5e-3).epsilon(1e-5));
+}
+
+TEST_CASE("layers that are pressed on a rigid wall do not enter it", "[contact][wall]") {
+    LayersDeck deck;
+    for (int l = 0; l < 5; ++l)
+        deck.layers.push_back({.z = (l + 0.5) * deck.thickness, .cells = 6 + l % 3, .side = 0.08});
+    const std::string cards = ramp() + deck.press(4, 1, 200e3) +
+                              "*RIGIDWALL_PLANAR\n0, 0\n0.0, 0.0, 0.0, 0.0, 0.0, 1.0\n";
+    const DeckRun run("on_wall", deck.text("layers on a rigid wall", cards, 2e-3, 1e-4));
+    REQUIRE(run.status() == 0);
+    double least = INF;
+    for (std::size_t frame = 0; frame <= last_frame(run); ++frame)
+        for (std::size_t l = 0; l < deck.layers.size(); ++l)
+            for (const Vec3& x : layer_state(run, deck, l, frame).x)
+                least = std::min(least, x.z());
+    report("lowest node over a rigid wall [mm]", 0.0, 1e3 * least);
+    CHECK(least > -1e-9);
+    CHECK(layer_state(run, deck, 4, last_frame(run)).mean_x.z() > 3.9 * deck.thickness);
+}
+
 namespace {
 
 /// A heavy plate that flies onto a held sheet: speed with which it leaves [m/s].
