@@ -66,7 +66,7 @@ inline void touch(Model& model, contact::ContactCard card = {}) {
 inline void pull(Model& model, const Vec3& gravity) {
     for (int axis = 0; axis < 3; ++axis) {
         model.curves.push_back({axis + 1, {0.0, 100.0}, {-gravity[axis], -gravity[axis]}});
-        model.body_loads.push_back({axis, static_cast<Index>(model.curves.size()) - 1, 1.0});
+        model.body_loads.push_back({axis, static_cast<Index>(model.curves.size()) - 1, 1.0, {}});
     }
 }
 
