@@ -59,32 +59,40 @@ void run_until(Simulation& simulation, double t, Watch& watch) {
 
 }  // namespace
 
+// The state at a patch of the wall comes from its hits, so that one run's heat scatters by some
+// 0.5 %.
 TEST_CASE("a tank cools by Newton's law and books its heat", "[solver][heat]") {
+    constexpr double H = 1250.0;  // [W/(m^2 K)]
+    constexpr int SEEDS = 8;
     Model model = tank(3000);
+    model.end_time = 16.5e-3;
     const bool by_curve = GENERATE(false, true);
-    gas::HeatCard heat{{0}, by_curve ? 0.0 : 5000.0, -1};
+    gas::HeatCard heat{{0}, by_curve ? 0.0 : H, -1};
     if (by_curve) {
         heat.curve = static_cast<Index>(model.curves.size());
-        model.curves.push_back({99, {0.0, 1.0}, {5000.0, 5000.0}});
+        model.curves.push_back({99, {0.0, 1.0}, {H, H}});
     }
     model.bags[0].heat = {heat};
-    Simulation simulation(model);
-    Watch watch;
-    run_until(simulation, 2.5e-3, watch);
-    const double T_0 = state(simulation).temperature, t_0 = simulation.time();
-    run_until(simulation, 6e-3, watch);
     const double moles = 2.5e-3 / 0.028, C = moles * (28.0 - GAS_CONSTANT);
     const double area = 0.06 - 0.5 * 2 * 0.025 * 0.025;
-    const double exact =
-        250.0 + (T_0 - 250.0) * std::exp(-5000.0 * area * (simulation.time() - t_0) / C);
-    CHECK(T_0 - exact > 10.0);
-    CHECK(state(simulation).temperature == Approx(exact).margin(0.02 * (T_0 - exact)));
-    CHECK(watch.residual < 1e-9 * simulation.bags()[0].inflow_energy());
-    const Sample sample = simulation.sample();
-    const auto& parts = sample.airbags[0].parts;
-    CHECK(parts[1].heat_lost == 0.0);
-    // what has not been drawn from the gas yet is that of a step or two
-    CHECK(parts[0].heat_lost == Approx(simulation.books().outflow).epsilon(0.02));
+    double fallen = 0.0, exact = 0.0;
+    for (int seed = 1; seed <= SEEDS; ++seed) {
+        Simulation simulation(model, static_cast<std::uint64_t>(seed));
+        Watch watch;
+        run_until(simulation, 2.5e-3, watch);
+        const double T_0 = state(simulation).temperature, t_0 = simulation.time();
+        run_until(simulation, model.end_time, watch);
+        fallen += (T_0 - state(simulation).temperature) / SEEDS;
+        exact -= (T_0 - 250.0) * std::expm1(-H * area * (simulation.time() - t_0) / C) / SEEDS;
+        CHECK(watch.residual < 1e-9 * simulation.bags()[0].inflow_energy());
+        const Sample sample = simulation.sample();
+        const auto& parts = sample.airbags[0].parts;
+        CHECK(parts[1].heat_lost == 0.0);
+        // what has not been drawn from the gas yet is that of a step or two
+        CHECK(parts[0].heat_lost == Approx(simulation.books().outflow).epsilon(0.02));
+    }
+    CHECK(exact > 10.0);
+    CHECK(fallen == Approx(exact).epsilon(0.02));
 }
 
 TEST_CASE("a vent with PPOP opens at that gauge pressure and stays open", "[solver][vents]") {
