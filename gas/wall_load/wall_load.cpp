@@ -201,7 +201,9 @@ void WallLoad::release(double span, std::span<const Vec3> x, std::span<const Vec
     smoother_.prepare(*surface_, area_, size_, takes_part_);
     smoother_.spread(*surface_, brought_);
     last_given_ = owed();
-    const double share = -std::expm1(-span / time_);
+    // F = Q / time, with what has come in this step: late by `time` on average in steps of any
+    // length up to that.
+    const double share = std::min(1.0, span / time_);
     release_points(share, span, v, mass);
     release_jets(share, span, x);
     balance_momentum(share, span, x);
