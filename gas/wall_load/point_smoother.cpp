@@ -53,9 +53,11 @@ void PointSmoother::spread(const WettedSurface& surface, std::vector<Brought>& f
                 gain.push += link_[edge] * (field[q].push - own.push);
                 gain.mass += link_[edge] * (field[q].mass - own.mass);
                 gain.speed += link_[edge] * (field[q].speed - own.speed);
+                gain.beside += link_[edge] * (field[q].beside - own.beside);
             }
             next_[p] = {own.push + per_area_[p] * gain.push, own.mass + per_area_[p] * gain.mass,
-                        own.speed + per_area_[p] * gain.speed};
+                        own.speed + per_area_[p] * gain.speed,
+                        own.beside + per_area_[p] * gain.beside};
         });
         field.swap(next_);
     }

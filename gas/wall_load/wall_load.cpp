@@ -189,13 +189,13 @@ void WallLoad::release(double span, std::span<const Vec3> x, std::span<const Vec
         if (!hits_are_over_) age_[p] = arrived_mass_[p] > 0.0 ? 0.0 : age_[p] + span;
         takes_part_[p] = held_[p] == 0 && is_wet(p) && size_[p] > 0.0;
         const double along = arrived_[p].dot(normal(p));
+        const Vec3 beside = arrived_[p] - along * normal(p);
         const double per_area = takes_part_[p] != 0 ? 1.0 / size_[p] : 0.0;
         brought_[p] = {along * per_area, arrived_mass_[p] * per_area,
-                       v[surface_->node(p)].dot(normal(p))};
-        if (held_[p] != 0) return;
-        along_[p] += arrived_[p] - along * normal(p);
-        if (takes_part_[p] != 0) return;
+                       v[surface_->node(p)].dot(normal(p)), beside * per_area};
+        if (held_[p] != 0 || takes_part_[p] != 0) return;
         kept_[p] += along;
+        along_[p] += beside;
         mass_[p] += arrived_mass_[p];
     });
     smoother_.prepare(*surface_, area_, size_, takes_part_);
@@ -231,6 +231,7 @@ void WallLoad::release_points(double share, double span, std::span<const Vec3> v
         } else {
             if (takes_part_[p] != 0) {
                 kept_[p] += size_[p] * brought_[p].push;
+                along_[p] += size_[p] * brought_[p].beside;
                 mass_[p] += size_[p] * brought_[p].mass;
             }
             // D A, implicit in the motion that it damps: stable in any step.

@@ -49,6 +49,7 @@ struct Wrench {
 /// along the wetted surface (point_smoother.hpp) and in time, and nothing of it is lost:
 ///
 ///     dQ_p/dt = S(J·n)_p + D w A - Q_p / time,   F_p = (Q_p / time - D w A) n_p + V_p / time
+///     dV_p/dt = S(J - (J·n) n)_p - V_p / time
 ///
 /// Q: deferred normal impulse, kept along the normal n, so that it turns with the cloth; V: what of
 /// an impulse J is not along n. A point that moves at w along n against its neighbours is hit with
