@@ -48,10 +48,10 @@ void BagGas::collide(double dt, const Points& x) {
     if (uniform_ || particles_.size() == 0 || crossed < COLLISION_SHARE * cell_) return;
 
     find_groups(x);
-    std::vector<double> factor;
-    if (!air_.empty()) exchange_heat_with_air(factor);
+    std::vector<Heat> heat;
+    if (!air_.empty()) exchange_heat_with_air(heat);
     const CollisionReport report =
-        collider_.collide(collisions_, since_collision_, factor, particles_);
+        collider_.collide(collisions_, since_collision_, heat, particles_);
     unrelaxed_ += report.unrelaxed;
     if (collisions_ % MEASURE_EVERY == 0) measure_speed();
     ++collisions_;
@@ -87,36 +87,37 @@ void BagGas::find_groups(const Points& x) {
                           collisions_ % MOVE_ROWS_EVERY == 0);
 }
 
-/// Brings the initial air of each room to the mean temperature of its particles: finds the factor
-/// on the thermal energy of the room's groups, and takes the energy from the air.
+/// Brings the initial air of each room to the mean temperature of its particles: finds the heat of
+/// the room's groups, and takes it from the air.
 ///
 ///     E_air(T) + E_particles(T) = E_air + E_thermal
 ///
 /// A group's mean motion is no heat, so N particles in G groups hold 3/2 (N - G) R T of
 /// translation.
-void BagGas::exchange_heat_with_air(std::vector<double>& factor) {
+void BagGas::exchange_heat_with_air(std::vector<Heat>& heat) {
     const std::size_t rooms = air_.size(), kinds = mass_.size();
     std::vector<double> thermal(rooms, 0.0), groups(rooms, 0.0);
     collider_.thermal_energy(particles_, thermal, groups);
     const std::vector<Holding> holds = holdings();
-    factor.assign(rooms, 1.0);
+    heat.assign(rooms, {});
     const double moles = inflators_.moles_each();
     for (std::size_t r = 0; r < rooms; ++r) {
         if (!(thermal[r] > 0.0)) continue;
         EnergyPolynomial content = air_[r].content();
-        double count = 0.0;
+        double count = 0.0, mass = 0.0;
         for (std::size_t s = 0; s < kinds; ++s) {
             content +=
                 holds[r * kinds + s].count * moles * inflators_.species()[s].molar_internal();
             count += holds[r * kinds + s].count;
+            mass += holds[r * kinds + s].count * mass_[s];
         }
         content.a += 1.5 * card_.gas_constant * moles * (count - groups[r]);
         const double T = content.temperature(air_[r].energy() + thermal[r], air_[r].temperature());
         const double wanted = air_[r].energy() - air_[r].content()(T);
-        const double heat =
+        const double given =
             std::clamp(wanted, -MOST_EXCHANGED * thermal[r], MOST_EXCHANGED * thermal[r]);
-        factor[r] = 1.0 + heat / thermal[r];
-        air_[r].add(-heat);
+        heat[r] = given > 0.0 ? Heat{1.0, given / mass} : Heat{1.0 + given / thermal[r], 0.0};
+        air_[r].add(-given);
     }
 }
 

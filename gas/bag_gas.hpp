@@ -179,7 +179,7 @@ private:
                       const Points& x_0, const Points& x_1);
     void find_groups(const Points& x);
     void find_open_facets();
-    void exchange_heat_with_air(std::vector<double>& factor);
+    void exchange_heat_with_air(std::vector<Heat>& heat);
     [[nodiscard]] bool loses() const { return !openings_.empty() || !heat_loss_.empty(); }
     void look_inside(const Points& x);
     void look_at_openings();

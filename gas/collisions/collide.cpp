@@ -69,17 +69,23 @@ double Collider::cross_section() const {
     return 1.0 / (std::numbers::sqrt2 * density * path);
 }
 
-CollisionReport Collider::collide(std::uint64_t step, double dt, double heat,
+CollisionReport Collider::collide(std::uint64_t step, double dt, double factor,
                                   Particles& particles) const {
     return collide(
-        {groups_.lists(), mixture_, heat, dt, cell_volume_, cross_section(), seed_, step},
+        {groups_.lists(), mixture_, {factor}, dt, cell_volume_, cross_section(), seed_, step},
         particles);
 }
 
-CollisionReport Collider::collide(std::uint64_t step, double dt,
-                                  std::span<const double> heat_of_room,
+CollisionReport Collider::collide(std::uint64_t step, double dt, std::span<const Heat> heat_of_room,
                                   Particles& particles) const {
-    return collide({groups_.lists(), mixture_, 1.0, dt, cell_volume_, cross_section(), seed_, step,
+    return collide({groups_.lists(),
+                    mixture_,
+                    {},
+                    dt,
+                    cell_volume_,
+                    cross_section(),
+                    seed_,
+                    step,
                     heat_of_room},
                    particles);
 }

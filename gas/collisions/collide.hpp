@@ -14,20 +14,28 @@
 
 namespace corpuscle::gas {
 
+/// Heat that groups are given, or that is taken from them: E' = factor E + per_mass m.
+///
+/// A factor above 1 drives accounts apart that nearly cancel, so gas is warmed per mass; one below
+/// 1 draws all of them together and leaves nobody with less than nothing, so gas is cooled by it.
+struct Heat {
+    double factor = 1.0;    ///< on thermal energy                                      [-]
+    double per_mass = 0.0;  ///< [J/kg]
+};
+
 /// What a model needs to know to collide all groups once.
 struct CollisionStep {
     Lists groups;
     const Mixture& mixture;
-    double heat;           ///< factor on each group's thermal energy, 1: none                [-]
+    Heat heat;             ///< of each group
     double dt;             ///< since the last collision step                       [s]
     double volume;         ///< of a cell                                           [m^3]
     double cross_section;  ///< pi d² of the spheres; 0 where a model has none      [m^2]
     std::uint64_t seed;
-    std::uint64_t step;  ///< counts collision steps: no two draw the same numbers
-    std::span<const double> heat_of_room{};  ///< in place of `heat`, by room; empty: none
+    std::uint64_t step;                    ///< counts collision steps: no two draw the same numbers
+    std::span<const Heat> heat_of_room{};  ///< in place of `heat`, by room; empty: none
 
-    /// Factor on the thermal energy of a group.
-    [[nodiscard]] double heat_of(std::span<const Index> rows, const Particles& particles) const {
+    [[nodiscard]] Heat heat_of(std::span<const Index> rows, const Particles& particles) const {
         return heat_of_room.empty()
                    ? heat
                    : heat_of_room[particles.room_of(static_cast<std::size_t>(rows[0]))];
@@ -36,7 +44,7 @@ struct CollisionStep {
 
 /// What went other than planned.
 struct CollisionReport {
-    double thermal = 0.0;  ///< energy of all groups that `heat` has multiplied, before    [J]
+    double thermal = 0.0;  ///< energy of all groups that heat has changed, before         [J]
     std::size_t unrelaxed =
         0;  ///< groups whose energy belongs to no temperature; it was left where it is
     CollisionReport& operator+=(const CollisionReport& o) {
@@ -79,10 +87,11 @@ public:
                         std::span<double> groups) const;
 
     /// One collision step of every group, for the time dt that has gone by since the last one;
-    /// thermal energy is multiplied by `heat` on the way.
-    CollisionReport collide(std::uint64_t step, double dt, double heat, Particles& particles) const;
-    /// The same with a factor for each room; none: 1.
-    CollisionReport collide(std::uint64_t step, double dt, std::span<const double> heat_of_room,
+    /// thermal energy is multiplied by `factor` on the way.
+    CollisionReport collide(std::uint64_t step, double dt, double factor,
+                            Particles& particles) const;
+    /// The same with the heat of each room; empty: none.
+    CollisionReport collide(std::uint64_t step, double dt, std::span<const Heat> heat_of_room,
                             Particles& particles) const;
 
     [[nodiscard]] const Groups& groups() const { return groups_; }

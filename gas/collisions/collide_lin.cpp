@@ -136,10 +136,10 @@ void exchange(const GradientFit& fit, double kT, Swarm& swarm, Random& draw) {
 
 bool collide_group(const CollisionStep& step, Swarm& swarm, Random& draw) {
     const double E_all = swarm.translational();
-    if (is_rigid(swarm, E_all)) return relax(swarm.heat, step.mixture, swarm, draw);
+    if (is_rigid(swarm, E_all)) return relax(step.mixture, swarm, draw);
     const std::optional<GradientFit> fit = GradientFit::of(swarm);
     if (!fit) return collide_few(step, swarm, draw);
-    const double energy = swarm.heat * (E_all + swarm.internal());
+    const double energy = E_all + swarm.internal() + swarm.heat;
 
     // Motion in common: U and G. What is left is c, of energy E_0.
     const Mat3 G = fit->take_out(swarm);
@@ -155,7 +155,7 @@ bool collide_group(const CollisionStep& step, Swarm& swarm, Random& draw) {
     if (has_heat) E_1 = share(energy - E_gradient, freedom, step.mixture, swarm, draw);
     if (!E_1) {
         swarm.add_gradient(G);
-        return has_heat ? leave_unrelaxed(step, swarm, draw) : heat_rigid(step, E_all, swarm, draw);
+        return leave_unrelaxed(swarm) || !has_heat;
     }
 
     if (swarm.is_mixed()) exchange(*fit, 2.0 * E_0 / freedom, swarm, draw);

@@ -71,7 +71,7 @@ CollisionReport collide_ntc(const CollisionStep& step, Particles& particles) {
             swarm.gather_places(rows, particles);
             collide_candidates(step, swarm, draw);
         }
-        return relax(swarm.heat, step.mixture, swarm, draw);
+        return relax(step.mixture, swarm, draw);
     });
 }
 

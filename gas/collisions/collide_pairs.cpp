@@ -12,7 +12,7 @@ namespace corpuscle::gas {
 CollisionReport collide_pairs(const CollisionStep& step, Particles& particles) {
     return for_each_group(step, particles, [&](Swarm& swarm, Random& draw, auto) {
         swarm.collide_pairs(draw);
-        return relax(swarm.heat, step.mixture, swarm, draw);
+        return relax(step.mixture, swarm, draw);
     });
 }
 

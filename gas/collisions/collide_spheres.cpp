@@ -66,7 +66,7 @@ CollisionReport collide_spheres(const CollisionStep& step, Particles& particles)
     return for_each_group(step, particles, [&](Swarm& swarm, Random& draw, auto rows) {
         swarm.gather_places(rows, particles);
         bounce_all(step.dt, diameter, swarm);
-        return relax(swarm.heat, step.mixture, swarm, draw);
+        return relax(step.mixture, swarm, draw);
     });
 }
 

@@ -18,8 +18,10 @@ CollisionReport collide_one_group(const CollisionStep& step, std::size_t group,
     thread_local Swarm swarm;
     const auto rows = step.groups[group];
     swarm.gather(rows, step.mixture, particles);
-    swarm.heat = step.heat_of(rows, particles);
-    CollisionReport report{swarm.translational() + swarm.internal()};
+    const double thermal = swarm.translational() + swarm.internal();
+    const Heat heat = step.heat_of(rows, particles);
+    swarm.heat = (heat.factor - 1.0) * thermal + heat.per_mass * swarm.mass;
+    CollisionReport report{thermal};
     Random draw(step.seed, Stream::COLLISION, step.step, group);
     if (!collide_one(swarm, draw, rows)) report.unrelaxed = 1;
     swarm.scatter(rows, particles);

@@ -21,35 +21,28 @@ Mat3 random_rotation(Random& draw) {
         .toRotationMatrix();
 }
 
-bool heat_rigid(const CollisionStep& step, double translational, Swarm& swarm, Random& draw) {
-    const double internal = swarm.internal();
-    const double wanted = swarm.heat * (translational + internal) - translational;
-    if (!(internal > 0.0 && wanted > 0.0)) return relax(swarm.heat, step.mixture, swarm, draw);
-    swarm.scale_internal(wanted / internal);
-    return true;
-}
-
-bool leave_unrelaxed(const CollisionStep& step, Swarm& swarm, Random& draw) {
-    if (swarm.heat != 1.0) heat_rigid(step, swarm.translational(), swarm, draw);
+bool leave_unrelaxed(Swarm& swarm) {
+    swarm.add_internal(swarm.heat);
     return false;
 }
 
 bool collide_few(const CollisionStep& step, Swarm& swarm, Random& draw) {
     const double E_all = swarm.translational();
-    const double energy = swarm.heat * (E_all + swarm.internal());
+    const double energy = E_all + swarm.internal() + swarm.heat;
     const GroupSpin spin(swarm);
     const Mat3 G = spin.take_out(swarm);
     const double E_0 = swarm.translational();
     const double freedom = 3.0 * (static_cast<double>(swarm.size()) - 1.0) - spin.freedom();
     if (freedom < 1.0 || E_0 <= lin::FLATTEST * lin::FLATTEST * E_all) {
         swarm.add_gradient(G);
-        return heat_rigid(step, E_all, swarm, draw);
+        swarm.add_internal(swarm.heat);
+        return true;
     }
     const std::optional<double> E_1 =
         share(energy - (E_all - E_0), freedom, step.mixture, swarm, draw);
     if (!E_1) {
         swarm.add_gradient(G);
-        return leave_unrelaxed(step, swarm, draw);
+        return leave_unrelaxed(swarm);
     }
     if (swarm.size() == 2) {
         swarm.scale(-1.0);  // all that a line leaves

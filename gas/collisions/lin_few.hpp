@@ -10,13 +10,10 @@ namespace corpuscle::gas {
 /// Uniform on SO(3), from a uniform unit quaternion [Shoemake 1992].
 Mat3 random_rotation(Random& draw);
 
-/// Where all motion is in common there is none to be scaled: heat goes to the internal energy, and
-/// motion stays as it is.
-bool heat_rigid(const CollisionStep& step, double translational, Swarm& swarm, Random& draw);
-
 /// A group whose energy, less that of its motion in common, belongs to no temperature (it has debts
-/// to pay): nothing changes but for its heat, so that angular momentum stays. False.
-bool leave_unrelaxed(const CollisionStep& step, Swarm& swarm, Random& draw);
+/// to pay): nothing changes but for its heat, which goes to the internal energy, so that angular
+/// momentum stays. False.
+bool leave_unrelaxed(Swarm& swarm);
 
 /// LIN for a group too small, or too flat, for a velocity gradient: c is turned round at random,
 /// and angular momentum is kept by the rotation that is lent to it for that and taken out again. Of

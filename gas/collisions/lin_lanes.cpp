@@ -22,7 +22,7 @@ Four in_order(const Four& first, const Four& second, const Four& third, const Fo
 
 }  // namespace
 
-bool LinLanes::add(std::span<const Index> rows, std::uint64_t group, double heat, Random draw,
+bool LinLanes::add(std::span<const Index> rows, std::uint64_t group, const Heat& heat, Random draw,
                    const Particles& particles) {
     const std::int32_t species = particles.species[rows[0]];
     const Vec3 x_0 = particles.x[rows[0]], v_0 = particles.v[rows[0]];
@@ -56,9 +56,10 @@ bool LinLanes::add(std::span<const Index> rows, std::uint64_t group, double heat
     group_[l] = group;
     species_[l] = species;
     e_[l] = e;
-    heat_[l] = heat;
     n_[l] = static_cast<double>(rows.size());
     m_[l] = mixture_.particle_mass(species);
+    factor_[l] = heat.factor;
+    added_[l] = heat.per_mass * m_[l] * n_[l];
     share_[l] = nearly_normal(draw);
     axis_[l] = draw.below(3);
     for (auto& by_lane : stress_) by_lane[l] = nearly_normal(draw);
@@ -75,7 +76,8 @@ struct LinLanes::Energy {
 /// @param motion  energy of the motion relative to U, @param thermal  that of c alone          [J]
 LinLanes::Energy LinLanes::share(const Four& motion, const Four& thermal) const {
     const Four n = load(n_.data()), before = load(e_.data());
-    const Four energy = load(heat_.data()) * (motion + before) - (motion - thermal);
+    const Four energy =
+        load(factor_.data()) * (motion + before) + load(added_.data()) - (motion - thermal);
     const Four freedom = 3.0 * (n - lin::FITTED);
     const Four T = temperature(energy, freedom);
     Four inside, slope, curvature;
@@ -96,10 +98,9 @@ LinLanes::Energy LinLanes::share(const Four& motion, const Four& thermal) const 
     const Four less = SCATTER * half_heat * C_t * (n * curvature) * scatter * scatter;
     const Four most = MOST_NOISE * least, wanted = spread * load(share_.data()) - less;
     Four more = wanted > most ? most : wanted < -most ? -most : wanted;
-    more = (C_i > 0.0) & (least > 0.0) ? more / internal : all(0.0);
-    each *= 1.0 + more;
-    kept *= 1.0 + more;
-    const Four translational = left - more * internal;
+    more = (C_i > 0.0) & (least > 0.0) ? more : all(0.0);
+    each += more / n;
+    const Four translational = left - more;
     return {each, kept, translational, (T > 0.0) & (translational > 0.0)};
 }
 

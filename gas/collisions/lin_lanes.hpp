@@ -5,6 +5,7 @@
 #include <array>
 #include <span>
 
+#include "gas/collisions/collide.hpp"
 #include "gas/particles.hpp"
 #include "gas/thermo/species.hpp"
 #include "solver/base/lanes.hpp"
@@ -25,8 +26,8 @@ public:
 
     /// Adds up a group of FEWEST particles and more, all of one species, and draws what chance
     /// decides. False for a mixture: the group must be collided in another way.
-    /// @param heat  factor on its thermal energy                                         [-]
-    bool add(std::span<const Index> rows, std::uint64_t group, double heat, Random draw,
+    /// @param heat  that it gets
+    bool add(std::span<const Index> rows, std::uint64_t group, const Heat& heat, Random draw,
              const Particles& particles);
     [[nodiscard]] std::size_t size() const { return size_; }
 
@@ -76,7 +77,7 @@ private:
     // Sums over a group's particles, of x and v from those of the first, and of e.
     alignas(32) std::array<std::array<ByLane, 3>, 3> xx_{}, vx_{}, vv_{};
     alignas(32) std::array<ByLane, 3> x_{}, v_{}, first_v_{};
-    alignas(32) ByLane e_{}, n_{}, m_{}, heat_{};
+    alignas(32) ByLane e_{}, n_{}, m_{}, factor_{}, added_{};
     // Chance.
     alignas(32) ByLane share_{};                  ///< of the internal energy, nearly normal
     alignas(32) ByLane axis_{};                   ///< 0, 1, 2: which comes first

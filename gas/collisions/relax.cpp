@@ -54,25 +54,23 @@ std::optional<double> share(double energy, double freedom, const Mixture& mixtur
         SCATTER * mixture.half_heat() * C_t * internal_at.curvature(T) * scatter * scatter;
     // In groups of two or three the tails are cut, evenly, so that no part is used up.
     const double more = std::clamp(spread * chance - less, -MOST_NOISE * least, MOST_NOISE * least);
-    swarm.scale_internal(1.0 + more / internal);
+    swarm.warm_internal(more, T, mixture);
     return energy - swarm.internal();
 }
 
-bool relax(double heat, const Mixture& mixture, Swarm& swarm, Random& draw) {
+bool relax(const Mixture& mixture, Swarm& swarm, Random& draw) {
     const double translational = swarm.translational();
-    const double energy = heat * (translational + swarm.internal());
     if (is_rigid(swarm, translational)) {
-        swarm.scale_internal(heat);
+        swarm.add_internal(swarm.heat);
         return true;
     }
+    const double energy = translational + swarm.internal() + swarm.heat;
     const double freedom = 3.0 * (static_cast<double>(swarm.size()) - 1.0);
     const std::optional<double> left = share(energy, freedom, mixture, swarm, draw);
-    if (left) {
+    if (left)
         swarm.scale(std::sqrt(*left / translational));
-    } else {
-        swarm.scale(std::sqrt(heat));
-        swarm.scale_internal(heat);
-    }
+    else
+        swarm.add_internal(swarm.heat);
     return left.has_value();
 }
 

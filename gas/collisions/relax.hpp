@@ -51,10 +51,10 @@ bool is_rigid(const Swarm& swarm, double translational);
 std::optional<double> share(double energy, double freedom, const Mixture& mixture, Swarm& swarm,
                             Random& draw);
 
-/// Shares out a swarm's thermal energy times `heat`: one factor on c, a new e each. Exact in energy
-/// and momentum. The heat of a rigid swarm goes to its internal energy. Where no temperature holds
-/// the energy both parts are multiplied by `heat`, and false is returned.
-bool relax(double heat, const Mixture& mixture, Swarm& swarm, Random& draw);
+/// Shares out a swarm's thermal energy and its heat: one factor on c, a new e each. Exact in energy
+/// and momentum. The heat of a rigid swarm goes to its internal energy, evenly by mass; so it does
+/// where no temperature holds the energy, and false is returned.
+bool relax(const Mixture& mixture, Swarm& swarm, Random& draw);
 
 /// Close to standard normal, never beyond 3.5: the sum of four uniform numbers. Noise needs no
 /// tails.

@@ -135,13 +135,19 @@ double Swarm::set_internal(double T, const Mixture& mixture, double memory) {
     return internal();
 }
 
+void Swarm::warm_internal(double energy, double T, const Mixture& mixture) {
+    const double rise = energy / internal_at_.slope(T);
+    for (std::size_t i = 0; i < n_; ++i)
+        e[i] += rise * mixture.particle_internal(species_[i]).slope(T);
+}
+
 void Swarm::scale(double factor) {
     for (auto& column : c.along)
         for (double& ci : column) ci *= factor;
 }
 
-void Swarm::scale_internal(double factor) {
-    for (double& ei : e) ei *= factor;
+void Swarm::add_internal(double energy) {
+    for (std::size_t i = 0; i < n_; ++i) e[i] += energy * (m_[i] / mass);
 }
 
 void Swarm::transform(const Mat3& A) {

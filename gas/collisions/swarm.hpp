@@ -59,10 +59,13 @@ public:
     ///     e_i' = e(T) + memory (e_i - mean e).                                             [J]
     double set_internal(double T, const Mixture& mixture, double memory = 0.0);
 
-    void scale(double factor);           ///< c *= factor
-    void scale_internal(double factor);  ///< e *= factor
-    void transform(const Mat3& A);       ///< c = A c
-    void add_gradient(const Mat3& G);    ///< c += G dx
+    /// Adds to e as a rise of temperature from T does, by heat capacities.                  [J]
+    void warm_internal(double energy, double T, const Mixture& mixture);
+
+    void scale(double factor);         ///< c *= factor
+    void add_internal(double energy);  ///< e += energy m / mass
+    void transform(const Mat3& A);     ///< c = A c
+    void add_gradient(const Mat3& G);  ///< c += G dx
 
     /// Every particle collides with one other: pairs are drawn at random and leave in a random
     /// direction.
@@ -78,7 +81,7 @@ public:
 
     Vec3 U;                 ///< mean velocity, by mass                                   [m/s]
     double mass = 0.0;      ///< of all                                                   [kg]
-    double heat = 1.0;      ///< factor on its thermal energy at this step                [-]
+    double heat = 0.0;      ///< that it gets at this step                                [J]
     Columns c;              ///< v - U, or less where a model takes out more              [m/s]
     Columns dx;             ///< place from the centre of mass                            [m]
     std::vector<double> e;  ///< [J]

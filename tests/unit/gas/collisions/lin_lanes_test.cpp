@@ -41,7 +41,7 @@ TEST_CASE("four groups at once collide as one by one", "[gas][lanes]") {
     Groups groups;
     groups.find(cells, {}, fast, 1.0);
     Particles plain = fast;
-    const CollisionStep step{groups.lists(), mixture, 1.01, 1e-5, 1.0, 0.0, 7, 3};
+    const CollisionStep step{groups.lists(), mixture, {1.01, 200.0}, 1e-5, 1.0, 0.0, 7, 3};
     const CollisionReport a = collide_lin(step, fast), b = collide_lin_plainly(step, plain);
     CHECK(a.thermal == Approx(b.thermal).epsilon(1e-11));
     CHECK(a.unrelaxed == b.unrelaxed);
