@@ -330,10 +330,13 @@ void WallSamples::state(std::size_t sample, const Inside& room, Inside& out) con
         const double square = q.momentum.squaredNorm() / (q.mass * q.mass),
                      drift = square - scatter;
         if (square > CHANCE * CHANCE * scatter) {
-            // T holds U²/2 as heat at constant volume; at constant pressure it is less warm.
+            // T holds U²/2 as heat at constant volume; at constant pressure it is less warm. A hole
+            // draws no gas faster than sound, U² = gamma R still.
             const double R = gas_constant_ / out.molar_mass;
-            const double still = std::max(0.2 * T, T - 0.5 * drift * (gamma - 1.0) / R);
-            const double stagnation = still + 0.5 * drift * (gamma - 1.0) / (gamma * R);
+            const double sonic = gamma * R * T / (1.0 + 0.5 * gamma * (gamma - 1.0));
+            const double drawn = std::min(drift, sonic);
+            const double still = T - 0.5 * drawn * (gamma - 1.0) / R;
+            const double stagnation = still + 0.5 * drawn * (gamma - 1.0) / (gamma * R);
             pressure *= std::pow(stagnation / still, gamma / (gamma - 1.0));
             T = stagnation;
         }
