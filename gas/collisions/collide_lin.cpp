@@ -188,7 +188,7 @@ CollisionReport collide_lin_plainly(const CollisionStep& step, Particles& partic
     });
 }
 
-/// Large groups of one species by fours; all others one by one.
+/// Large groups of one kind of gas by fours; all others one by one.
 CollisionReport collide_lin(const CollisionStep& step, Particles& particles) {
     constexpr std::size_t GROUPS_A_CHUNK = 64, AHEAD = 2;
     const auto plainly = [&](std::size_t g) {

@@ -24,13 +24,13 @@ Four in_order(const Four& first, const Four& second, const Four& third, const Fo
 
 bool LinLanes::add(std::span<const Index> rows, std::uint64_t group, const Heat& heat, Random draw,
                    const Particles& particles) {
-    const std::int32_t species = particles.species[rows[0]];
+    const std::int32_t species = mixture_.kind(particles.species[rows[0]]);
     const Vec3 x_0 = particles.x[rows[0]], v_0 = particles.v[rows[0]];
     std::array<Four, 3> xx{}, vx{}, vv{};
     double e = 0.0;
     bool is_mixed = false;
     for (const Index row : rows) {
-        is_mixed |= particles.species[row] != species;
+        is_mixed |= mixture_.kind(particles.species[row]) != species;
         const Four x = with_one(particles.x[row] - x_0), v = with_one(particles.v[row] - v_0);
         for (int k = 0; k < 3; ++k) {
             xx[k] += x[k] * x;

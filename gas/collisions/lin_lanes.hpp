@@ -13,7 +13,7 @@
 
 namespace corpuscle::gas {
 
-/// LIN for four groups of one species at once: the same map as in collide_lin.cpp, which stays the
+/// LIN for four groups of one kind of gas at once: the same map as in collide_lin.cpp, which stays the
 /// oracle, but found from the groups' sums alone. Two passes over a group's particles, one that
 /// adds up and one that maps; the matrices of four groups side by side (lanes.hpp).
 ///
@@ -24,7 +24,7 @@ public:
 
     explicit LinLanes(const Mixture& mixture) : mixture_(mixture) {}
 
-    /// Adds up a group of FEWEST particles and more, all of one species, and draws what chance
+    /// Adds up a group of FEWEST particles and more, all of one kind of gas, and draws what chance
     /// decides. False for a mixture: the group must be collided in another way.
     /// @param heat  that it gets
     bool add(std::span<const Index> rows, std::uint64_t group, const Heat& heat, Random draw,

@@ -21,7 +21,7 @@ double thermal_energy(const Lists& groups, const Mixture& mixture, const Particl
 double equilibrium_temperature(double energy, double freedom, double half_heat,
                                const EnergyPolynomial& internal);
 
-/// What a particle keeps of its e's deviation from the mean in a group of one species. At 0 every
+/// What a particle keeps of its e's deviation from the mean in a group of one kind of gas. At 0 every
 /// collision step would conduct heat across the whole cell and smear contacts (Sod's tube at 10^5
 /// particles: L1 of density .0118, here .0105).
 inline constexpr double MEMORY = 0.95;

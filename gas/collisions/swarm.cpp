@@ -35,11 +35,11 @@ void Swarm::gather(std::span<const Index> rows, const Mixture& mixture,
     e.resize(padded_);
     species_.resize(n_);
 
-    const std::int32_t first = particles.species[rows[0]];
+    const std::int32_t first = mixture.kind(particles.species[rows[0]]);
     is_mixed_ = false;
     for (std::size_t i = 0; i < n_; ++i) {
         const Index row = rows[i];
-        species_[i] = particles.species[row];
+        species_[i] = mixture.kind(particles.species[row]);
         is_mixed_ |= species_[i] != first;
         c.set(i, particles.v[row]);
         e[i] = particles.e[row];

@@ -90,8 +90,8 @@ private:
     void centre(Columns& a, Vec3& mean) const;
 
     std::size_t n_ = 0, padded_ = 0;
-    std::vector<double> m_;  ///< [kg]
-    std::vector<std::int32_t> species_;
+    std::vector<double> m_;              ///< [kg]
+    std::vector<std::int32_t> species_;  ///< the first of each kind (Mixture::kind)
     bool is_mixed_ = false;
     EnergyPolynomial internal_at_;
     std::vector<Index> shuffled_;

@@ -104,6 +104,9 @@ std::string Species::fault_between(double low, double high) const {
 Mixture::Mixture(std::vector<Species> species, double moles_each)
     : species_(std::move(species)), moles_each_(moles_each) {
     for (const Species& s : species_) {
+        const auto first = std::find_if(species_.begin(), species_.end(),
+                                        [&](const Species& o) { return o.is_like(s); });
+        kind_.push_back(static_cast<std::int32_t>(first - species_.begin()));
         half_heat_ = 0.5 * s.gas_constant() * moles_each;
         mass_.push_back(moles_each * s.molar_mass());
         internal_.push_back(moles_each * s.molar_internal());

@@ -64,6 +64,11 @@ public:
     [[nodiscard]] double h(double T) const { return u(T) + R_ * T / M_; }      ///< [J/kg]
     [[nodiscard]] double internal(double T) const { return molar_internal()(T) / M_; }  ///< [J/kg]
 
+    /// Same molar mass, same heat capacity.
+    [[nodiscard]] bool is_like(const Species& o) const {
+        return M_ == o.M_ && A_ == o.A_ && B_ == o.B_ && C_ == o.C_;
+    }
+
     /// T where u(T) = `specific_energy` [J/kg]; NaN when there is none.                   [K]
     [[nodiscard]] double temperature_of(double specific_energy) const;
 
@@ -93,6 +98,10 @@ class Mixture {
 public:
     Mixture(std::vector<Species> species, double moles_each);
 
+    /// The first species that is alike in molar mass and heat capacity: collisions cannot tell gas
+    /// of one kind apart, by whatever inflow it came.
+    [[nodiscard]] std::int32_t kind(std::int32_t s) const { return kind_[s]; }
+
     [[nodiscard]] const std::vector<Species>& species() const { return species_; }
     [[nodiscard]] double moles_each() const { return moles_each_; }                ///< [mol]
     [[nodiscard]] double particle_mass(std::int32_t s) const { return mass_[s]; }  ///< [kg]
@@ -111,6 +120,7 @@ public:
 private:
     std::vector<Species> species_;
     double moles_each_, half_heat_ = 0.0;
+    std::vector<std::int32_t> kind_;
     std::vector<double> mass_;
     std::vector<EnergyPolynomial> internal_;
 };

@@ -211,6 +211,18 @@ TEST_CASE("internal energy takes the share that the heat capacity gives it", "[g
     CHECK(mean == Approx(T).epsilon(0.01));
 }
 
+TEST_CASE("two inflows of one gas collide as one", "[gas]") {
+    const auto model = every_model();
+    const Mixture one = mixture_of({AIR}), two = mixture_of({AIR, HELIUM, AIR});
+    Particles gas = random_gas(3000, BOX, one, {300});
+    Particles named = gas;
+    for (std::size_t i = 0; i < named.size(); i += 2) named.species[i] = 2;
+    Box(one, model).run(3, 800.0, gas);
+    Box(two, model).run(3, 800.0, named);
+    CHECK(named.v == gas.v);
+    CHECK(named.e == gas.e);
+}
+
 TEST_CASE("the same seed gives the same bits on any number of threads", "[gas]") {
     const auto model = every_model();
     const Mixture mixture = mixture_of({AIR, HELIUM});
