@@ -130,7 +130,7 @@ Mat3 mapping(const Mat3& P, const Mat3& F, Random& draw) {
 /// as it was distributed.
 void exchange(const GradientFit& fit, double kT, Swarm& swarm, Random& draw) {
     swarm.add_gradient(fit.thermal(kT, draw));
-    swarm.collide_pairs(draw);
+    swarm.collide_unlike(draw);
     fit.take_out(swarm);
 }
 

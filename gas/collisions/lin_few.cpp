@@ -48,7 +48,7 @@ bool collide_few(const CollisionStep& step, Swarm& swarm, Random& draw) {
         swarm.scale(-1.0);  // all that a line leaves
     } else {
         swarm.add_gradient(spin.thermal(2.0 * E_0 / freedom, draw));
-        if (swarm.is_mixed()) swarm.collide_pairs(draw);
+        if (swarm.is_mixed()) swarm.collide_unlike(draw);
         swarm.transform(random_rotation(draw));
         spin.take_out(swarm);
     }

@@ -131,7 +131,18 @@ double Swarm::set_internal(double T, const Mixture& mixture, double memory) {
         for (std::size_t i = 0; i < n_; ++i) e[i] = each + memory * e[i];
         return internal();
     }
-    for (std::size_t i = 0; i < n_; ++i) e[i] = mixture.particle_internal(species_[i])(T);
+    mean_internal_.assign(mixture.species().size(), 0.0);
+    count_.assign(mixture.species().size(), 0.0);
+    for (std::size_t i = 0; i < n_; ++i) {
+        mean_internal_[species_[i]] += e[i];
+        count_[species_[i]] += 1.0;
+    }
+    for (std::size_t s = 0; s < count_.size(); ++s)
+        if (count_[s] > 0.0) mean_internal_[s] /= count_[s];
+    for (std::size_t i = 0; i < n_; ++i) {
+        const std::int32_t s = species_[i];
+        e[i] = mixture.particle_internal(s)(T) + memory * (e[i] - mean_internal_[s]);
+    }
     return internal();
 }
 
@@ -182,6 +193,37 @@ void Swarm::collide_pairs(Random& draw) {
         const auto q = static_cast<std::size_t>(shuffled_[i + 1]);
         collide_pair(p, q, draw);
     }
+}
+
+void Swarm::collide_unlike(Random& draw) {
+    const auto n = static_cast<std::uint32_t>(n_);
+    shuffled_.resize(n);
+    std::iota(shuffled_.begin(), shuffled_.end(), 0);
+    is_paired_.assign(n_, 0);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        std::swap(shuffled_[i], shuffled_[i + draw.below(n - i)]);
+        const auto p = static_cast<std::size_t>(shuffled_[i]);
+        if (is_paired_[p] != 0) continue;
+        const std::size_t q = nearest_unlike(p);
+        if (q == n_) continue;
+        is_paired_[p] = is_paired_[q] = 1;
+        collide_pair(p, q, draw);
+    }
+}
+
+/// n_: all of other kinds are paired.
+std::size_t Swarm::nearest_unlike(std::size_t p) const {
+    std::size_t best = n_;
+    double least = INF;
+    const Vec3 at = dx[p];
+    for (std::size_t q = 0; q < n_; ++q) {
+        if (is_paired_[q] != 0 || species_[q] == species_[p]) continue;
+        const double distance = (dx[q] - at).squaredNorm();
+        if (distance >= least) continue;
+        least = distance;
+        best = q;
+    }
+    return best;
 }
 
 void Swarm::collide_pair(std::size_t p, std::size_t q, Random& draw) {

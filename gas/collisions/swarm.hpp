@@ -56,7 +56,7 @@ public:
     /// Internal energy at equilibrium, as it grows with temperature.
     [[nodiscard]] const EnergyPolynomial& internal_at() const { return internal_at_; }
     /// Sets the sum of e to its equilibrium at T, and returns it. Each e comes closer to its own:
-    ///     e_i' = e(T) + memory (e_i - mean e).                                             [J]
+    ///     e_i' = e(T) + memory (e_i - mean e),   e(T) and mean e: of its kind of gas       [J]
     double set_internal(double T, const Mixture& mixture, double memory = 0.0);
 
     /// Adds to e as a rise of temperature from T does, by heat capacities.                  [J]
@@ -73,6 +73,10 @@ public:
     ///     sphere
     void collide_pairs(Random& draw);
 
+    /// The same for unlike particles alone, each with the nearest that is left: over so short a
+    /// distance pairs conduct little heat. After gather_places().
+    void collide_unlike(Random& draw);
+
     /// Two particles leave in a random direction, as above.
     void collide_pair(std::size_t p, std::size_t q, Random& draw);
     /// Two spheres that touch along the unit vector n: what they have towards each other turns
@@ -88,6 +92,7 @@ public:
 
 private:
     void centre(Columns& a, Vec3& mean) const;
+    [[nodiscard]] std::size_t nearest_unlike(std::size_t p) const;
 
     std::size_t n_ = 0, padded_ = 0;
     std::vector<double> m_;              ///< [kg]
@@ -95,6 +100,8 @@ private:
     bool is_mixed_ = false;
     EnergyPolynomial internal_at_;
     std::vector<Index> shuffled_;
+    std::vector<std::uint8_t> is_paired_;
+    std::vector<double> mean_internal_, count_;  ///< by kind                             [J], [-]
 };
 
 }  // namespace corpuscle::gas
