@@ -33,7 +33,7 @@ namespace corpuscle::contact {
 /// same row along the surface, |J_t| <= mu J. The scheme asks nothing of the time step.
 ///
 /// Backward Euler of a convex energy only loses; growing areas and pairs that appear between cloth
-/// that is pressed already add energy (contact/README.md, Implicit response).
+/// that is pressed already add energy (contact/README.md, Law).
 class ImplicitResponse {
 public:
     explicit ImplicitResponse(const Cloth& cloth);
