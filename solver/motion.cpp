@@ -74,13 +74,13 @@ void Simulation::stop_at_obstacles(double dt) {
         };
     for (contact::SurfaceContact& contact : contacts_) {
         const double by_held = contact.held_work();
-        has_stopped |=
-            contact.respond(nodes_.x, dt, nodes_.v, movers_, has_stopped ? nullptr : &v_kicked_,
-                            hold_by_walls);
+        has_stopped |= contact.respond(nodes_.x, dt, nodes_.v, movers_,
+                                       has_stopped ? nullptr : &v_kicked_, hold_by_walls);
         ledger_.after.external += contact.held_work() - by_held;
         ledger_.after.contact += contact.held_work() - by_held;
     }
-    for (const contact::RigidWall& wall : walls_) by_walls += wall.driving_work() + wall.held_work();
+    for (const contact::RigidWall& wall : walls_)
+        by_walls += wall.driving_work() + wall.held_work();
     ledger_.after.external += by_walls;
     ledger_.after.contact += by_walls;
     if (!ties_.empty() && has_stopped)

@@ -14,7 +14,7 @@ struct StepLimit {
 
     double dt = INF;  ///< [s]
     Who who = Who::NOTHING;
-    int id = 0;  ///< shell, bag or contact id
+    int id = 0;  ///< shell or bag id
 
     /// Keeps the shorter of the two.
     void tighten(double other, Who whose, int whose_id) {

@@ -7,7 +7,8 @@
 
 #include "solver/simulation.hpp"
 
-// clang-format off: laps stand in a column of their own
+// Laps stand in a column of their own
+// clang-format off
 namespace corpuscle {
 
 /// Advances fabric, gas, rigid bodies and their contacts from t to t + dt.
@@ -25,31 +26,22 @@ StepReport Simulation::step(const Observer& observe) {
     find_forces(dt, span, lap);
 
     // 2. v(t - dt/2) -> v(t + dt/2); between the two, at t, the books balance
-    kick(dt, span);
-    lap("motion");
-    stop_at_obstacles(dt);
-    lap("contact");
-    book_forces(span);
-    lap("motion");
-    observe(*this);
-    lap("output");
+    kick(dt, span);                                                             lap("motion");
+    stop_at_obstacles(dt);                                                      lap("contact");
+    book_forces(span);                                                          lap("motion");
+    observe(*this);                                                             lap("output");
 
     // 3. x(t) -> x(t + dt)
-    drift(dt);
-    lap("motion");
+    drift(dt);                                                                  lap("motion");
 
     // 4. Gas, t -> t + dt, against the fabric that moves from x to x_1
     find_touching(span);
     for (gas::BagGas& bag : bags_) {
         if (bag.switches(t)) bag.become_uniform(nodes_.x);
-        bag.prepare(dt, nodes_.x, nodes_.x_1);
-        lap("facet lists");
-        bag.collide(dt, nodes_.x);
-        lap("collisions");
-        bag.inject(t, dt, nodes_.x, nodes_.x_1);
-        lap("inflators");
-        bag.fly(t, dt, nodes_.x, nodes_.x_1);
-        lap("flight");
+        bag.prepare(dt, nodes_.x, nodes_.x_1);                                  lap("facet lists");
+        bag.collide(dt, nodes_.x);                                              lap("collisions");
+        bag.inject(t, dt, nodes_.x, nodes_.x_1);                                lap("inflators");
+        bag.fly(t, dt, nodes_.x, nodes_.x_1);                                   lap("flight");
     }
     for (gas::UniformBag& bag : uniform_bags_) bag.flow(t, dt);
 
@@ -70,26 +62,21 @@ void Simulation::find_forces(double dt, double span, Stopwatch& lap) {
     }
     for (fabric::Membranes& fabric : fabric_) {
         fabric.restore_strains(clock_.t);
-        const Index broken = fabric.add_force(nodes_.x, nodes_.v, nodes_.f);
-        lap("membranes");
+        const Index broken = fabric.add_force(nodes_.x, nodes_.v, nodes_.f);    lap("membranes");
         if (broken >= 0) stop_for(broken);
         fabric_force_.f = nodes_.f;
     }
     for (gas::BagGas& bag : bags_) {
-        bag.add_load(nodes_.x, nodes_.v, nodes_.mass, span, nodes_.f);
-        lap("gas load");
+        bag.add_load(nodes_.x, nodes_.v, nodes_.mass, span, nodes_.f);          lap("gas load");
     }
     for (gas::UniformBag& bag : uniform_bags_) {
-        bag.add_load(clock_.t, nodes_.x, nodes_.f);
-        lap("gas load");
+        bag.add_load(clock_.t, nodes_.x, nodes_.f);                             lap("gas load");
     }
     for (contact::SurfaceContact& contact : contacts_) {
-        contact.find(nodes_.x, nodes_.v, clock_.t, dt, movers_);
-        lap("contact search");
+        contact.find(nodes_.x, nodes_.v, clock_.t, dt, movers_);                lap("contact search");
     }
     loads_.find_force(clock_.t, nodes_.x, nodes_.mass, load_force_.f);
-    add_mass_damping();
-    lap("loads");
+    add_mass_damping();                                                         lap("loads");
 }
 
 }  // namespace corpuscle

@@ -99,7 +99,8 @@ void print_estimate(const Simulation& simulation) {
         limit = simulation.stable_step(/*without_start=*/true);
     }
     const StepLimit first = limit, shells = simulation.shells_step();
-    if (limit.who == StepLimit::Who::GAS && shells.dt < INF) limit = shells;  // gas soon allows more
+    if (limit.who == StepLimit::Who::GAS && shells.dt < INF)
+        limit = shells;  // gas soon allows more
     const double steps = std::ceil(model.end_time / limit.dt);
     double seconds = static_cast<double>(simulation.active_shells()) * SECONDS_PER_ELEMENT_STEP;
     for (const gas::BagCard& bag : model.bags)

@@ -25,8 +25,7 @@ ImplicitResponse::ImplicitResponse(const Cloth& cloth) : cloth_(cloth), areas_(c
 }
 
 void ImplicitResponse::apply(double span, double dt, ContactList& contacts, Columns& columns,
-                             Candidates& pairs, Movement& motion,
-                             std::vector<ImpulseBooks>& books,
+                             Candidates& pairs, Movement& motion, std::vector<ImpulseBooks>& books,
                              const std::function<void(bool is_last)>& hold) {
     for (ImpulseBooks& book : books) book.given.setZero();
     ++step_;

@@ -143,12 +143,22 @@ TEST_CASE("layers that coincide at the start part without a kick, and cross nowh
     CHECK(height == Approx(exact).epsilon(0.02));  // the thickness has come back but for exp(-4.5)
 }
 
-TEST_CASE("a sheet held along x and y stays there, whatever slides over it", "[contact][held]") {
+namespace {
+
+/// A sheet between a plate and another sheet, which rub on it.
+LayersDeck sheets_on_plate() {
     LayersDeck deck;
     deck.friction = 0.3;
     deck.layers = {{.z = -deck.thickness, .cells = 9, .side = 0.12, .kind = Kind::FIXED_PLATE},
                    {.z = 0.0, .cells = 8},
                    {.z = deck.thickness, .cells = 7, .side = 0.06}};
+    return deck;
+}
+
+}  // namespace
+
+TEST_CASE("a sheet held along x and y stays there, whatever slides over it", "[contact][held]") {
+    const LayersDeck deck = sheets_on_plate();
     const auto held = deck.ids(1);
     std::string cards = curve_card(1, {{0.0, 1.0}, {1.0, 1.0}}) + deck.press(2, 1, 50e3) +
                         deck.velocity(2, {10.0, 5.0, 0.0}) + "*SET_NODE_LIST_GENERATE\n7\n";
@@ -166,11 +176,7 @@ TEST_CASE("a sheet held along x and y stays there, whatever slides over it", "[c
 }
 
 TEST_CASE("a sheet that is led moves as it is told, whatever rubs on it", "[contact][held]") {
-    LayersDeck deck;
-    deck.friction = 0.3;
-    deck.layers = {{.z = -deck.thickness, .cells = 9, .side = 0.12, .kind = Kind::FIXED_PLATE},
-                   {.z = 0.0, .cells = 8},
-                   {.z = deck.thickness, .cells = 7, .side = 0.06}};
+    const LayersDeck deck = sheets_on_plate();
     const auto led = deck.ids(1);
     std::string cards = curve_card(1, {{0.0, 1.0}, {1.0, 1.0}}) +
                         curve_card(2, {{0.0, 5.0}, {1.0, 5.0}}) + deck.press(2, 1, 50e3) +
@@ -196,8 +202,7 @@ TEST_CASE("layers that are pressed on a rigid wall do not enter it", "[contact][
     double least = INF;
     for (std::size_t frame = 0; frame <= last_frame(run); ++frame)
         for (std::size_t l = 0; l < deck.layers.size(); ++l)
-            for (const Vec3& x : layer_state(run, deck, l, frame).x)
-                least = std::min(least, x.z());
+            for (const Vec3& x : layer_state(run, deck, l, frame).x) least = std::min(least, x.z());
     report("lowest node over a rigid wall [mm]", 0.0, 1e3 * least);
     CHECK(least > -1e-9);
     CHECK(layer_state(run, deck, 4, last_frame(run)).mean_x.z() > 3.9 * deck.thickness);

@@ -33,17 +33,28 @@ ContactList contacts_of(const Cloth& cloth, const Points& x, Index below, Column
     return contacts;
 }
 
+/// A sheet of 40 mm that lies on one of 60 mm.
+struct Pressed {
+    support::Sheet sheets = two_sheets();
+    Cloth cloth = support::cloth_of(sheets);
+    Columns columns{cloth};
+    ContactList contacts = contacts_of(cloth, sheets.x, BELOW, columns);
+    AreaShares areas{cloth};
+
+    static constexpr Index BELOW = 49;  ///< nodes of the larger one
+    static support::Sheet two_sheets() {
+        support::Sheet both = support::square_sheet(6, 0.06);
+        both.append(support::square_sheet(8, 0.04), {0.0107, 0.0113, GAP});
+        return both;
+    }
+};
+
 }  // namespace
 
 TEST_CASE("areas of contacts come to what the finer sheet's nodes have", "[contact]") {
-    support::Sheet both = support::square_sheet(6, 0.06);
-    const auto below = static_cast<Index>(both.x.size());
-    both.append(support::square_sheet(8, 0.04), {0.0107, 0.0113, GAP});
-    const Cloth cloth = support::cloth_of(both);
-    Columns columns(cloth);
-    ContactList contacts = contacts_of(cloth, both.x, below, columns);
-    AreaShares areas(cloth);
-    for (int step = 0; step < 40; ++step) areas.find(both.x, columns, contacts);
+    Pressed pressed;
+    auto& [sheets, cloth, columns, contacts, areas] = pressed;
+    for (int step = 0; step < 40; ++step) areas.find(sheets.x, columns, contacts);
     double sum = 0.0;
     contacts.for_each([&](const Contact& c) {
         CHECK(c.area > 0.0);
@@ -53,23 +64,18 @@ TEST_CASE("areas of contacts come to what the finer sheet's nodes have", "[conta
 }
 
 TEST_CASE("places that are hidden have no area of their nodes'", "[contact]") {
-    support::Sheet both = support::square_sheet(6, 0.06);
-    const auto below = static_cast<Index>(both.x.size());
-    both.append(support::square_sheet(8, 0.04), {0.0107, 0.0113, GAP});
-    const Cloth cloth = support::cloth_of(both);
-    Columns columns(cloth);
-    ContactList contacts = contacts_of(cloth, both.x, below, columns);
-    AreaShares areas(cloth);
+    Pressed pressed;
+    auto& [sheets, cloth, columns, contacts, areas] = pressed;
     bool is_hidden = false;
     contacts.for_each([&](Contact& c) { c.exposure = (is_hidden = !is_hidden) ? 0.0 : 1.0; });
-    for (int step = 0; step < 40; ++step) areas.find(both.x, columns, contacts);
+    for (int step = 0; step < 40; ++step) areas.find(sheets.x, columns, contacts);
     double open = 0.0;
     contacts.for_each([&](const Contact& c) { open += c.area * c.exposure; });
     double nodes = 0.0;  // of the upper nodes that have an open contact
-    std::vector<double> area(both.x.size(), 0.0);
+    std::vector<double> area(sheets.x.size(), 0.0);
     for (const Triangle& t : cloth.triangles)
         for (const Index n : t)
-            area[n] += vector_area(both.x[t[0]], both.x[t[1]], both.x[t[2]]).norm() / 3.0;
+            area[n] += vector_area(sheets.x[t[0]], sheets.x[t[1]], sheets.x[t[2]]).norm() / 3.0;
     contacts.for_each([&](const Contact& c) {
         if (c.exposure > 0.0) nodes += std::exchange(area[c.node[0]], 0.0);
     });
