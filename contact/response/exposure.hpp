@@ -15,8 +15,11 @@ namespace corpuscle::contact {
 ///
 ///     1 where the greatest n · u <= 0, 0 from 0.02 on, linear between
 ///
-/// of the pressure [the Voronoi regions of a surface, softened]. A node facing a triangle's inside
-/// has 1.
+/// of the pressure. A node facing a triangle's inside has 1.
+///
+/// Source: the Voronoi regions of a surface's faces, edges and nodes [Ericson 2005, 5.1.5], softened.
+/// @param x  node positions, N × 3                                                       [m]
+/// @returns 0 to 1                                                                        [-]
 [[nodiscard]] double exposure(const Cloth& cloth, const Points& x, const Contact& contact);
 
 }  // namespace corpuscle::contact
