@@ -93,9 +93,8 @@ void SurfaceContact::find(const Points& x, const Points& v, double t, double dt,
         s.is_started = true;
         s.pairs.start(x, v, t, dt, s.is_on);
     } else {
-        s.pairs.follow(x, t);
+        s.pairs.follow(x, t, dt);
         if (is_born) s.pairs.admit(x, v, t, dt, s.is_on);
-        s.pairs.foresee(x, v, t, dt);
     }
     s.counts.close_starts = s.pairs.close_starts().size();
     if (s.pairs.size() > 0) {

@@ -54,10 +54,12 @@ public:
     void admit(const Points& x, const Points& v, double t, double dt,
                std::span<const std::uint8_t> is_on);
 
-    /// Follows the cloth to x.
-    void follow(const Points& x, double t) {
+    /// Follows the cloth to x. The lists hold all pairs that can be within reach there, since the
+    /// step that led to x was foreseen.
+    /// @param dt  the step ahead                                                           [s]
+    void follow(const Points& x, double t, double dt) {
         patches_.follow(x);
-        motion_.follow(x, t);
+        motion_.follow(x, t, dt);
     }
 
     /// Makes sure that the lists hold all pairs that can meet in the step ahead, from x to x + dt
@@ -96,7 +98,8 @@ public:
         watch_.for_each_within<true>(begin, end, motion_.age(), motion_.ways(), visit);
     }
 
-    /// Likewise those that may be within reach at the end of the step that was foreseen last.
+    /// Likewise those that may be within reach at the end of the step ahead, if nodes go on as they
+    /// did (after follow()) or as they are foreseen to.
     template <class Visit>
     void for_each_due_ahead(std::size_t begin, std::size_t end, Visit&& visit) const {
         watch_.for_each_within<true>(begin, end, motion_.age(), motion_.ways_ahead(), visit);

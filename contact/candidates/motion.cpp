@@ -31,7 +31,7 @@ Motion::Motion(const Cloth& cloth, const Pieces& pieces)
       way_(cloth.triangles.size(), 0.0),
       way_ahead_(way_.size()),
       node_stepped_(velocity_.size(), 0.0),
-      node_ahead_(velocity_.size(), 0.0),
+      node_speed_(velocity_.size(), 0.0),
       slack_(velocity_.size(), 1.0),
       strays_(velocity_.size(), 0.0) {}
 
@@ -40,22 +40,23 @@ void Motion::start(const Points& x, double t) {
     t_ = t;
 }
 
-void Motion::follow(const Points& x, double t) {
-    const double dt = t - t_;
-    age_ += dt;
+void Motion::follow(const Points& x, double t, double dt) {
+    const double since = t - t_;
+    age_ += since;
     t_ = t;
     if (pieces_.nodes.empty()) return;
     const Vec3 common = mean_over(pieces_.nodes, [&](Index n) -> Vec3 { return x[n] - last_[n]; });
     common_ += common;
     parallel::for_each(pieces_.nodes.size(), [&](std::size_t i) {
         const Index n = pieces_.nodes[i];
-        node_stepped_[n] = (x[n] - last_[n] - common - dt * velocity_[n]).norm();
+        node_stepped_[n] = (x[n] - last_[n] - common - since * velocity_[n]).norm();
         last_[n] = x[n];
     });
     parallel::for_each(pieces_.triangles.size(), [&](std::size_t i) {
         const Index triangle = pieces_.triangles[i];
         const auto& [a, b, c] = cloth_.triangles[triangle];
         way_[triangle] += std::max({node_stepped_[a], node_stepped_[b], node_stepped_[c]});
+        way_ahead_[triangle] = way_[triangle] + dt * fastest_of(triangle);
     });
 }
 
@@ -71,7 +72,7 @@ void Motion::foresee(const Points& x, const Points& v, double dt) {
             for (std::size_t i = begin; i < end; ++i) {
                 const Index n = pieces_.nodes[i];
                 relative_[n] = v[n] - common;
-                node_ahead_[n] = dt * relative_[n].norm();
+                node_speed_[n] = relative_[n].norm();
                 const Vec3 predicted = base_[n] + moved + (age_ + dt) * velocity_[n];
                 strays_[n] = (x[n] + dt * v[n] - predicted).norm();
                 strays[c] = std::max(strays[c], strays_[n] / slack_[n]);
@@ -80,10 +81,13 @@ void Motion::foresee(const Points& x, const Points& v, double dt) {
     stray_ = *std::max_element(strays.begin(), strays.end());
     parallel::for_each(pieces_.triangles.size(), [&](std::size_t i) {
         const Index triangle = pieces_.triangles[i];
-        const auto& [a, b, c] = cloth_.triangles[triangle];
-        way_ahead_[triangle] =
-            way_[triangle] + std::max({node_ahead_[a], node_ahead_[b], node_ahead_[c]});
+        way_ahead_[triangle] = way_[triangle] + dt * fastest_of(triangle);
     });
+}
+
+double Motion::fastest_of(Index triangle) const {
+    const auto& [a, b, c] = cloth_.triangles[triangle];
+    return std::max({node_speed_[a], node_speed_[b], node_speed_[c]});
 }
 
 double Motion::fastest() const {

@@ -20,8 +20,9 @@ public:
     /// Starts at x and t.
     void start(const Points& x, double t);
 
-    /// Adds the motion since the last call.
-    void follow(const Points& x, double t);
+    /// Adds the motion since the last call, and expects each node to go on as it was foreseen last
+    /// for the step ahead.
+    void follow(const Points& x, double t, double dt);
 
     /// Looks at the step ahead, from x to x + dt v.
     void foresee(const Points& x, const Points& v, double dt);
@@ -48,8 +49,8 @@ public:
     /// That of all triangles.                                                                 [m]
     [[nodiscard]] const std::vector<double>& ways() const { return way_; }
 
-    /// Likewise, and the greatest displacement of its nodes in the step that was foreseen last,
-    /// less that of all. [m]
+    /// Likewise, and the greatest displacement of its nodes in the step ahead, less that of all: as
+    /// they move now, or, until that is foreseen, as they did. [m]
     [[nodiscard]] const std::vector<double>& ways_ahead() const { return way_ahead_; }
 
     /// How far at most a node will be from its prediction after the step ahead, over its slack. [m]
@@ -66,10 +67,12 @@ public:
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(base_, last_, velocity_, relative_, common_, t_, age_, stray_, way_, way_ahead_,
-                node_ahead_, slack_, strays_);
+                node_speed_, slack_, strays_);
     }
 
 private:
+    [[nodiscard]] double fastest_of(Index triangle) const;  ///< as foreseen last [m/s]
+
     const Cloth& cloth_;
     const Pieces& pieces_;
     Points base_, last_;          ///< positions at the restart and at the last call, N × 3   [m]
@@ -79,7 +82,8 @@ private:
     double stray_ = 0.0;          ///< [m]
     std::vector<double> way_, way_ahead_;  ///< by triangle                                [m]
     std::vector<double> node_stepped_;  ///< by node: way from its prediction in the last step [m]
-    std::vector<double> node_ahead_, chunk_stray_;
+    std::vector<double> node_speed_;    ///< by node: foreseen last, less that of all       [m/s]
+    std::vector<double> chunk_stray_;
     std::vector<double> slack_, strays_;  ///< by node: share of the budget, and what it uses   [m]
 };
 

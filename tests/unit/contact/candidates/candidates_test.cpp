@@ -118,7 +118,7 @@ void lead(Candidates& pairs, bool is_start, const Points& x, const Points& v, do
     if (is_start)
         pairs.start(x, v, t, dt, std::vector<std::uint8_t>{1});
     else
-        pairs.follow(x, t);
+        pairs.follow(x, t, dt);
     pairs.foresee(x, v, t, dt);
 }
 
@@ -294,7 +294,7 @@ TEST_CASE("cloth that flies without changing builds its lists once", "[contact]"
     pairs.start(bag.x, v, 0.0, dt, std::vector<std::uint8_t>{1});
     for (int n = 1; n < 90; ++n) {
         for (std::size_t i = 0; i < v.size(); ++i) bag.x[i] += dt * v[i];
-        pairs.follow(bag.x, n * dt);
+        pairs.follow(bag.x, n * dt, dt);
         pairs.foresee(bag.x, v, n * dt, dt);
     }
     CHECK(pairs.builds() <=
