@@ -11,7 +11,7 @@
 namespace corpuscle::fabric {
 namespace {
 
-constexpr std::size_t CHUNK = 512;  // rows or nodes
+constexpr std::size_t CHUNK = 128;  // rows or nodes
 
 /// B of two coats beside cloth of thickness h. [N·m]
 double bending_stiffness(const FabricCard& card, double h) {

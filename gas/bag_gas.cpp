@@ -239,13 +239,12 @@ void BagGas::add_load(const Points& x, const Points& v, std::span<const double> 
 }
 
 void BagGas::press_with_air(Points& f) {
+    std::vector<double> pressure(surface_->rooms());
+    for (std::size_t r = 0; r < pressure.size(); ++r) pressure[r] = air_pressure(r);
     air_force_.resize(f.size(), Vec3::Zero());
-    const WettedSurface& wall = *surface_;
-    for (std::size_t p = 0; p < wall.points(); ++p) air_force_[wall.node(p)].setZero();
-    for (std::size_t p = 0; p < wall.points(); ++p)
-        air_force_[wall.node(p)] +=
-            air_pressure(static_cast<std::size_t>(wall.room_of_point(p))) * load_.area()[p];
-    for (const Index n : lists_.nodes()) f[n] += air_force_[n];
+    load_.press(pressure, air_force_);
+    const auto& nodes = lists_.nodes();
+    parallel::for_each(nodes.size(), [&](std::size_t i) { f[nodes[i]] += air_force_[nodes[i]]; });
 }
 
 double BagGas::air_pressure() const {

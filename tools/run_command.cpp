@@ -5,6 +5,7 @@
 #include <cmath>
 #include <csignal>
 #include <filesystem>
+#include <future>
 #include <optional>
 
 #include <fmt/format.h>
@@ -130,13 +131,22 @@ public:
         return Clock::now() - written_at_ >= std::max<Clock::duration>(PATIENCE, PER_COST * cost_);
     }
     void write(Simulation& simulation) {
+        finish();
         const auto begin = Clock::now();
         StateWriter state;
         state(simulation, results_, ascii_, recorder_);
-        io::write_checkpoint(folder_,
-                             {scene_, simulation.time(), simulation.steps(), state.bytes()});
+        written_ = std::async(
+            std::launch::async,
+            [folder = folder_,
+             made = io::Checkpoint{scene_, simulation.time(), simulation.steps(), state.take()}] {
+                io::write_checkpoint(folder, made);
+            });
         written_at_ = Clock::now();
         cost_ = written_at_ - begin;
+    }
+    /// Waits until the last one is on the disk.
+    void finish() {
+        if (written_.valid()) written_.get();
     }
 
 private:
@@ -152,6 +162,7 @@ private:
     Recorder& recorder_;
     Clock::time_point written_at_ = Clock::now();
     Clock::duration cost_{};
+    std::future<void> written_;  ///< by a thread of its own, while the run goes on
 };
 
 /// Stops a run that would never reach its end, for its steps have become next to nothing.
@@ -190,8 +201,11 @@ void advance_to_end(Simulation& simulation, Recorder& recorder, Keeper& keeper,
         progress.step(simulation.time(), step.dt, step.limit.text(), simulation.particles(), share,
                       simulation.steps());
         if (interrupted || keeper.is_due(simulation.steps())) keeper.write(simulation);
-        if (interrupted) throw SystemError("interrupted; --restart goes on from here");
+        if (!interrupted) continue;
+        keeper.finish();
+        throw SystemError("interrupted; --restart goes on from here");
     }
+    keeper.finish();
     simulation.close([&](Simulation& at_end) { recorder.observe(at_end, true); });
 }
 

@@ -11,7 +11,7 @@ namespace corpuscle::contact {
 namespace {
 
 constexpr float HUGE_F = std::numeric_limits<float>::infinity();
-constexpr std::size_t CHUNK = 8;  ///< patches
+constexpr std::size_t CHUNK = 2;  ///< patches
 
 std::array<float, 3> single(const Vec3& p, const Vec3& origin) {
     return {static_cast<float>(p.x() - origin.x()), static_cast<float>(p.y() - origin.y()),

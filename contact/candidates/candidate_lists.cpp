@@ -3,6 +3,7 @@
 //
 // Building the lists of candidates.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "contact/broad_phase/intersections.hpp"
@@ -20,9 +21,9 @@ constexpr std::size_t OPEN = 8;
 /// Steps for which patches have room to move: in open cloth; more than lists have lived, in folded.
 constexpr std::size_t FEW = 2;  ///< candidates a triangle, in open cloth
 constexpr double ROOM = 28.0, MORE_ROOM = 1.25;
-constexpr std::size_t CHUNK = 8;  ///< patch pairs; some thousand triangle pairs
+constexpr std::size_t CHUNK = 1;  ///< patch pairs; some hundred triangle pairs
 /// Chunks whose findings wait at once to be put together: memory that the list has no more use for.
-constexpr std::size_t ROUND = 64;
+constexpr std::size_t ROUND = 512;
 
 }  // namespace
 
@@ -183,22 +184,31 @@ void Candidates::bar_crossing_pairs(const Points& x) {
     std::sort(barred_.begin(), barred_.end());
 }
 
-/// Keeps the memories that say something, in the order of their keys.
+/// Keeps the memories that say something, in the order of their keys. Those that were there at the
+/// last build are in order, those made since come behind them.
 void Candidates::sort_memories() {
-    std::erase_if(memories_, [](const PairMemory& m) { return m.is_empty(); });
-    std::sort(memories_.begin(), memories_.end(),
-              [](const auto& a, const auto& b) { return a.key < b.key; });
+    const auto by_key = [](const PairMemory& a, const PairMemory& b) { return a.key < b.key; };
+    const auto is_empty = [](const PairMemory& m) { return m.is_empty(); };
+    const auto made = memories_.begin() + static_cast<std::ptrdiff_t>(sorted_);
+    const auto kept = std::remove_if(memories_.begin(), made, is_empty);
+    const auto end = std::remove_if(made, memories_.end(), is_empty);
+    std::sort(made, end, by_key);
+    merged_.resize(static_cast<std::size_t>((kept - memories_.begin()) + (end - made)));
+    std::merge(memories_.begin(), kept, made, end, merged_.begin(), by_key);
+    memories_.swap(merged_);
+    sorted_ = memories_.size();
 }
 
 /// Forgets the memories of pairs that are not in the list any more.
 void Candidates::forget_parted_pairs() {
-    std::vector<std::uint8_t> is_used(memories_.size(), 0);
-    for (const Candidate& c : list_)
-        if (c.memory >= 0) is_used[c.memory] = 1;
-    for (std::size_t m = 0; m < memories_.size(); ++m) {
-        if (is_used[m]) continue;
-        memories_[m].short_by = memories_[m].area = 0.0;
-    }
+    is_used_.assign(memories_.size(), 0);
+    parallel::for_each(list_.size(), [&](std::size_t i) {
+        if (const Index m = list_[i].memory; m >= 0)
+            std::atomic_ref(is_used_[m]).store(1, std::memory_order_relaxed);
+    });
+    parallel::for_each(memories_.size(), [&](std::size_t m) {
+        if (is_used_[m] == 0) memories_[m].short_by = memories_[m].area = 0.0;
+    });
 }
 
 Index Candidates::find_memory(std::uint64_t key) const {

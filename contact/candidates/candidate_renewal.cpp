@@ -10,7 +10,7 @@
 namespace corpuscle::contact {
 namespace {
 
-constexpr std::size_t ROWS = 8192, TRIANGLES = 4;  ///< a chunk, of pairs and of renewed triangles
+constexpr std::size_t ROWS = 2048, TRIANGLES = 4;  ///< a chunk, of pairs and of renewed triangles
 
 }  // namespace
 

@@ -98,11 +98,11 @@ public:
         watch_.for_each_within<true>(begin, end, motion_.age(), motion_.ways(), visit);
     }
 
-    /// Likewise those that may be within reach at the end of the step ahead, if nodes go on as they
-    /// did (after follow()) or as they are foreseen to.
+    /// Likewise those that may be within reach in the step ahead, if nodes go on as they did; after
+    /// follow().
     template <class Visit>
     void for_each_due_ahead(std::size_t begin, std::size_t end, Visit&& visit) const {
-        watch_.for_each_within<true>(begin, end, motion_.age(), motion_.ways_ahead(), visit);
+        watch_.for_each_within<true>(begin, end, motion_.age_ahead(), motion_.ways_ahead(), visit);
     }
 
     /// Likewise those that may meet in the step that was foreseen last.
@@ -140,9 +140,9 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(patches_, motion_, budget_, steps_, life_, list_, watch_, memories_, crossing_,
-                close_starts_, was_on_, barred_, builds_, renewals_, dead_, node_box_, own_,
-                search_);
+        archive(patches_, motion_, budget_, steps_, life_, list_, watch_, memories_, sorted_,
+                crossing_, close_starts_, was_on_, barred_, builds_, renewals_, dead_, node_box_,
+                own_, search_);
     }
 
 private:
@@ -221,7 +221,9 @@ private:
     std::vector<Candidate> list_;
     WatchList watch_;
     std::vector<Chunk> chunks_;
-    std::vector<PairMemory> memories_;
+    std::vector<PairMemory> memories_, merged_;
+    std::size_t sorted_ = 0;             ///< memories that are in the order of their keys
+    std::vector<std::uint8_t> is_used_;  ///< by memory
     std::vector<std::pair<Index, Index>> crossing_, close_starts_;
     std::vector<std::uint8_t> was_on_;   ///< by card: its pairs have met
     std::vector<std::uint64_t> barred_;  ///< pairs of crossing triangles, ascending

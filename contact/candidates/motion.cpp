@@ -14,6 +14,10 @@ namespace {
 /// which grows while they use more than USED of it and shrinks else.
 constexpr double MOST_SLACK = 32.0, USED = 0.5, MORE_SLACK = 2.0, LESS_SLACK = 0.8;
 
+double greatest(const std::vector<double>& of, const Triangle& t) {
+    return std::max({of[t[0]], of[t[1]], of[t[2]]});
+}
+
 template <class Value>
 Vec3 mean_over(const std::vector<Index>& nodes, Value&& value) {
     const auto term = [&](std::size_t i) -> Vec3 { return value(nodes[i]); };
@@ -32,6 +36,7 @@ Motion::Motion(const Cloth& cloth, const Pieces& pieces)
       way_ahead_(way_.size()),
       node_stepped_(velocity_.size(), 0.0),
       node_speed_(velocity_.size(), 0.0),
+      node_deviation_(velocity_.size(), 0.0),
       slack_(velocity_.size(), 1.0),
       strays_(velocity_.size(), 0.0) {}
 
@@ -43,6 +48,7 @@ void Motion::start(const Points& x, double t) {
 void Motion::follow(const Points& x, double t, double dt) {
     const double since = t - t_;
     age_ += since;
+    age_ahead_ = age_ + dt;
     t_ = t;
     if (pieces_.nodes.empty()) return;
     const Vec3 common = mean_over(pieces_.nodes, [&](Index n) -> Vec3 { return x[n] - last_[n]; });
@@ -54,9 +60,9 @@ void Motion::follow(const Points& x, double t, double dt) {
     });
     parallel::for_each(pieces_.triangles.size(), [&](std::size_t i) {
         const Index triangle = pieces_.triangles[i];
-        const auto& [a, b, c] = cloth_.triangles[triangle];
-        way_[triangle] += std::max({node_stepped_[a], node_stepped_[b], node_stepped_[c]});
-        way_ahead_[triangle] = way_[triangle] + dt * fastest_of(triangle);
+        const Triangle& nodes = cloth_.triangles[triangle];
+        way_[triangle] += greatest(node_stepped_, nodes);
+        way_ahead_[triangle] = way_[triangle] + dt * greatest(node_deviation_, nodes);
     });
 }
 
@@ -73,6 +79,7 @@ void Motion::foresee(const Points& x, const Points& v, double dt) {
                 const Index n = pieces_.nodes[i];
                 relative_[n] = v[n] - common;
                 node_speed_[n] = relative_[n].norm();
+                node_deviation_[n] = (relative_[n] - velocity_[n]).norm();
                 const Vec3 predicted = base_[n] + moved + (age_ + dt) * velocity_[n];
                 strays_[n] = (x[n] + dt * v[n] - predicted).norm();
                 strays[c] = std::max(strays[c], strays_[n] / slack_[n]);
@@ -81,13 +88,9 @@ void Motion::foresee(const Points& x, const Points& v, double dt) {
     stray_ = *std::max_element(strays.begin(), strays.end());
     parallel::for_each(pieces_.triangles.size(), [&](std::size_t i) {
         const Index triangle = pieces_.triangles[i];
-        way_ahead_[triangle] = way_[triangle] + dt * fastest_of(triangle);
+        way_ahead_[triangle] =
+            way_[triangle] + dt * greatest(node_speed_, cloth_.triangles[triangle]);
     });
-}
-
-double Motion::fastest_of(Index triangle) const {
-    const auto& [a, b, c] = cloth_.triangles[triangle];
-    return std::max({node_speed_[a], node_speed_[b], node_speed_[c]});
 }
 
 double Motion::fastest() const {
@@ -121,7 +124,7 @@ void Motion::restart(const Points& x, const Points& v, double budget) {
     }
     std::fill(strays_.begin(), strays_.end(), 0.0);
     common_.setZero();
-    age_ = stray_ = 0.0;
+    age_ = age_ahead_ = stray_ = 0.0;
 }
 
 }  // namespace corpuscle::contact

@@ -20,8 +20,8 @@ public:
     /// Starts at x and t.
     void start(const Points& x, double t);
 
-    /// Adds the motion since the last call, and expects each node to go on as it was foreseen last
-    /// for the step ahead.
+    /// Adds the motion since the last call, and expects each node to go on for the step ahead as it
+    /// was foreseen last.
     void follow(const Points& x, double t, double dt);
 
     /// Looks at the step ahead, from x to x + dt v.
@@ -49,8 +49,8 @@ public:
     /// That of all triangles.                                                                 [m]
     [[nodiscard]] const std::vector<double>& ways() const { return way_; }
 
-    /// Likewise, and the greatest displacement of its nodes in the step ahead, less that of all: as
-    /// they move now, or, until that is foreseen, as they did. [m]
+    /// Likewise at the end of the step ahead, if nodes go on as they did (after follow()), age() then
+    /// being age_ahead(); after foresee(), age() being what it is, for what they do.       [m]
     [[nodiscard]] const std::vector<double>& ways_ahead() const { return way_ahead_; }
 
     /// How far at most a node will be from its prediction after the step ahead, over its slack. [m]
@@ -62,27 +62,28 @@ public:
     }                                                  ///< predicted [m/s]
     [[nodiscard]] double fastest() const;              ///< of them  [m/s]
     [[nodiscard]] double age() const { return age_; }  ///< of the prediction                  [s]
+    /// Likewise at the end of the step that was followed last.                                [s]
+    [[nodiscard]] double age_ahead() const { return age_ahead_; }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(base_, last_, velocity_, relative_, common_, t_, age_, stray_, way_, way_ahead_,
-                node_speed_, slack_, strays_);
+                node_deviation_, age_ahead_, slack_, strays_);
     }
 
 private:
-    [[nodiscard]] double fastest_of(Index triangle) const;  ///< as foreseen last [m/s]
-
     const Cloth& cloth_;
     const Pieces& pieces_;
     Points base_, last_;          ///< positions at the restart and at the last call, N × 3   [m]
     Points velocity_, relative_;  ///< predicted, and ahead; less that of all, N × 3          [m/s]
     Vec3 common_ = Vec3::Zero();  ///< mean displacement of all since the restart             [m]
-    double t_ = 0.0, age_ = 0.0;  ///< [s]
-    double stray_ = 0.0;          ///< [m]
+    double t_ = 0.0, age_ = 0.0, age_ahead_ = 0.0;  ///< [s]
+    double stray_ = 0.0;                            ///< [m]
     std::vector<double> way_, way_ahead_;  ///< by triangle                                [m]
     std::vector<double> node_stepped_;  ///< by node: way from its prediction in the last step [m]
-    std::vector<double> node_speed_;    ///< by node: foreseen last, less that of all       [m/s]
+    /// By node, as foreseen last: speed, less that of all, and against its prediction.     [m/s]
+    std::vector<double> node_speed_, node_deviation_;
     std::vector<double> chunk_stray_;
     std::vector<double> slack_, strays_;  ///< by node: share of the budget, and what it uses   [m]
 };

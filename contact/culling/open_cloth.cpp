@@ -9,7 +9,7 @@
 namespace corpuscle::contact {
 namespace {
 
-constexpr std::size_t CHUNK = 4;  ///< patches
+constexpr std::size_t CHUNK = 1;  ///< patches
 /// What does not hold for so many steps is looked at anew if its patch is; it is not left out, and
 /// its chart is turned.
 constexpr double LEAST = 12.0, SOON = 2.0;

@@ -3,6 +3,7 @@
 #include "contact/culling/patch_pairs.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "solver/base/parallel.hpp"
 
@@ -10,7 +11,7 @@ namespace corpuscle::contact {
 namespace {
 
 constexpr Index SEVERAL = -1;
-constexpr std::size_t CHUNK = 32;   ///< patches
+constexpr std::size_t CHUNK = 16;   ///< patches
 constexpr int MOST_LOOKS = 6;       ///< for a plane between two patches
 constexpr double LEAST_ROOM = 0.5;  ///< in edge lengths: where cloth rests, a node may dash off
 
@@ -76,8 +77,22 @@ void PatchPairs::find(const Points& x, double steps) {
         pairs_.emplace_back(static_cast<Index>(p), static_cast<Index>(p));
     drop_apart(x);
     open_.drop_open(x, motion_, pairs_);
-    std::sort(pairs_.begin(), pairs_.end());
+    sort_pairs();
     list_pieces();
+}
+
+/// By counting, the second patch first: a stable sort by the first one then keeps its order.
+void PatchPairs::sort_pairs() {
+    sorted_.resize(pairs_.size());
+    const auto sort_by = [&](auto&& patch) {
+        start_.assign(room_.size() + 1, 0);
+        for (const auto& pair : pairs_) ++start_[patch(pair) + 1];
+        std::partial_sum(start_.begin(), start_.end(), start_.begin());
+        for (const auto& pair : pairs_) sorted_[start_[patch(pair)]++] = pair;
+        pairs_.swap(sorted_);
+    };
+    sort_by([](const auto& pair) { return static_cast<std::size_t>(pair.second); });
+    sort_by([](const auto& pair) { return static_cast<std::size_t>(pair.first); });
 }
 
 /// Leaves out pairs that may not touch, or between which there is a plane.
@@ -145,14 +160,15 @@ void PatchPairs::list_pieces() {
         if (is_met_[p]) patches.push_back(static_cast<Index>(p));
     if (patches.empty()) return;
     is_met_.assign(cloth_.inverse_mass.size(), 0);
-    for (const Index p : patches) {
+    for (const Index p : patches)
         for (const Index n : motion_.nodes(p)) is_met_[n] = 1;
-        const auto some = cloth_.patches[p];
-        triangles.insert(triangles.end(), some.begin(), some.end());
-    }
     for (const Index n : cloth_.nodes)
         if (is_met_[n]) nodes.push_back(n);
-    std::sort(triangles.begin(), triangles.end());
+    is_met_.assign(cloth_.triangles.size(), 0);
+    for (const Index p : patches)
+        for (const Index t : cloth_.patches[p]) is_met_[t] = 1;
+    for (std::size_t t = 0; t < is_met_.size(); ++t)
+        if (is_met_[t]) triangles.push_back(static_cast<Index>(t));
 }
 
 }  // namespace corpuscle::contact

@@ -57,6 +57,7 @@ private:
     [[nodiscard]] bool are_apart(Index p, Index q, const Points& x) const;
     [[nodiscard]] const Vec3& farthest(Index patch, const Vec3& along, const Points& x) const;
     void drop_apart(const Points& x);
+    void sort_pairs();
     void list_pieces();
 
     const Cloth& cloth_;
@@ -68,9 +69,10 @@ private:
     BroadPhase tree_;
     std::vector<Box> box_;
     Points middle_;  ///< by patch                                                          [m]
-    std::vector<std::pair<Index, Index>> pairs_;
+    std::vector<std::pair<Index, Index>> pairs_, sorted_;
+    std::vector<std::size_t> start_;  ///< of the pairs by patch, while they are sorted
     Pieces pieces_;
-    std::vector<std::uint8_t> is_met_;  ///< pairs, patches, or nodes
+    std::vector<std::uint8_t> is_met_;  ///< pairs, patches, nodes, or triangles
 };
 
 }  // namespace corpuscle::contact

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace corpuscle::contact {
 namespace {
@@ -12,12 +14,14 @@ namespace {
 constexpr double WIDTH = 2.2;
 constexpr double FARTHEST = 1e9;  ///< columns from the origin that have a name
 
-constexpr unsigned ACROSS = 8;  ///< names along each axis, then they are used again: even
+constexpr std::size_t FEW_CHUNKS = 8, COLUMNS = 16;  ///< of contacts; a chunk
+
+constexpr unsigned ACROSS = 16;  ///< names along each axis, then they are used again: even
 
 /// Columns of one colour are next to each other; the colour tells even from odd along both axes.
-std::uint8_t name(unsigned i, unsigned j) {
+std::uint16_t name(unsigned i, unsigned j) {
     const unsigned colour = (i & 1U) | (j & 1U) << 1U;
-    return static_cast<std::uint8_t>(colour << 4U | i >> 1U << 2U | j >> 1U);
+    return static_cast<std::uint16_t>(colour << 6U | i >> 1U << 3U | j >> 1U);
 }
 
 }  // namespace
@@ -34,7 +38,7 @@ void Columns::lay(const Points& x) {
     axis_ = {(thinnest + 1) % 3, (thinnest + 2) % 3};
 }
 
-std::uint8_t Columns::of(const Contact& contact, const Points& x) const {
+std::uint16_t Columns::of(const Contact& contact, const Points& x) const {
     if (contact.on_body) return Contact::ALONE;
     std::array<unsigned, 2> at{};
     for (std::size_t k = 0; k < 2; ++k) {
@@ -56,17 +60,22 @@ void Columns::sort(const ContactList& contacts) {
         next_[c].fill(0);
         for (const auto& brief : contacts.briefs(c)) ++next_[c][brief.column];
     });
-    std::size_t sum = 0;
-    for (std::size_t column = 0; column <= COUNT; ++column) {
-        start_[column] = sum;
-        for (std::size_t c = 0; c < chunks; ++c) {
-            const std::size_t count = next_[c][column];
-            next_[c][column] = static_cast<std::uint32_t>(sum);
-            sum += count;
-        }
-    }
-    start_[COUNT + 1] = sum;
-    order_.resize(sum);
+    const auto each_column = [&](auto&& body) {
+        parallel::for_each(COUNT + 1, body, chunks > FEW_CHUNKS ? COLUMNS : COUNT + 1);
+    };
+    start_[0] = 0;
+    each_column([&](std::size_t column) {
+        std::size_t sum = 0;
+        for (std::size_t c = 0; c < chunks; ++c) sum += next_[c][column];
+        start_[column + 1] = sum;
+    });
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    each_column([&](std::size_t column) {
+        std::size_t next = start_[column];
+        for (std::size_t c = 0; c < chunks; ++c)
+            next += std::exchange(next_[c][column], static_cast<std::uint32_t>(next));
+    });
+    order_.resize(start_.back());
     contacts.for_each_chunk([&](std::size_t c) {
         std::uint32_t row = 0;
         for (const auto& brief : contacts.briefs(c))

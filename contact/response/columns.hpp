@@ -21,7 +21,7 @@ namespace corpuscle::contact {
 /// the number of threads.
 class Columns {
 public:
-    static constexpr std::size_t COUNT = 64;  ///< names of columns; those that are far apart share
+    static constexpr std::size_t COUNT = 256;  ///< names of columns; those that are far apart share
 
     explicit Columns(const Cloth& cloth) : cloth_(cloth) {}
 
@@ -29,7 +29,7 @@ public:
     void lay(const Points& x);
 
     /// Name of the column that a contact is of, or Contact::ALONE.
-    [[nodiscard]] std::uint8_t of(const Contact& contact, const Points& x) const;
+    [[nodiscard]] std::uint16_t of(const Contact& contact, const Points& x) const;
 
     /// Sorts contacts by their columns, those of one in the order of the list.
     void sort(const ContactList& contacts);

@@ -12,7 +12,7 @@
 namespace corpuscle::contact {
 namespace {
 
-constexpr std::size_t CHUNK = 2048;  ///< candidates
+constexpr std::size_t CHUNK = 1024;  ///< candidates
 constexpr int ROUNDS = 8;            ///< of impulses before clumps are made
 constexpr int LOOKS = 4;             ///< at new dangers, before they are met with clumps at once
 constexpr double KEPT = 0.5;  ///< part of the way to the impact that a stopped pair may still go

@@ -13,7 +13,7 @@ namespace {
 constexpr int LEAST_SWEEPS = 4, MOST_SWEEPS = 32;
 constexpr int WHOLE = 4;            ///< every so many sweeps go over all rows
 constexpr double CONVERGED = 2e-3;  ///< change by a sweep over all impulses
-constexpr std::size_t CHUNK = 256;  ///< rows
+constexpr std::size_t CHUNK = 64;  ///< rows
 
 }  // namespace
 

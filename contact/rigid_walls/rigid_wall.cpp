@@ -34,7 +34,7 @@ void RigidWall::hold(const Points& x, std::span<const double> mass, double t, do
     near_.clear();
     if (is_on(t)) {
         if (is_behind_.size() != card_.nodes.size()) note_nodes_behind(x);
-        for (std::size_t i = 0; i < card_.nodes.size(); ++i) find_stop(i, x, dt, v, bodies);
+        find_stops(x, dt, v, bodies);
         slow_down(mass);
         find_near(x, dt, v);
         stop(mass, v, impulse);
@@ -48,9 +48,10 @@ void RigidWall::hold_again(bool is_whole, const Points& x, std::span<const doubl
     if (!is_on(t)) return;
     stops_.clear();
     if (is_whole)
-        for (std::size_t i = 0; i < card_.nodes.size(); ++i) find_stop(i, x, dt, v, bodies);
+        find_stops(x, dt, v, bodies);
     else
-        for (const std::size_t i : near_) find_stop(i, x, dt, v, bodies);
+        for (const std::size_t i : near_)
+            if (const auto stop = stop_of(i, x, dt, v, bodies)) stops_.push_back(*stop);
     if (stops_.empty()) return;
     Vec3 impulse = Vec3::Zero();
     slow_down(mass);
@@ -68,11 +69,11 @@ void RigidWall::take(const Vec3& impulse, double dt) {
 
 /// Nodes that a few steps could bring to the wall.
 void RigidWall::find_near(const Points& x, double dt, const Points& v) {
-    for (std::size_t i = 0; i < card_.nodes.size(); ++i) {
+    found_near_.find(card_.nodes.size(), near_, [&](std::size_t i, auto&& take) {
         const Index node = card_.nodes[i];
         const double reach = NEAR_STEPS * dt * (v[node] - velocity_).norm();
-        if (nearest(card_.shape, x[node] - shift_).gap <= reach) near_.push_back(i);
-    }
+        if (nearest(card_.shape, x[node] - shift_).gap <= reach) take(i);
+    });
 }
 
 /// Takes the place that the last step led to, and the velocity of the next one: exactly the way
@@ -133,14 +134,21 @@ std::optional<RigidWall::Plane> RigidWall::plane_before(std::size_t i, const Vec
     return Plane{in->normal, -in->share * in->normal.dot(way)};
 }
 
-void RigidWall::find_stop(std::size_t i, const Points& x, double dt, const Points& v,
-                          const WallBodies& bodies) {
+void RigidWall::find_stops(const Points& x, double dt, const Points& v, const WallBodies& bodies) {
+    found_stops_.find(card_.nodes.size(), stops_, [&](std::size_t i, auto&& take) {
+        if (const auto stop = stop_of(i, x, dt, v, bodies)) take(*stop);
+    });
+}
+
+std::optional<RigidWall::Stop> RigidWall::stop_of(std::size_t i, const Points& x, double dt,
+                                                  const Points& v, const WallBodies& bodies) {
     const Index node = card_.nodes[i];
-    if (bodies.has(node)) return;
+    if (bodies.has(node)) return {};
     const auto plane = plane_before(i, x[node] - shift_, dt * (v[node] - velocity_));
-    if (!plane) return;
+    if (!plane) return {};
     const double spare = plane->normal.dot(v[node]) + plane->gap / dt;
-    if (spare < plane->normal.dot(velocity_)) stops_.push_back({node, plane->normal, spare});
+    if (!(spare < plane->normal.dot(velocity_))) return {};
+    return Stop{node, plane->normal, spare};
 }
 
 /// The common speed of a wall that has mass and of the nodes that it meets: the root of

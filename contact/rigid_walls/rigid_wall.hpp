@@ -10,6 +10,7 @@
 #include "contact/rigid_walls/wall_card.hpp"
 #include "contact/surface/movers.hpp"
 #include "solver/base/curve.hpp"
+#include "solver/base/parallel.hpp"
 
 namespace corpuscle::contact {
 
@@ -107,8 +108,9 @@ private:
     [[nodiscard]] bool passes(std::size_t i, const Vec3& at, double gap);
     [[nodiscard]] std::optional<Plane> plane_before(std::size_t i, const Vec3& at, const Vec3& way);
     [[nodiscard]] bool is_on(double t) const { return t >= card_.birth && t <= card_.death; }
-    void find_stop(std::size_t i, const Points& x, double dt, const Points& v,
-                   const WallBodies& bodies);
+    void find_stops(const Points& x, double dt, const Points& v, const WallBodies& bodies);
+    [[nodiscard]] std::optional<Stop> stop_of(std::size_t i, const Points& x, double dt,
+                                              const Points& v, const WallBodies& bodies);
     void find_near(const Points& x, double dt, const Points& v);
     void take(const Vec3& impulse, double dt);
     void slow_down(std::span<const double> mass);
@@ -126,6 +128,8 @@ private:
     std::vector<std::uint8_t> is_behind_;  ///< by row in card_.nodes; empty before birth
     Points last_;                          ///< of a plate: where the nodes were, seen from it  [m]
     std::vector<Stop> stops_;
+    parallel::Found<Stop> found_stops_;
+    parallel::Found<std::size_t> found_near_;
     std::vector<std::size_t> near_;  ///< rows in card_.nodes
     std::vector<Bump> bumps_;
     std::vector<Index> touching_;

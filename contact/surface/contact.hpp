@@ -11,7 +11,7 @@ namespace corpuscle::contact {
 /// Two places of the cloth, or of rigid bodies, that are near each other: gap = |sum of weight x|,
 /// rate = normal · sum of weight v. The weights add up to zero, so forces along them keep momentum.
 struct Contact {
-    static constexpr std::uint8_t ALONE = 64;  ///< name of no column
+    static constexpr std::uint16_t ALONE = 256;  ///< name of no column
 
     std::array<Index, 4> node;
     std::array<double, 4> weight;
@@ -19,9 +19,9 @@ struct Contact {
     double gap;     ///< [m]
     double mass;    ///< 1 / (what an impulse of one makes of the rate)             [kg]
     bool is_edges;  ///< two edges, else a node and a triangle
-    std::uint8_t column = ALONE;  ///< name of its column (contact/response/columns.hpp)
-    bool on_body = false;         ///< on a rigid body, where `mass` holds for the normal only
-    int card = 0;                 ///< row of the card by which they touch
+    std::uint16_t column = ALONE;  ///< name of its column (contact/response/columns.hpp)
+    bool on_body = false;          ///< on a rigid body, where `mass` holds for the normal only
+    int card = 0;                  ///< row of the card by which they touch
     int side = 0;       ///< 1: the first place is on SURFA, -1: the second is; 0: a single surface
     double rest = 0.0;  ///< gap below which it pushes                                  [m]
     double rest_rate = 0.0;  ///< growth of `rest`                                           [m/s]

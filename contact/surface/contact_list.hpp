@@ -23,7 +23,7 @@ struct NearPair {
 /// order.
 class ContactList {
 public:
-    static constexpr std::size_t CHUNK = 2048;  ///< candidates; most are skipped
+    static constexpr std::size_t CHUNK = 1024;  ///< candidates; most are skipped
 
     void clear(std::size_t candidates) {
         used_ = parallel::chunk_count(candidates, CHUNK);
@@ -42,7 +42,7 @@ public:
     [[nodiscard]] std::vector<Contact>& chunk(std::size_t c) { return chunk_[c]; }
     [[nodiscard]] const std::vector<Contact>& chunk(std::size_t c) const { return chunk_[c]; }
     /// Adds one to a chunk, of this column.
-    Contact& add(std::size_t c, std::uint8_t column, const Contact& contact) {
+    Contact& add(std::size_t c, std::uint16_t column, const Contact& contact) {
         briefs_[c].push_back({contact.node, column});
         Contact& added = chunk_[c].emplace_back(contact);
         added.column = column;
@@ -51,7 +51,7 @@ public:
     /// What is read of all contacts of a chunk, and seldom anything else.
     struct Brief {
         std::array<Index, 4> node;
-        std::uint8_t column;
+        std::uint16_t column;
     };
     [[nodiscard]] const std::vector<Brief>& briefs(std::size_t c) const { return briefs_[c]; }
     /// The others within reach.

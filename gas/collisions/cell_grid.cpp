@@ -13,7 +13,8 @@ namespace corpuscle::gas {
 
 namespace {
 
-constexpr std::size_t SMALLEST_SLICE = 8192;  ///< particles worth a thread
+constexpr std::size_t SMALLEST_SLICE = 2048;  ///< particles worth a thread
+constexpr std::size_t MOST_SLICES = 16;       ///< each counts all cells
 
 /// Grid::cell_of() of many points, by fours.
 void find_cells(const Grid& grid, std::span<const Vec3> x, Index* cell) {
@@ -50,9 +51,8 @@ void CellSort::sort(const Grid& grid, Particles& particles, bool moves_rows) {
     order_.resize(x.size());
     start_.resize(cells_ + 1);
 
-    // One slice of the particles a thread. A stable sort has one result, however it is cut.
-    const auto threads = static_cast<std::size_t>(parallel::threads());
-    slice_length_ = std::max(SMALLEST_SLICE, (x.size() + threads - 1) / threads);
+    // A stable sort has one result, however it is cut.
+    slice_length_ = std::max(SMALLEST_SLICE, (x.size() + MOST_SLICES - 1) / MOST_SLICES);
     const std::size_t slices = parallel::chunk_count(x.size(), slice_length_);
     fill_.assign(slices * cells_, 0);
 

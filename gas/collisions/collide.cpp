@@ -41,7 +41,7 @@ void Collider::thermal_energy(const Particles& particles, std::span<double> ener
                 return *this;
             }
         };
-        constexpr std::size_t GROUPS_A_CHUNK = 64;
+        constexpr std::size_t GROUPS_A_CHUNK = 16;
         const Sum sum = parallel::sum(
             lists.size(), Sum{},
             [&](std::size_t g) {

@@ -32,7 +32,7 @@ CollisionReport collide_one_group(const CollisionStep& step, std::size_t group,
 template <class CollideOne>
 CollisionReport for_each_group(const CollisionStep& step, Particles& particles,
                                CollideOne&& collide_one) {
-    constexpr std::size_t GROUPS_A_CHUNK = 64;
+    constexpr std::size_t GROUPS_A_CHUNK = 16;
     return parallel::sum(
         step.groups.size(), CollisionReport{},
         [&](std::size_t g) { return collide_one_group(step, g, particles, collide_one); },

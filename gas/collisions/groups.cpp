@@ -13,7 +13,7 @@ namespace corpuscle::gas {
 
 namespace {
 
-constexpr std::size_t CELLS_A_CHUNK = 64;
+constexpr std::size_t CELLS_A_CHUNK = 8;
 constexpr int WITNESSES =
     4;  ///< classes of a group that a newcomer tries to see; more: fewer, larger groups
 

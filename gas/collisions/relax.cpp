@@ -18,7 +18,7 @@ double thermal_energy(std::span<const Index> rows, const Mixture& mixture,
 }
 
 double thermal_energy(const Lists& groups, const Mixture& mixture, const Particles& particles) {
-    constexpr std::size_t GROUPS_A_CHUNK = 64;
+    constexpr std::size_t GROUPS_A_CHUNK = 16;
     return parallel::sum(
         groups.size(), 0.0,
         [&](std::size_t g) { return thermal_energy(groups[g], mixture, particles); },

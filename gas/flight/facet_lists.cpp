@@ -20,7 +20,7 @@ constexpr double ON_THE_FACE = 1e-4;
 /// Of the grid's size: heights in single precision may be wrong by less.
 constexpr double ROUNDING = 2e-6;
 
-constexpr std::size_t PATCHES_A_CHUNK = 8;  ///< some hundred facets
+constexpr std::size_t PATCHES_A_CHUNK = 2;  ///< some hundred facets
 
 /// Without squares that a small unit of length would bring to naught.
 float length(const std::array<float, 3>& a) {

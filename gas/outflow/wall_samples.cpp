@@ -78,12 +78,14 @@ void WallSamples::cut_into_patches(const BagWalls& walls, std::span<const Vec3> 
             patch.push_back(side);
         };
         take(static_cast<Index>(seed));
-        of_shell(patch[0], take);
+        of_shell(static_cast<Index>(seed), take);
         const double wanted = wall[s.room(seed)] / PATCHES;
         for (std::size_t i = 0; i < patch.size() && area < wanted; ++i)
             for (const Index p : s.points(patch[i]))
                 for (const Index next : s.around(p)) {
-                    if (taken[next] || part(next) != part(patch[0]) || area >= wanted) continue;
+                    if (taken[next] || part(next) != part(static_cast<Index>(seed)) ||
+                        area >= wanted)
+                        continue;
                     take(next);
                     of_shell(next, take);
                 }
@@ -176,13 +178,18 @@ void WallSamples::receive(const FlightResult& flight, std::span<const Index> sid
 }
 
 void WallSamples::measure(std::span<const Vec3> x) {
-    for (Sample& sample : samples_) {
-        sample.area = 0.0;
-        for (const Index s : sample.sides) {
-            const auto& [a, b, c] = surface_->triangles()[surface_->facet(s)];
-            sample.area += vector_area(x[a], x[b], x[c]).norm();
-        }
-    }
+    constexpr std::size_t A_CHUNK = 8;  // samples, of some ten facets each
+    parallel::for_each(
+        samples_.size(),
+        [&](std::size_t k) {
+            Sample& sample = samples_[k];
+            sample.area = 0.0;
+            for (const Index s : sample.sides) {
+                const auto& [a, b, c] = surface_->triangles()[surface_->facet(s)];
+                sample.area += vector_area(x[a], x[b], x[c]).norm();
+            }
+        },
+        A_CHUNK);
 }
 
 void WallSamples::Memory::clear() {

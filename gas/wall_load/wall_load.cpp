@@ -135,6 +135,17 @@ void WallLoad::take_in(const Hit& hit, std::size_t side, std::span<const double>
     }
 }
 
+void WallLoad::press(std::span<const double> pressure, Points& f) const {
+    parallel::for_each(nodes_.size(), [&](std::size_t i) {
+        Vec3 force = Vec3::Zero();
+        for (Index k = node_start_[i]; k < node_start_[i + 1]; ++k) {
+            const Index p = of_node_[k];
+            force += pressure[surface_->room_of_point(p)] * area_[p];
+        }
+        f[nodes_[i]] = force;
+    });
+}
+
 void WallLoad::owe_jet(Index node, const Vec3& at, const Vec3& impulse, double energy) {
     const auto j = static_cast<std::size_t>(std::find(jet_nodes_.begin(), jet_nodes_.end(), node) -
                                             jet_nodes_.begin());

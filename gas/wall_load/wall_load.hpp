@@ -119,6 +119,10 @@ public:
     [[nodiscard]] double time() const { return time_; }
     [[nodiscard]] const WettedSurface& surface() const { return *surface_; }
     [[nodiscard]] std::span<const Vec3> area() const { return area_; }  ///< points × 3 [m^2]
+    /// What a pressure in each room pushes the wall's nodes with.
+    /// @param pressure  by room                                                            [Pa]
+    /// @param f         N × 3                                                               [N]
+    void press(std::span<const double> pressure, Points& f) const;
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>

@@ -91,6 +91,7 @@ private:
 class StateWriter : public ArchiveOf<StateWriter> {
 public:
     [[nodiscard]] const std::vector<char>& bytes() const { return bytes_; }
+    [[nodiscard]] std::vector<char> take() { return std::move(bytes_); }  ///< and is empty then
 
     void raw(const void* from, std::size_t size) {
         const auto* begin = static_cast<const char*>(from);
