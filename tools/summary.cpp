@@ -126,6 +126,8 @@ void Summary::print(Simulation& simulation, const std::string& folder,
     fmt::print("\nnormal termination at t = {} after {} steps\n", unit.time(simulation.time()),
                simulation.steps());
     print_phases(simulation.timings(), wall);
+    fmt::print("\n  {} threads of {}; {:.0f} % of the time in loops that they share\n",
+               parallel::threads(), parallel::processors(), 100.0 * loops_.seconds() / wall);
     fmt::print(
         "\n  {:.3g} particle-steps ({:.3g} a second), {:.3g} element-steps ({:.3g} a second)\n",
         static_cast<double>(flights), static_cast<double>(flights) / wall, elements,
@@ -163,10 +165,13 @@ void Summary::write(const Simulation& simulation, const std::string& folder) con
             io::json(counts.residual), io::json(counts.worst_residual));
     }
     io::replace_text(std::filesystem::path(folder) / "run.json",
-                     fmt::format("{{\"wall\": {}, \"steps\": {},\n\"phases\": {{{}}},\n"
+                     fmt::format("{{\"wall\": {}, \"steps\": {}, \"threads\": {},\n"
+                                 "\"parallel\": {},\n"
+                                 "\"phases\": {{{}}},\n\"contact\": {{{}}},\n"
                                  "\"warnings\": [{}],\n\"mended\": [{}]}}\n",
-                                 io::json(wall()), simulation.steps(), fmt::join(phases, ", "),
-                                 contact, fmt::join(warnings, ", "), fmt::join(mended, ", ")));
+                                 io::json(wall()), simulation.steps(), parallel::threads(),
+                                 io::json(loops_.seconds()), fmt::join(phases, ", "), contact,
+                                 fmt::join(warnings, ", "), fmt::join(mended, ", ")));
 }
 
 }  // namespace corpuscle::tools

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <string>
 
+#include "solver/base/loop_observer.hpp"
 #include "solver/simulation.hpp"
 
 namespace corpuscle::tools {
@@ -23,6 +24,7 @@ public:
 
 private:
     [[nodiscard]] double wall() const;
+    parallel::LoopClock loops_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

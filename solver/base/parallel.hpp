@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "solver/base/loop_observer.hpp"
+
 #ifdef _OPENMP
 #include <omp.h>
 #endif
@@ -45,6 +47,23 @@ inline void set_threads([[maybe_unused]] int n) {
 #endif
 }
 
+/// Hardware threads that this program may use.
+[[nodiscard]] inline int processors() {
+#ifdef _OPENMP
+    return omp_get_num_procs();
+#else
+    return 1;
+#endif
+}
+
+/// Who watches the loops of this run; nobody within a loop that threads share already.
+[[nodiscard]] inline LoopObserver* observer_here() {
+#ifdef _OPENMP
+    if (LoopObserver::running != nullptr && omp_in_parallel() != 0) return nullptr;
+#endif
+    return LoopObserver::running;
+}
+
 [[nodiscard]] inline std::size_t chunk_count(std::size_t n, std::size_t chunk = CHUNK) {
     return (n + chunk - 1) / chunk;
 }
@@ -55,13 +74,17 @@ void for_chunks(std::size_t n, Body&& body, Cut cut = {}) {
     const std::size_t chunk = cut.chunk;
     const auto chunks = static_cast<std::ptrdiff_t>(chunk_count(n, chunk));
     [[maybe_unused]] const bool is_worth_it = chunks > 1 && (!cut.is_light || n >= WORTH_THREADS);
+    LoopObserver* const observer = is_worth_it ? observer_here() : nullptr;
+    if (observer != nullptr) observer->begin();
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic, 1) if (is_worth_it)
 #endif
     for (std::ptrdiff_t c = 0; c < chunks; ++c) {
         const std::size_t begin = static_cast<std::size_t>(c) * chunk;
         body(begin, std::min(n, begin + chunk), static_cast<std::size_t>(c));
+        if (observer != nullptr) observer->end_chunk();
     }
+    if (observer != nullptr) observer->end();
 }
 
 /// body(i) for every i in 0..n, in any order.

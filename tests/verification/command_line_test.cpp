@@ -120,6 +120,24 @@ TEST_CASE("a run without *DATABASE_BINARY_D3PLOT shows its start and its end", "
     CHECK(results.read<double>("/frames/time") == std::vector<double>{0.0, 1e-4});
 }
 
+TEST_CASE("run.json is JSON, and everything in it is where its name says", "[io]") {
+    const test::DeckFolder folder;
+    const auto deck = folder.write(
+        "deck.k", balloon(CLOTH, "1e-4",
+                          "*CONTACT_AIRBAG_SINGLE_SURFACE\n0,0,5\n0.2,0.2,0,0,20,0,0,1e20\n"
+                          "1,1,1e-3,1e-3\n"));
+    const auto [status, text] = run(deck, "-j 2");
+    CAPTURE(text);
+    REQUIRE(status == 0);
+    const std::string look =
+        "node -e \"const r = JSON.parse(require('fs').readFileSync(process.argv[1]));"
+        "process.exit(Array.isArray(r.warnings) && Array.isArray(r.mended) && r.threads === 2"
+        " && r.steps > 0 && r.wall >= r.parallel && r.contact.pairs_stopped === 0"
+        " && r.phases.motion > 0 ? 0 : 1)\" '" +
+        deck.string() + ".out/run.json'";
+    CHECK(std::system(look.c_str()) == 0);
+}
+
 TEST_CASE("more particles than memory holds are refused before it is taken", "[io]") {
     const test::DeckFolder folder;
     std::string bags;

@@ -12,6 +12,7 @@
 #include "io/deck_fingerprint.hpp"
 #include "io/text.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/parallel.hpp"
 #include "tools/fold/toml_reader.hpp"
 #include "tools/study/study.hpp"
 
@@ -178,8 +179,9 @@ Study read_study(const fs::path& file) {
     }
     s.repeats = top.whole_or("repeats", 1, 1, MOST_RUNS);
     s.first_seed = static_cast<std::uint64_t>(top.whole_or("first_seed", 1, 0, 2147483647));
-    s.workers = top.whole_or("workers", 1, 1, 1024);
     s.threads = top.whole_or("threads", 1, 1, 1024);
+    // (A run of one thread gains more from a processor of its own than another from a second one.)
+    s.workers = top.whole_or("workers", std::max(1, parallel::processors() / s.threads), 1, 1024);
     if (top.has("until")) s.until = top.positive("until");
     read_factors(s, top, faults);
     read_fixed(s, top, faults);

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "solver/base/error.hpp"
+#include "solver/base/parallel.hpp"
 #include "solver/base/vec.hpp"
 #include "tests/unit/io/results_scene.hpp"
 #include "tools/study/slurm.hpp"
@@ -130,6 +131,16 @@ TEST_CASE("a study's faults are told all at once, with line and key", "[study]")
     CHECK(told("has no count"));
     CHECK(told("s.toml:6: [factors] B"));
     CHECK(told("has no responses"));
+}
+
+TEST_CASE("a study that does not say how many workers uses all hardware threads", "[study]") {
+    const Desk desk("machine");
+    const int all = parallel::processors();
+    CHECK(desk.study(HEAD + "[factors]\nV = [1, 2]\n").workers == all);
+    CHECK(desk.study(HEAD + "threads = 2\n[factors]\nV = [1, 2]\n").workers ==
+          std::max(1, all / 2));
+    CHECK(desk.study(HEAD + "threads = 1024\n[factors]\nV = [1, 2]\n").workers == 1);
+    CHECK(desk.study(HEAD + "workers = 1\n[factors]\nV = [1, 2]\n").workers == 1);
 }
 
 TEST_CASE("workers make runs, keep why they failed, and resume makes what is missing", "[study]") {

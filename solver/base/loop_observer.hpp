@@ -1,0 +1,42 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+
+namespace corpuscle::parallel {
+
+/// Watches the loops that threads share, from its construction to its end; one at a time.
+class LoopObserver {
+public:
+    LoopObserver() { running = this; }
+    virtual ~LoopObserver() { running = nullptr; }
+    LoopObserver(const LoopObserver&) = delete;
+    LoopObserver& operator=(const LoopObserver&) = delete;
+
+    /// Around a loop.
+    virtual void begin() = 0;
+    virtual void end() = 0;
+    /// After each of its chunks, on the thread that did it.
+    virtual void end_chunk() = 0;
+
+    inline static LoopObserver* running = nullptr;
+};
+
+/// Wall time within loops that threads share.
+class LoopClock final : public LoopObserver {
+public:
+    void begin() override { begin_ = Clock::now(); }
+    void end() override { inside_ += Clock::now() - begin_; }
+    void end_chunk() override {}
+    [[nodiscard]] double seconds() const {  ///< so far [s]
+        return std::chrono::duration<double>(inside_).count();
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point begin_;
+    Clock::duration inside_{};
+};
+
+}  // namespace corpuscle::parallel
