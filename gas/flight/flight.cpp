@@ -14,6 +14,9 @@
 namespace corpuscle::gas {
 namespace {
 
+constexpr std::size_t PARTICLES_A_CHUNK =
+    64;  ///< near walls some ten microseconds; whole blocks of free ways
+
 /// Share of the step by which a particle stops short of a facet, so that it stays on its side
 /// whatever the rounding: far above the error of tau (some 1e-13), far below anything that matters.
 constexpr double SHORT_OF = 1e-7;
@@ -283,7 +286,7 @@ void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec
     result.bounds.update(lists, x_0, x_1);
     const Scene scene{lists, &result.bounds, lists.triangles().data(), x_0.data(), x_1.data(), dt,
                       gates, friction};
-    const std::size_t chunks = parallel::chunk_count(gas.size());
+    const std::size_t chunks = parallel::chunk_count(gas.size(), PARTICLES_A_CHUNK);
     clear(result.hits, chunks + 1);
     clear(result.arrivals, chunks + 1);
     clear(result.caught, chunks);
@@ -335,7 +338,7 @@ void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec
                         gas.x[i + k] += (1.0 - start(i + k)) * dt * gas.v[i + k];
             }
         },
-        parallel::CHUNK);
+        PARTICLES_A_CHUNK);
     result.lost.clear();
     for (const auto& some : result.caught)
         for (const std::size_t i : some) {

@@ -24,7 +24,7 @@ namespace corpuscle::gas {
 /// to the bit, who is asked arrives.
 class FreeWays {
 public:
-    static constexpr std::size_t BLOCK = 32;  ///< rows; parallel::CHUNK is a multiple
+    static constexpr std::size_t BLOCK = 32;  ///< rows; chunks of flights are a multiple
 
     /// Before a flight among facets that move from x_0 to x_1; the lists may have been built anew.
     void begin_flight(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec3> x_1,
