@@ -16,7 +16,7 @@ namespace {
 
 /// Gap, in contact thicknesses, below which pairs are looked at in every step and remember their
 /// sides.
-constexpr double REACH = 1.5;
+constexpr double REACH = 1.2;
 
 }  // namespace
 

@@ -12,8 +12,8 @@ namespace {
 
 constexpr int LEAST_SWEEPS = 4, MOST_SWEEPS = 32;
 constexpr int WHOLE = 4;            ///< every so many sweeps go over all rows
-constexpr double CONVERGED = 2e-3;  ///< change by a sweep over all impulses
-constexpr std::size_t CHUNK = 64;  ///< rows
+constexpr double CONVERGED = 4e-3;  ///< change by a sweep over all impulses
+constexpr std::size_t CHUNK = 64;   ///< rows
 
 }  // namespace
 
@@ -130,7 +130,8 @@ ImplicitResponse::Row ImplicitResponse::row_of(double span, double dt, Contact& 
     row.normal = c.normal;
     row.gap = c.gap;
     row.rest = c.rest + dt * c.rest_rate;
-    row.push = span * c.modulus * area;
+    row.push = 0.5 * span * c.modulus * area;
+    row.given = row.push * std::max(0.0, c.rest / c.gap - 1.0);
     row.dt = dt;
     row.impulse = 0.0;
     row.rubbed.setZero();
@@ -147,7 +148,7 @@ ImplicitResponse::Row ImplicitResponse::row_of(double span, double dt, Contact& 
 
 /// Starts a row with what it did in the step before, and no more than its law gives where it is.
 void ImplicitResponse::warm(double span, const PairMemory& memory, Row& row) {
-    const double offer = row.push * (row.rest / row.gap - 1.0);
+    const double offer = row.given + row.push * (row.rest / row.gap - 1.0);
     row.impulse = std::clamp(span * memory.force, 0.0, std::max(0.0, offer));
     row.rubbed = span * memory.friction;
     row.rubbed -= row.normal.dot(row.rubbed) * row.normal;

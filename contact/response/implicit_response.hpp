@@ -15,7 +15,7 @@
 
 namespace corpuscle::contact {
 
-/// Contact as a law of the cloth, taken at the end of the step [backward Euler].
+/// Contact as a law of the cloth, taken in the mean of the step's two ends [trapezoidal rule].
 ///
 /// Law: pressure on the area A of a contact (area_shares.hpp), and its energy,
 ///
@@ -25,15 +25,16 @@ namespace corpuscle::contact {
 /// presses it to nothing. A dashpot C = 2 zeta sqrt(K m), VDC = 100 zeta, K = E_t A rest / gap²,
 /// acts beside it on the mass m that the contact moves. For the impulse J >= 0 of the step,
 ///
-///     J = span · (A p(gap + dt r) - C r),   r = rate of the gap after all impulses,
+///     J = span · (A (p(gap) + p(gap + dt r)) / 2 - C r),   r = rate after all impulses,
 ///
-/// a quadratic for the gap at the end. No gap shrinks in a step by more than half of what it has
-/// above a quarter of rest. Rows are solved one after the other [projected Gauss-Seidel], in
+/// a quadratic for the gap at the end. No impulse takes a gap beyond rest; no gap shrinks in a step
+/// by more than half of what it has above a quarter of rest. Rows are solved one after the other [projected Gauss-Seidel], in
 /// sweeps, from the impulses of the step before, until a sweep changes little; friction is the
 /// same row along the surface, |J_t| <= mu J. The scheme asks nothing of the time step.
 ///
-/// Backward Euler of a convex energy only loses; growing areas and pairs that appear between cloth
-/// that is pressed already add energy (contact/README.md, Law).
+/// As the impulse acts at the beginning of the step, this is half as lossy as taking all of it from
+/// the end [backward Euler]; growing areas and pairs that appear between cloth that is pressed
+/// already add energy (contact/README.md, Law).
 class ImplicitResponse {
 public:
     explicit ImplicitResponse(const Cloth& cloth);
@@ -69,7 +70,8 @@ private:
         std::array<double, 4> weight;
         Vec3 normal;
         double gap, rest;  ///< now; at the end of the step                               [m]
-        double push;       ///< span · E_t A                                            [N s]
+        double push;       ///< span · E_t A / 2                                        [N s]
+        double given;      ///< span · A p(gap) / 2: what the gap of now gives          [N s]
         double dt;         ///< [s]
         double heft;       ///< (mass + span C) / dt                                   [kg/s]
         double mass;       ///< 1 / (n M⁻¹ n)                                            [kg]
@@ -96,9 +98,10 @@ private:
         [[nodiscard]] double change(double rate) const {
             if (impulse == 0.0 && gap + dt * rate >= rest) return 0.0;
             if (push == 0.0) return std::max(mass * (floor() - gap) / dt - mass * rate, -impulse);
-            const double half = 0.5 * (heft * gap + mass * rate - push - impulse);
+            const double half = 0.5 * (heft * gap + mass * rate - push - (impulse - given));
             const double root = std::sqrt(half * half + heft * push * rest);
-            const double at = half > 0.0 ? (half + root) / heft : push * rest / (root - half);
+            const double end = half > 0.0 ? (half + root) / heft : push * rest / (root - half);
+            const double at = std::min(end, rest);
             const double least = floor();
             if (at < least) return std::max(mass * (least - gap) / dt - mass * rate, -impulse);
             const double wanted = mass * (at - gap) / dt - mass * rate;
