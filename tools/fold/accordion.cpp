@@ -167,6 +167,7 @@ double mirrored(const Accordion& f, std::size_t strip, double s) {
 }
 
 std::vector<double> before(const Accordion& f, double /*gap*/, double after) {
+    if (f.lines.empty()) return {after};
     std::vector<double> all;
     for (std::size_t i = 0; i <= f.lines.size(); ++i) {
         const double s = (i % 2 ? -1.0 : 1.0) * (after - mirrored(f, i, 0.0));
@@ -227,16 +228,18 @@ void choose_bands(Accordion& f, const Points& x, double gap, double size) {
 }
 
 void apply(const Accordion& f, double gap, Points& x) {
+    check_reach(f, x);
     Points local = to_local(f, x);
     const Heights h = local_heights(f, local, gap);
-    for (std::size_t i = 0; i < h.middle.size(); ++i)
+    const std::size_t lines = h.middle.size();  // that this cloth reaches
+    for (std::size_t i = 0; i < lines; ++i)
         if (const double climb = h.middle[i] - h.offset[i] - h.low[i]; f.bands[i] < climb)
             throw too_thick(f, i, climb, f.bands[i]);
     const Mat3 back = frame(f).transpose();
     for (std::size_t n = 0; n < x.size(); ++n) {
         Vec3& p = local[n];
-        const std::size_t strip = strip_of(f, p.x());
-        if (strip < f.lines.size() && f.lines[strip] - p.x() < f.bands[strip])
+        const std::size_t strip = std::min(strip_of(f, p.x()), lines);
+        if (strip < lines && f.lines[strip] - p.x() < f.bands[strip])
             p = turned(f, h, strip, p);
         else if (strip > 0 && p.x() - f.lines[strip - 1] < f.bands[strip - 1])
             p = turned(f, h, strip - 1, p);

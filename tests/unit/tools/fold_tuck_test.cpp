@@ -121,6 +121,21 @@ TEST_CASE("tucks do not cross, whatever they are combined with", "[fold]") {
     CHECK(found.greatest_strain < 0.06);
 }
 
+TEST_CASE("pleats that a coarse mesh does not reach any more are left flat", "[fold]") {
+    const std::string across =
+        "[[fold]]\nkind = \"tuck\"\nside = \"both\"\nat = 190\n"
+        "[[fold]]\nkind = \"zigzag\"\nside = \"both\"\nangle = 90\nstart = 60\nwidth = ";
+    const std::string width = GENERATE("60", "48", "80");
+    const std::string text =
+        "[pattern]\nkind = \"disc\"\ndiameter = 600\nelement = 30\ngap = 0.7\n" + across + width +
+        "\n";
+    INFO(text);
+    const Bag bag = fold::fold(parse_recipe(text, "tuck.toml"));
+    const Inspection found = inspect(bag, 0.0);
+    CHECK(found.crossings.empty());
+    CHECK(found.greatest_strain < 0.06);
+}
+
 TEST_CASE("tucks that cannot be are refused", "[fold]") {
     const auto fault = [&](const std::string& folds) {
         try {
