@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "io/text.hpp"
+
 namespace corpuscle::io {
 
 namespace {
@@ -64,7 +66,7 @@ std::vector<std::string> Faults::told(const List& list) const {
     std::vector<std::string> lines;
     for (const Message& m : messages)
         lines.push_back(
-            fmt::format("{}: {}{}", where(m.at), m.text,
+            fmt::format("{}: {}{}", where(m.at), shown(m.text),
                         m.count > 1 ? fmt::format(" (and {} more like it)", m.count - 1) : ""));
     return lines;
 }

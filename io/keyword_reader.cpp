@@ -125,7 +125,9 @@ private:
 
     void take(const Block& block, const fs::path& path, Columns columns) {
         const std::string& name = block.keyword;
-        if (name == "INCLUDE")
+        if (name.empty())
+            faults_.fault(block.place, "*, expected the name of a keyword behind it");
+        else if (name == "INCLUDE")
             include(block, path, columns);
         else if (name == "INCLUDE_PATH" || name == "INCLUDE_PATH_RELATIVE")
             add_path(block, path);
@@ -184,7 +186,9 @@ private:
     }
 
     fs::path look_for(const std::string& name, const fs::path& including) const {
-        std::vector<fs::path> places = {including.parent_path(), deck_.parent_path()};
+        std::vector<fs::path> places = {including.parent_path(),
+                                        canonical(including).parent_path(),  // behind a link
+                                        deck_.parent_path(), canonical(deck_).parent_path()};
         places.insert(places.end(), paths_.begin(), paths_.end());
         std::error_code error;
         for (const fs::path& place : places)
@@ -204,8 +208,10 @@ private:
 
     void add_path(const Block& block, const fs::path& path) {
         const bool relative = block.keyword == "INCLUDE_PATH_RELATIVE";
+        const fs::path& from = relative ? path : deck_;
         for (const auto& [name, line] : file_names(block))
-            paths_.push_back((relative ? path : deck_).parent_path() / name);
+            for (const fs::path& folder : {from.parent_path(), canonical(from).parent_path()})
+                paths_.push_back(folder / name);
     }
 
     fs::path deck_;

@@ -81,6 +81,19 @@ std::optional<int> parse_integer(std::string_view text) {
     return static_cast<int>(*real);
 }
 
+std::string shown(const std::string& text) {
+    constexpr std::size_t END = MOST_SHOWN / 4;  // holds what was expected
+    if (text.size() <= MOST_SHOWN) return text;
+    const auto is_inside_letter = [&](std::size_t at) {  // of UTF-8
+        return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+    };
+    std::size_t begin = MOST_SHOWN - 2 * END, end = text.size() - END;
+    for (int i = 0; i < 3 && is_inside_letter(begin); ++i) --begin;
+    for (int i = 0; i < 3 && is_inside_letter(end); ++i) ++end;
+    return text.substr(0, begin) + " [... " + std::to_string(end - begin) + " bytes ...] " +
+           text.substr(end);
+}
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;

@@ -29,6 +29,11 @@ void for_each_word(std::string_view text, Word&& word) {
 /// A whole number that fits an int; 3.0 is one. None if it is anything else.
 [[nodiscard]] std::optional<int> parse_integer(std::string_view text);
 
+/// What a message shows of it: all of it, or of a text over MOST_SHOWN bytes its beginning and its
+/// end, with the number of bytes between them.
+[[nodiscard]] std::string shown(const std::string& text);
+inline constexpr std::size_t MOST_SHOWN = 1000;  ///< [byte]
+
 /// Insertions, deletions, replacements and swaps of neighbours that turn a into b.
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
 /// The known name that `text` was meant to be, or "" when none is close.

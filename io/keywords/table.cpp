@@ -214,7 +214,7 @@ std::string did_you_mean(std::string_view keyword) {
     for (const Keyword& entry : KEYWORDS)
         for_each_word(entry.names, [&](std::string_view name) { names.push_back(name); });
     for_each_word(HARMLESS, [&](std::string_view name) { names.push_back(name); });
-    if (is_digit(keyword.back())) return {};  // *MAT_003 is no misspelt *MAT_001
+    if (keyword.empty() || is_digit(keyword.back())) return {};  // *MAT_003 is no misspelt *MAT_001
     std::string_view bare = keyword;
     for (const std::string_view suffix : {"_ID", "_TITLE", "_LIST"})
         if (bare.ends_with(suffix)) bare.remove_suffix(suffix.size());

@@ -27,6 +27,18 @@ TEST_CASE("the name of an include may go on over lines, or lie along a path", "[
     CHECK(folder.read("*INCLUDE\nfar\\away\\mesh.k\n*END\n").x.size() == 6);
 }
 
+TEST_CASE("a deck behind a link finds its includes where it lies, and beside the link first",
+          "[io]") {
+    const DeckFolder folder;
+    folder.write("far/mesh.k", SMALL_MESH);
+    folder.write("far/title.k", "*TITLE\nfrom far\n");
+    const auto deck = folder.write("far/deck.k", "*INCLUDE\nmesh.k\ntitle.k\n*END\n");
+    const auto link = folder.write("near/title.k", "*TITLE\nfrom near\n").parent_path() / "deck.k";
+    std::filesystem::create_symlink(deck, link);
+    CHECK(io::read_deck(deck).title == "from far");
+    CHECK(io::read_deck(link).title == "from near");
+}
+
 TEST_CASE("a cycle of includes is found, and named", "[io]") {
     const DeckFolder folder;
     folder.write("a.k", "*INCLUDE\nb.k\n");
