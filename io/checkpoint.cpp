@@ -28,12 +28,15 @@ std::filesystem::path file_in(const std::filesystem::path& folder) {
 void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint) {
     StateWriter head;
     Checkpoint copy{checkpoint.scene, checkpoint.t, checkpoint.step, {}};
-    std::uint64_t check = fingerprint(checkpoint.state);
     std::size_t size = checkpoint.state.size();
-    head(copy.scene, copy.t, copy.step, check, size);
+    head(copy.scene, copy.t, copy.step, size);
     std::string text(MAGIC);
     text.append(head.bytes().data(), head.bytes().size());
     text.append(checkpoint.state.data(), checkpoint.state.size());
+    StateWriter tail;
+    std::uint64_t check = fingerprint(text);
+    tail(check);
+    text.append(tail.bytes().data(), tail.bytes().size());
     replace_text(file_in(folder), text);
 }
 
@@ -48,15 +51,23 @@ std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& folder) {
             fmt::format("{} was written by another version of corpuscle; start the run "
                         "anew, without --restart",
                         file.string()));
-    StateReader head(std::span<const char>(bytes).subspan(MAGIC.size()));
     Checkpoint out;
     std::uint64_t check = 0;
     std::size_t size = 0;
-    head(out.scene, out.t, out.step, check, size);
-    if (size > bytes.size()) throw SystemError(fmt::format("{} is not whole", file.string()));
-    out.state.assign(bytes.end() - static_cast<std::ptrdiff_t>(size), bytes.end());
-    if (fingerprint(out.state) != check)
-        throw SystemError(fmt::format("{} is damaged", file.string()));
+    const auto damaged = [&] {
+        return SystemError(
+            fmt::format("{} is damaged; start the run anew, without --restart", file.string()));
+    };
+    const std::span<const char> all(bytes);
+    if (all.size() < MAGIC.size() + sizeof(check)) throw damaged();
+    StateReader tail(all.last(sizeof(check)));
+    tail(check);
+    const std::span<const char> told = all.first(all.size() - sizeof(check));
+    if (fingerprint(told) != check) throw damaged();
+    StateReader head(told.subspan(MAGIC.size()));
+    head(out.scene, out.t, out.step, size);
+    if (size > told.size()) throw damaged();
+    out.state.assign(told.end() - static_cast<std::ptrdiff_t>(size), told.end());
     return out;
 }
 

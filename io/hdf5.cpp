@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
+#include <algorithm>
 #include <cassert>
 #include <functional>
 #include <numeric>
@@ -81,19 +82,29 @@ Id make_groups_on_the_way() {
 /// How files are opened.
 ///
 /// Without file locks: a file being written has a name that nobody else knows, a file being read is
-/// finished, and network file systems often have no locks to give. Without sieve: a write that
-/// fails fails at once. Without clean-up at exit: see ~Hdf5Writer.
+/// finished, and network file systems often have no locks to give. Without sieve and cached chunks:
+/// a write that fails fails at once. In the layout of HDF5 1.10, whose metadata have checksums.
+/// Without clean-up at exit: see ~Hdf5Writer.
 Id access() {
     H5dont_atexit();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // complaints are thrown, not printed
     const hid_t list = H5Pcreate(H5P_FILE_ACCESS);
     H5Pset_file_locking(list, /*use=*/0, /*ignore_when_disabled=*/1);
     H5Pset_sieve_buf_size(list, 0);
+    H5Pset_cache(list, 0, /*chunks=*/0, /*bytes=*/0, 0.75);
+    H5Pset_libver_bounds(list, H5F_LIBVER_V110, H5F_LIBVER_LATEST);
     return {list, H5Pclose};
 }
 
 std::uint64_t count(const Shape& shape) {
     return std::accumulate(shape.begin(), shape.end(), std::uint64_t{1}, std::multiplies<>());
+}
+
+Shape shape_of(hid_t set) {
+    const Id space(H5Dget_space(set), H5Sclose);
+    std::vector<hsize_t> size(std::max(0, H5Sget_simple_extent_ndims(space)));
+    H5Sget_simple_extent_dims(space, size.data(), nullptr);
+    return {size.begin(), size.end()};
 }
 
 Id space_of(const Shape& shape) {
@@ -103,15 +114,56 @@ Id space_of(const Shape& shape) {
             H5Sclose};
 }
 
-Id creation_of(const Shape& shape, Packing packing) {
+/// Every dataset carries checksums: as a chunk (several, beyond the largest that HDF5 allows), or
+/// being one number among the metadata, which have theirs.
+Id creation_of(const Shape& shape, std::size_t element, Packing packing) {
+    constexpr std::uint64_t LARGEST = std::uint64_t{1} << 30;  // HDF5 allows four times that [byte]
     const hid_t list = H5Pcreate(H5P_DATASET_CREATE);
-    if (packing == Packing::DEFLATE && count(shape) > 0) {
-        const std::vector<hsize_t> chunk(shape.begin(), shape.end());
+    const std::uint64_t all = count(shape);
+    if (shape.empty()) H5Pset_layout(list, H5D_COMPACT);
+    if (all > 0 && !shape.empty()) {
+        std::vector<hsize_t> chunk(shape.begin(), shape.end());
+        chunk[0] = std::clamp<std::uint64_t>(LARGEST / (all / shape[0] * element), 1, shape[0]);
         H5Pset_chunk(list, static_cast<int>(chunk.size()), chunk.data());
-        H5Pset_shuffle(list);
-        H5Pset_deflate(list, 1);
+        if (packing == Packing::DEFLATE) {
+            H5Pset_shuffle(list);
+            H5Pset_deflate(list, 1);
+        }
+        H5Pset_fletcher32(list);
     }
     return {list, H5Pclose};
+}
+
+/// Nobody asks for memory in vain: what a dataset says it holds must fit what the file has of it.
+/// @throws SystemError if it does not
+void expect_true(hid_t set, const Shape& shape, const std::filesystem::path& file,
+                 const std::string& path) {
+    constexpr std::uint64_t MOST_PACKED = 1100;  // deflate makes 1 byte of 1032 at best
+    const Id type(H5Dget_type(set), H5Tclose);
+    const Id creation(H5Dget_create_plist(set), H5Pclose);
+    const Id of(H5Iget_file_id(set), H5Fclose);
+    hsize_t in_file = 0;
+    const hsize_t stored = H5Dget_storage_size(set);
+    H5Fget_filesize(of, &in_file);
+    bool is_true = stored <= in_file;
+    const std::uint64_t most = (H5Pget_nfilters(creation) > 0 ? MOST_PACKED : 1) * stored;
+    const auto expect_to_hold = [&](const Shape& lengths) {
+        std::uint64_t size = H5Tget_size(type);
+        for (const std::uint64_t length : lengths)
+            is_true = is_true && !__builtin_mul_overflow(size, length, &size);
+        is_true = is_true && size <= most;
+    };
+    if (H5Pget_layout(creation) == H5D_CHUNKED) {
+        std::vector<hsize_t> lengths(shape.size());
+        H5Pget_chunk(creation, static_cast<int>(lengths.size()), lengths.data());
+        expect_to_hold({lengths.begin(), lengths.end()});
+    }
+    expect_to_hold(shape);
+    if (!is_true)
+        throw SystemError(
+            fmt::format("cannot read {}, {}: it is damaged: it says that it holds {} numbers, of "
+                        "which {} bytes are there",
+                        file.string(), path, fmt::join(shape, " x "), stored));
 }
 
 }  // namespace
@@ -145,7 +197,7 @@ void Hdf5Writer::dataset(const std::string& path, std::span<const T> values, con
                          const Caption& caption, Packing packing) {
     assert(values.size() == count(shape) && "a dataset's shape holds its values");
     const Id space = space_of(shape);
-    const Id creation = creation_of(shape, packing);
+    const Id creation = creation_of(shape, sizeof(T), packing);
     const Id on_the_way = make_groups_on_the_way();
     const Id set(checked(H5Dcreate2(id_, path.c_str(), type_of<T>(), space, on_the_way, creation,
                                     H5P_DEFAULT),
@@ -239,10 +291,7 @@ bool Hdf5Reader::is_group(const std::string& path) const {
 
 Shape Hdf5Reader::shape(const std::string& path) const {
     const Id set(checked(H5Dopen2(id_, path.c_str(), H5P_DEFAULT), "read", file_, path), H5Dclose);
-    const Id space(H5Dget_space(set), H5Sclose);
-    std::vector<hsize_t> size(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
-    H5Sget_simple_extent_dims(space, size.data(), nullptr);
-    return {size.begin(), size.end()};
+    return shape_of(set);
 }
 
 std::size_t Hdf5Reader::element_size(const std::string& path) const {
@@ -253,11 +302,17 @@ std::size_t Hdf5Reader::element_size(const std::string& path) const {
 
 template <class T>
 std::vector<T> Hdf5Reader::read(const std::string& path) const {
-    std::vector<T> values(count(shape(path)));
     const Id set(checked(H5Dopen2(id_, path.c_str(), H5P_DEFAULT), "read", file_, path), H5Dclose);
+    const Shape shape = shape_of(set);
+    expect_true(set, shape, file_, path);
+    std::vector<T> values(count(shape));
     checked(H5Dread(set, type_of<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read", file_,
             path);
     return values;
+}
+
+bool Hdf5Reader::has_attribute(const std::string& path, const std::string& name) const {
+    return H5Aexists_by_name(id_, path.c_str(), name.c_str(), H5P_DEFAULT) > 0;
 }
 
 std::string Hdf5Reader::text(const std::string& path, const std::string& attribute) const {
@@ -268,7 +323,7 @@ std::string Hdf5Reader::text(const std::string& path, const std::string& attribu
     const Id type = text_type();
     char* value = nullptr;
     checked(H5Aread(found, type, &value), "read", file_, path);
-    std::string result(value);
+    std::string result(value == nullptr ? "" : value);
     H5free_memory(value);
     return result;
 }

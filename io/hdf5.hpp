@@ -11,7 +11,8 @@
 #include <vector>
 
 /// The little of HDF5 that results need, its failures thrown as SystemError. <hdf5.h> stays out of
-/// sight.
+/// sight. Every dataset carries Fletcher's checksum (32 bits), and so do the metadata: what has
+/// changed on the disk since is an error, not another number.
 ///
 /// Elements T are float, double, std::uint8_t, std::int32_t, std::int64_t or std::uint64_t.
 namespace corpuscle::io {
@@ -24,7 +25,7 @@ struct Caption {
     std::string description;
 };
 
-enum class Packing { PLAIN, DEFLATE };  ///< DEFLATE: level 1 after byte shuffle, one chunk
+enum class Packing { PLAIN, DEFLATE };  ///< DEFLATE: level 1 after byte shuffle
 
 /// A file that is being written, from start to end, once.
 class Hdf5Writer {
@@ -81,6 +82,7 @@ public:
     template <class T>
     [[nodiscard]] std::vector<T> read(const std::string& path) const;
 
+    [[nodiscard]] bool has_attribute(const std::string& path, const std::string& name) const;
     [[nodiscard]] std::string text(const std::string& path, const std::string& attribute) const;
     template <class T>
     [[nodiscard]] T number(const std::string& path, const std::string& attribute) const;

@@ -47,7 +47,8 @@ struct MeshReport {
     [[nodiscard]] bool is_closed() const { return free_edges == 0; }
 };
 
-/// Reads any format that assimp knows (STL, OBJ, PLY, glTF ...): quads are kept, vertices within a
+/// Reads any format that assimp knows (STL, OBJ, PLY, glTF ...), in a process of its own with
+/// limits of time and memory that grow with the file: quads are kept, vertices within a
 /// millionth of the bounding box's diagonal become one node, also over groups, and facets are
 /// turned to agree with their neighbours, outward where they close.
 /// @throws InputError if the file cannot be read, has no facets, or has some of more than 4 corners

@@ -9,12 +9,14 @@ target_sources(corpuscle_io PRIVATE
     responses/response_tables.cpp
     atomic_file.cpp
     checkpoint.cpp
+    confined.cpp
     deck_writer.cpp
     export/binout.cpp
     export/d3plot.cpp
     export/history_source.cpp
     export/iso_mme.cpp
     export/lsda.cpp
+    folder_lock.cpp
     hdf5.cpp
     history_table.cpp
     mesh_check.cpp

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "io/atomic_file.hpp"
+#include "io/checkpoint.hpp"
+#include "io/hdf5.hpp"
 #include "solver/base/error.hpp"
 
 namespace corpuscle::io {
@@ -124,12 +126,29 @@ void fill_root(Hdf5Writer& file, const RunInfo& info, const std::string& termina
     file.attribute("/", "deck", info.deck);
     file.attribute("/", "unit_system", info.unit_system);
     file.attribute("/", "seed", info.seed);
+    file.attribute("/", "scene", info.scene);
     file.attribute("/", "threads", info.threads);
     if (!info.mendings.empty()) file.attribute("/", "mendings", info.mendings);
     file.attribute("/", "termination", termination);
 }
 
 }  // namespace
+
+std::optional<FinishedRun> finished_run(const fs::path& folder) {
+    const fs::path file = folder / "results.h5";
+    if (!fs::exists(file)) return std::nullopt;
+    const Hdf5Reader results(file);
+    if (results.text("/", "termination") != "normal") return std::nullopt;
+    FinishedRun run;
+    if (results.has_attribute("/", "scene"))
+        run.scene = results.number<std::uint64_t>("/", "scene");
+    const auto frames = results.read<double>("/frames/time");
+    if (!frames.empty()) run.end = frames.back();
+    std::error_code ignored;
+    fs::remove_all(folder / "results.parts", ignored);
+    remove_checkpoint(folder);
+    return run;
+}
 
 ResultsFile::ResultsFile(fs::path folder, RunInfo info, const RecordLayout& layout)
     : folder_(std::move(folder)),

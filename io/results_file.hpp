@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,7 +27,19 @@ struct RunInfo {
     std::uint64_t seed = 0;
     int threads = 1;
     std::string mendings = {};  ///< what was done to close bags, a line each
+    std::uint64_t scene = 0;    ///< fingerprint of the scene, as in its checkpoints
 };
+
+/// What a run that came to its normal end has left.
+struct FinishedRun {
+    std::uint64_t scene = 0;  ///< 0: not known
+    double end = 0.0;         ///< time of its last frame                                     [s]
+};
+
+/// Of FOLDER/results.h5; none if there is none, or its run did not come to its normal end. What
+/// such a run needs no more is cleared away, should a kill have come before that.
+/// @throws SystemError if the file cannot be read
+[[nodiscard]] std::optional<FinishedRun> finished_run(const std::filesystem::path& folder);
 
 /// FOLDER/results.h5 and FOLDER/results.xdmf, as io/FORMAT.md promises them.
 ///

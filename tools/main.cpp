@@ -9,10 +9,17 @@
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <iostream>
 #include <new>
 
+#include "io/text.hpp"
 #include "solver/base/error.hpp"
 #include "tools/commands.hpp"
 
@@ -35,9 +42,14 @@ void spin_briefly(char** argv) {
 
 constexpr int MOST_THREADS = 1024;  ///< a team of very many overflows the stack of GNU's OpenMP
 
-/// CLI11 reads -3 as an unsigned number close to 2^64.
-std::string no_sign(const std::string& text) {
-    return text.starts_with('-') ? "expected a whole number >= 0, not " + text : std::string();
+/// CLI11 reads -3 as an unsigned number close to 2^64, and whatever is above that as the greatest.
+std::string whole_number(const std::string& text) {
+    std::uint64_t value = 0;
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, value);
+    return read.ec == std::errc{} && read.ptr == end
+               ? std::string()
+               : "expected a whole number, 0 to 18446744073709551615, not " + io::shown(text);
 }
 
 /// Common to all commands that read a deck.
@@ -48,7 +60,7 @@ void add_deck_options(CLI::App& command, tools::DeckArguments& deck) {
         ->take_all();
     command.add_option("--seed", deck.seed, "seed of the random numbers")
         ->capture_default_str()
-        ->check(no_sign);
+        ->check(whole_number);
     command.add_option("--until", deck.until, "end time instead of ENDTIM, in the deck's unit");
     command.add_option("-j,--threads", deck.threads, "threads; default: one a core")
         ->check(CLI::Range(1, MOST_THREADS));
@@ -199,14 +211,21 @@ int run(int argc, char** argv) {
     return tools::mesh(to_mesh);
 }
 
-}  // namespace
+/// Standard output has taken all that was printed: a full disk shows only when buffers are emptied.
+bool output_is_whole() {
+    std::cout.flush();
+    const bool is_whole = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
+    if (!is_whole)
+        fmt::print(stderr, "corpuscle: cannot write to standard output: {}\n",
+                   errno != 0 ? std::strerror(errno) : "an error earlier on");
+    return is_whole;
+}
 
-int main(int argc, char** argv) {
-    spin_briefly(argv);
+int guarded(int argc, char** argv) {
     try {
         return run(argc, argv);
     } catch (const InputError& error) {
-        for (const std::string& fault : error.faults) fmt::print(stderr, "{}\n", fault);
+        for (const std::string& fault : error.faults) fmt::print(stderr, "{}\n", io::shown(fault));
         fmt::print(stderr, "corpuscle: {} fault{} in the input\n", error.faults.size(),
                    error.faults.size() == 1 ? "" : "s");
         return 2;
@@ -219,4 +238,14 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "corpuscle: {}\n", error.what());
     }
     return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    spin_briefly(argv);
+    // a file that grows beyond what the system grants is an error of its write, with a reason
+    std::signal(SIGXFSZ, SIG_IGN);
+    const int status = guarded(argc, argv);
+    return output_is_whole() || status != 0 ? status : 1;
 }

@@ -12,7 +12,7 @@
 
 #include "io/ascii_files.hpp"
 #include "io/checkpoint.hpp"
-#include "io/hdf5.hpp"
+#include "io/folder_lock.hpp"
 #include "io/progress.hpp"
 #include "io/results_file.hpp"
 #include "solver/base/archive.hpp"
@@ -92,8 +92,9 @@ public:
             const Sample sample = simulation.sample();
             if (history || at_end) results_.append(sample);
             if (ascii || at_end) ascii_.append(sample);
+            if (std::isnan(start_kinetic_)) start_kinetic_ = sample.energy.kinetic;
             residual = sample.energy.residual;
-            brought = sample.energy.inflow + std::abs(sample.energy.external);
+            brought = brought_in(sample.energy, start_kinetic_);
             worst_residual = std::max(worst_residual, std::abs(residual));
         }
         if (frame || at_end) results_.write(simulation.frame());
@@ -101,7 +102,7 @@ public:
 
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(residual, brought, worst_residual, bodies_, histories_, frames_);
+        archive(residual, brought, worst_residual, start_kinetic_, bodies_, histories_, frames_);
     }
 
     double residual = 0.0, brought = 0.0, worst_residual = 0.0;  ///< [J]
@@ -109,6 +110,7 @@ public:
 private:
     io::ResultsFile& results_;
     io::AsciiFiles& ascii_;
+    double start_kinetic_ = NaN;  ///< [J]
     BodyTracker bodies_;
     Schedule histories_, frames_;
 };
@@ -240,10 +242,23 @@ std::optional<io::Checkpoint> checkpoint_for(const Simulation& simulation,
     return found;
 }
 
-bool is_finished(const std::string& folder) {
-    const std::filesystem::path file = std::filesystem::path(folder) / "results.h5";
-    if (!std::filesystem::exists(file)) return false;
-    return io::Hdf5Reader(file).text("/", "termination") == "normal";
+/// Did a run of this scene come to its end in the folder before?
+bool is_finished(const Simulation& simulation, const std::string& folder) {
+    const auto run = io::finished_run(folder);
+    if (!run) return false;
+    if (run->scene != 0 && run->scene != simulation.fingerprint())
+        throw InputError(fmt::format(
+            "--restart: {}/results.h5 is of another scene; expected the same deck, -D values and "
+            "seed",
+            folder));
+    const double end = simulation.model().end_time;
+    if (run->end < end * (1.0 - 1e-9))
+        throw InputError(
+            fmt::format("--restart: the run in {} came to its end at {:.6g}, and left no "
+                        "checkpoint to go on from to {:.6g}; start anew, without --restart",
+                        folder, run->end, end));
+    fmt::print("{}/results.h5 is of a run that came to its end: nothing is left to do\n", folder);
+    return true;
 }
 
 }  // namespace
@@ -256,13 +271,10 @@ int run(const RunArguments& arguments) {
     for (const std::string& warning : model.warnings) fmt::print(stderr, "warning: {}\n", warning);
 
     const std::string folder = folder_of(arguments);
+    const io::FolderLock lock(folder);
     std::optional<io::Checkpoint> from;
     if (arguments.restart) {
-        if (is_finished(folder)) {
-            fmt::print("{}/results.h5 is of a run that came to its end: nothing is left to do\n",
-                       folder);
-            return 0;
-        }
+        if (is_finished(simulation, folder)) return 0;
         from = checkpoint_for(simulation, folder);
     }
     if (!from) io::remove_checkpoint(folder);
@@ -274,7 +286,8 @@ int run(const RunArguments& arguments) {
                            model.unit_system,
                            arguments.deck.seed,
                            parallel::threads(),
-                           fmt::format("{}", fmt::join(model.mendings, "\n"))};
+                           fmt::format("{}", fmt::join(model.mendings, "\n")),
+                           simulation.fingerprint()};
     StateReader state(from ? std::span<const char>(from->state) : std::span<const char>());
     if (from) state(simulation);
     io::ResultsFile results =
@@ -300,12 +313,18 @@ int run(const RunArguments& arguments) {
         fmt::print(stderr, "results so far: {}/results.h5\n", folder);
         throw;
     }
-    results.finish("normal");
-    summary.write(simulation, folder);
+    try {
+        summary.write(simulation, folder);  // first: nobody goes on once results are finished
+        results.finish("normal");
+    } catch (const SystemError&) {
+        fmt::print(stderr, "results so far: {}/results.h5, results.parts; --restart ends it\n",
+                   folder);
+        throw;
+    }
     io::remove_checkpoint(folder);
     progress.finish();
     if (!arguments.quiet) {
-        summary.print(simulation, folder, recorder.worst_residual);
+        summary.print(simulation, folder, recorder.worst_residual, recorder.brought);
         for (const io::BodyTable& table : results.responses())
             fmt::print("\n{}", io::responses_text(table));
     }

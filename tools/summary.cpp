@@ -83,14 +83,14 @@ void print_contact(const Simulation& simulation, const contact::SurfaceContact& 
     print_bad_starts(simulation);
 }
 
-void print_ledger(EnergyBooks e, double worst, const Everyday& unit) {
+void print_ledger(EnergyBooks e, double worst, double brought, const Everyday& unit) {
+    const double share = brought > 0.0 ? worst / brought : 0.0;
     if (unit.is_known()) {
         for (double* energy :
              {&e.kinetic, &e.strain, &e.gas, &e.contact, &e.friction, &e.damping, &e.ambient,
               &e.inflow, &e.external, &e.residual, &e.smoothing, &worst})
             *energy *= unit.joule();
     }
-    const double brought = e.inflow + std::abs(e.external);
     fmt::print("\n  energy{}: inflow {:.6g}, external {:.6g}\n", unit.is_known() ? " [J]" : "",
                e.inflow, e.external);
     fmt::print(
@@ -98,11 +98,16 @@ void print_ledger(EnergyBooks e, double worst, const Everyday& unit) {
         "{:.6g}, damping {:.6g}, in transit to the fabric {:.6g}\n",
         e.kinetic, e.strain, e.gas, e.ambient, e.contact, e.friction, e.damping, e.smoothing);
     fmt::print("    residual {:.3g} at the end, {:.3g} at worst", e.residual, worst);
-    if (brought > 0.0) fmt::print(" ({:.2g} % of what was brought in)", 100.0 * worst / brought);
+    if (brought > 0.0) fmt::print(" ({:.2g} % of what was brought in)", 100.0 * share);
     fmt::print("\n");
 }
 
 }  // namespace
+
+double brought_in(const EnergyBooks& now, double start_kinetic) {
+    constexpr double OF_ALL = 1e-6;  // far above rounding, far below what a run is about
+    return std::max(now.inflow + std::abs(now.external) + start_kinetic, OF_ALL * now.total);
+}
 
 void print_bad_starts(const Simulation& simulation) {
     const Simulation::BadStarts bad = simulation.bad_starts();
@@ -114,8 +119,8 @@ void print_bad_starts(const Simulation& simulation) {
                    listed(bad.crossing));
 }
 
-void Summary::print(Simulation& simulation, const std::string& folder,
-                    double worst_residual) const {
+void Summary::print(Simulation& simulation, const std::string& folder, double worst_residual,
+                    double brought) const {
     const double wall = this->wall();
     const Everyday unit(simulation.model().unit_system);
     std::size_t flights = 0;
@@ -138,7 +143,7 @@ void Summary::print(Simulation& simulation, const std::string& folder,
         print_contact(simulation, contact);
     for (const std::string& mending : simulation.model().mendings)
         fmt::print("\n  mended: {}\n", mending);
-    print_ledger(simulation.books(), worst_residual, unit);
+    print_ledger(simulation.books(), worst_residual, brought, unit);
     fmt::print("\nresults: {0}/results.h5, {0}/results.xdmf (ParaView)\n", folder);
 }
 

@@ -14,10 +14,17 @@ namespace corpuscle::tools {
 /// there are none.
 void print_bad_starts(const Simulation& simulation);
 
+/// What residuals are measured by: energy that came with the gas, by loads and supports and as
+/// motion at the start; at least a millionth of all there is, where nothing came. [J]
+[[nodiscard]] double brought_in(const EnergyBooks& now, double start_kinetic);
+
 /// What a run ends with: wall time by phase, speeds, ledger, what was left out.
 class Summary {
 public:
-    void print(Simulation& simulation, const std::string& folder, double worst_residual) const;
+    /// @param worst_residual  of all samples                                            [J]
+    /// @param brought         brought_in() at the end                                   [J]
+    void print(Simulation& simulation, const std::string& folder, double worst_residual,
+               double brought) const;
     /// FOLDER/run.json: wall time, phases, steps, what contact had to stop, warnings; for the
     /// report.
     void write(const Simulation& simulation, const std::string& folder) const;

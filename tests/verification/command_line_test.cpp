@@ -9,8 +9,10 @@
 #include <sys/wait.h>
 #include <array>
 #include <cstdio>
+#include <fstream>
 #include <utility>
 
+#include "io/folder_lock.hpp"
 #include "io/hdf5.hpp"
 #include "tests/unit/io/deck_scene.hpp"
 
@@ -19,10 +21,8 @@ using Catch::Contains;
 
 namespace {
 
-/// Exit status and all that was printed; 137 where it took more than a minute.
-std::pair<int, std::string> run(const std::filesystem::path& deck, const std::string& options) {
-    const std::string command = "timeout -s KILL 60 " CORPUSCLE_PROGRAM " run '" + deck.string() +
-                                "' -q -o '" + deck.string() + ".out' " + options + " 2>&1";
+/// Exit status of a line of the shell and all that it printed.
+std::pair<int, std::string> shell(const std::string& command) {
     FILE* const pipe = popen(command.c_str(), "r");
     REQUIRE(pipe != nullptr);
     std::string text;
@@ -30,6 +30,12 @@ std::pair<int, std::string> run(const std::filesystem::path& deck, const std::st
     while (std::fgets(part.data(), part.size(), pipe) != nullptr) text += part.data();
     const int status = pclose(pipe);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text};
+}
+
+/// Of a run, into the folder DECK.out; 137 where it took more than a minute.
+std::pair<int, std::string> run(const std::filesystem::path& deck, const std::string& options) {
+    return shell("timeout -s KILL 60 " CORPUSCLE_PROGRAM " run '" + deck.string() + "' -q -o '" +
+                 deck.string() + ".out' " + options + " 2>&1");
 }
 
 /// A tetrahedron of edge 0.1 full of air particles, free to fly; of 3 shells it is open.
@@ -152,9 +158,98 @@ TEST_CASE("more particles than memory holds are refused before it is taken", "[i
 TEST_CASE("seeds below 0 and threads beyond counting are refused", "[io]") {
     const test::DeckFolder folder;
     const auto deck = folder.write("deck.k", balloon(CLOTH, "1e-4"));
-    for (const char* options : {"--seed -3", "--seed 1.5", "-j 0", "-j 100000", "--until -1"}) {
+    for (const char* options : {"--seed -3", "--seed 1.5", "-j 0", "-j 100000", "--until -1",
+                                "--seed 99999999999999999999", "--seed 18446744073709551616",
+                                "--seed 0x10", "--seed 3e3"}) {
         CAPTURE(options);
         CHECK(run(deck, options).first == 2);
     }
     CHECK(run(deck, "--seed 3 -j 2").first == 0);
+    CHECK(run(deck, "--seed 18446744073709551615").first == 0);
+}
+
+TEST_CASE("what standard output does not take makes a status of its own", "[io]") {
+    const test::DeckFolder folder;
+    const auto deck = folder.write("deck.k", balloon(CLOTH, "1e-4")).string();
+    for (const std::string& words :
+         {std::string("--help"), std::string("--version"), "check '" + deck + "'",
+          "run '" + deck + "' -o '" + deck + "x'"}) {
+        CAPTURE(words);
+        const auto [status, text] = shell(CORPUSCLE_PROGRAM " " + words + " 2>&1 >/dev/full");
+        CHECK(status == 1);
+        CHECK_THAT(text, Contains("No space left on device"));
+    }
+}
+
+TEST_CASE("a folder in use is left alone", "[io]") {
+    const test::DeckFolder folder;
+    const auto deck = folder.write("deck.k", balloon(CLOTH, "1e-4"));
+    const std::filesystem::path out = deck.string() + ".out";
+    {
+        const io::FolderLock other(out);
+        for (const char* options : {"", "--restart"}) {
+            const auto [status, text] = run(deck, options);
+            CHECK(status == 2);
+            CHECK_THAT(text, Contains("deck.k.out is in use by another run (process " +
+                                      std::to_string(getpid()) + ")"));
+        }
+        CHECK_FALSE(std::filesystem::exists(out / "results.h5"));
+    }
+    CHECK(run(deck, "").first == 0);
+}
+
+TEST_CASE("a file that may not grow any more is an error with results so far", "[io]") {
+    const test::DeckFolder folder;
+    const auto deck = folder.write(
+        "deck.k",
+        balloon(CLOTH, "1e-4", "*DATABASE_BINARY_D3PLOT\n2e-6\n*DATABASE_ABSTAT\n1e-7\n"));
+    const auto [status, text] =
+        shell("ulimit -f 400; timeout -s KILL 60 " CORPUSCLE_PROGRAM " run '" + deck.string() +
+              "' -q -o '" + deck.string() + ".out' 2>&1");
+    CAPTURE(text);
+    CHECK(status == 1);
+    CHECK_THAT(text, Contains("File too large") && Contains("results so far"));
+    const io::Hdf5Reader results(deck.string() + ".out/results.h5");
+    CHECK_FALSE(results.read<double>("/history/time").empty());
+    CHECK_FALSE(results.read<double>("/frames/time").empty());
+}
+
+TEST_CASE("a kill between the end of the results and that of the run leaves nothing stale",
+          "[io]") {
+    const test::DeckFolder folder;
+    const auto deck = folder.write("deck.k", balloon(CLOTH, "1e-4"));
+    const std::filesystem::path out = deck.string() + ".out";
+    REQUIRE(run(deck, "").first == 0);
+    CHECK(std::filesystem::exists(out / "run.json"));
+    std::ofstream(out / "checkpoint") << "of the run before it ended";
+    std::filesystem::create_directories(out / "results.parts");
+    const auto [status, text] = run(deck, "--restart");
+    CHECK(status == 0);
+    CHECK_THAT(text, Contains("nothing is left to do"));
+    CHECK_FALSE(std::filesystem::exists(out / "checkpoint"));
+    CHECK_FALSE(std::filesystem::exists(out / "results.parts"));
+    SECTION("of another scene there is something to do") {
+        const auto [other, told] = run(deck, "--restart --seed 2");
+        CHECK(other == 2);
+        CHECK_THAT(told, Contains("is of another scene"));
+    }
+    SECTION("as there is after the end") {
+        const auto [longer, told] = run(deck, "--restart --until 2e-4");
+        CHECK(longer == 2);
+        CHECK_THAT(told, Contains("came to its end at 0.0001"));
+    }
+}
+
+TEST_CASE("motion at the start counts as brought in", "[io]") {
+    const test::DeckFolder folder;
+    std::string text = balloon(CLOTH, "1e-5", "*INITIAL_VELOCITY\n\n1.,2.,3.\n");
+    const std::size_t bag = text.find("*AIRBAG"), end = text.find("*CONTROL");
+    const auto deck = folder.write("deck.k", text.erase(bag, end - bag)).string();
+    const auto [status, told] =
+        shell(CORPUSCLE_PROGRAM " run '" + deck + "' -o '" + deck + "x' 2>&1");
+    CAPTURE(told);
+    REQUIRE(status == 0);
+    const std::size_t at = told.rfind('(', told.find("of what was brought in"));
+    REQUIRE(at != std::string::npos);
+    CHECK(std::stod(told.substr(at + 1)) < 1.0);
 }

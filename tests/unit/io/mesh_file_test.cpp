@@ -10,6 +10,7 @@
 
 #include "io/deck_writer.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/random.hpp"
 #include "tests/unit/io/results_scene.hpp"
 
 using namespace corpuscle;
@@ -123,6 +124,35 @@ TEST_CASE("what cannot be read says so", "[io]") {
         io::read_mesh(written(folder, "five.obj",
                               "v 0 0 0\nv 1 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nf 1 2 3 4 5\n")),
         Catch::Contains("1 facets have more than 4 corners"));
+}
+
+TEST_CASE("a mesh file that was damaged is read or refused, nothing else", "[io]") {
+    const scene::Folder folder("damaged_mesh");
+    const auto [name, text] = GENERATE(table<std::string, std::string>(
+        {{"cube.obj", obj_cube()}, {"cube.stl", stl_cube()}, {"cube.ply", ply_cube()}}));
+    int refused = 0;
+    constexpr int MUTANTS = 40;
+    for (int i = 0; i < MUTANTS; ++i) {
+        Random draw(2007, Stream::INITIAL, 0, static_cast<std::uint64_t>(i));
+        std::string damaged = text;
+        for (std::uint32_t changes = 1 + draw.below(4); changes > 0; --changes) {
+            const auto at = draw.below(static_cast<std::uint32_t>(damaged.size()));
+            if (draw.below(3) == 0)
+                damaged.replace(at, 1, "99999999");
+            else
+                damaged[at] = static_cast<char>(draw.below(256));
+        }
+        CAPTURE(name, i);
+        try {
+            const ImportedMesh mesh = io::read_mesh(written(folder, name, damaged));
+            for (const auto& shell : mesh.shells)
+                for (const Index n : shell) REQUIRE(static_cast<std::size_t>(n) < mesh.x.size());
+        } catch (const InputError&) {
+            ++refused;
+        }
+    }
+    CHECK(refused > 0);
+    CHECK(refused < MUTANTS);
 }
 
 TEST_CASE("welding joins what is within the tolerance and nothing else", "[io]") {
