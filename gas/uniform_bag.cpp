@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gas/exchange.hpp"
 #include "gas/outflow/leak_speed.hpp"
 #include "gas/thermo/orifice_flow.hpp"
 #include "solver/base/error.hpp"
@@ -57,11 +58,25 @@ UniformBag::UniformBag(const UniformBagCard& card, BagWalls walls, std::span<con
             fmt::format("{}: the volume at the start, VSCA V - VINI, is {:g}, "
                         "expected > 0: RO fills it with gas",
                         name_of(card), V));
-    // p = p_atm + POVER and RO give T = p / (RO R); with IABT p and T give the density. n = p V/(R T)
-    const double p = card.p_atm + card.overpressure, R = gas_.species()[0].gas_constant();
-    const bool has_temperature = card.start_temperature > 0.0;
+    first_volume_ = V;
+    if (card.law)
+        follow_law(0.0, x);
+    else
+        fill(V);
+    for (const UniformGasCard& gas : gases_) {
+        inflow_.emplace_back();
+        if (gas.mass_rate >= 0) inflow_.back().emplace(curves[gas.mass_rate], INF);
+    }
+    measure_exits(x);
+    first_leak_area_ = leak_area_;
+}
+
+/// p = p_atm + POVER and RO give T = p / (RO R); with IABT p and T give the density. n = p V/(R T)
+void UniformBag::fill(double V) {
+    const double p = card_.p_atm + card_.overpressure, R = gas_.species()[0].gas_constant();
+    const bool has_temperature = card_.start_temperature > 0.0;
     const double T =
-        has_temperature ? card.start_temperature : p / (card.density * (card.cp - card.cv));
+        has_temperature ? card_.start_temperature : p / (card_.density * (card_.cp - card_.cv));
     double moles_per_mass = 0.0;
     for (std::size_t k = 0; k < gases_.size(); ++k)
         moles_per_mass += gases_[k].start_share / gas_.species()[k].molar_mass();
@@ -71,34 +86,38 @@ UniformBag::UniformBag(const UniformBagCard& card, BagWalls walls, std::span<con
             p * V / (R * T) * gases_[k].start_share / (gas.molar_mass() * moles_per_mass);
         gas_.add(k, moles, moles * gas.molar_energy()(T));
     }
-    if (!gas_.settle(V)) throw InputError(name_of(card) + ": PE and RO give no temperature");
-    for (const UniformGasCard& gas : gases_) {
-        inflow_.emplace_back();
-        if (gas.mass_rate >= 0) inflow_.back().emplace(curves[gas.mass_rate], INF);
-    }
-    measure_exits(x);
-    first_leak_area_ = leak_area_;
+    if (!gas_.settle(V)) throw InputError(name_of(card_) + ": PE and RO give no temperature");
 }
 
 /// Areas of exits that are shells, and of fabric that leaks.
 void UniformBag::measure_exits(const Points& x) {
-    const auto area = [&](Index a, Index b, Index c) {
-        return vector_area(x[a], x[b], x[c]).norm();
-    };
     exit_area_.assign(card_.exits.size(), 0.0);
     for (std::size_t k = 0; k < card_.exits.size(); ++k)
-        for (const auto& [a, b, c, d] : card_.exits[k].facets)
-            exit_area_[k] += area(a, b, c) + (c != d ? area(a, c, d) : 0.0);
+        exit_area_[k] = area_of(card_.exits[k].facets, x);
     leak_area_.assign(card_.leaks.size(), 0.0);
     for (std::size_t k = 0; k < card_.leaks.size(); ++k)
         for (std::size_t t = 0; t < walls_.triangles.size(); ++t)
             if (walls_.part_rows[walls_.part[t]] == card_.leaks[k].part)
-                leak_area_[k] +=
-                    area(walls_.triangles[t][0], walls_.triangles[t][1], walls_.triangles[t][2]);
+                leak_area_[k] += vector_area(x[walls_.triangles[t][0]], x[walls_.triangles[t][1]],
+                                             x[walls_.triangles[t][2]])
+                                     .norm();
+}
+
+/// Pressure of the volume at t.
+void UniformBag::follow_law(double t, const Points& x) {
+    law_volume_ = volume(x);
+    const double ratio = law_volume_ / first_volume_;
+    if (!(ratio > 0.0))
+        throw PhysicsError(t, fmt::format("{}: the volume is {:g}", name_of(card_), law_volume_));
+    law_pressure_ = card_.law->curve >= 0
+                        ? curves_[card_.law->curve](ratio)
+                        : card_.law->scale * value(card_.law->coefficient, t) / ratio;
 }
 
 void UniformBag::add_load(double t, const Points& x, Points& f) {
-    if (!gas_.settle(volume(x)))
+    if (card_.law)
+        follow_law(t, x);
+    else if (!gas_.settle(volume(x)))
         throw PhysicsError(t, fmt::format("{}: the volume is {:g} and the gas holds {:g} of energy",
                                           name_of(card_), volume(x), gas_.energy()));
     enclosure_.node_areas(x, area_);
@@ -111,7 +130,7 @@ void UniformBag::book_load(const Points& v_mid, double span) {
     const double swept = span * parallel::sum(nodes.size(), 0.0, [&](std::size_t i) {
                              return area_[nodes[i]].dot(v_mid[nodes[i]]);
                          });
-    const double given = gas_.work(card_.volume_scale * swept);
+    const double given = card_.law ? 0.0 : gas_.work(card_.volume_scale * swept);
     const double on_fabric = gauge() * swept, on_air = card_.p_atm * swept;
     ambient_work_ += on_air;
     scaling_work_ += on_fabric + on_air - given;
@@ -119,8 +138,21 @@ void UniformBag::book_load(const Points& v_mid, double span) {
 
 void UniformBag::flow(double t, double dt) {
     rate_in_ = rate_out_ = 0.0;
+    if (card_.law) return;
     flow_out(t, dt);
     flow_in(t, dt);
+}
+
+void UniformBag::give(double mass, double dt, UniformBag& to) {
+    std::vector<double> moles(gases_.size());
+    for (std::size_t k = 0; k < moles.size(); ++k) moles[k] = gas_.moles(k);
+    const double energy = gas_.remove(mass);
+    for (std::size_t k = 0; k < moles.size(); ++k)
+        to.gas_.add(k, moles[k] - gas_.moles(k), k == 0 ? energy : 0.0);
+    mass_out_ += mass;
+    to.mass_in_ += mass;
+    rate_out_ += mass / dt;
+    to.rate_in_ += mass / dt;
 }
 
 void UniformBag::flow_in(double t, double dt) {
@@ -190,21 +222,23 @@ double UniformBag::stable_step() const {
 
 GasState UniformBag::state(const Points& x) const {
     GasState now;
-    now.volume = gas_.volume();
     now.area = enclosure_.area(x);
-    now.pressure = gas_.pressure();
+    now.pressure = pressure();
+    now.species = {{0.0, 0.0, 0.0}};
+    now.volume = card_.law ? law_volume_ : gas_.volume();
+    now.translational = 1.5 * now.pressure * now.volume;
+    if (card_.law) return now;
     now.temperature = gas_.temperature();
     now.mass = gas_.mass();
     now.mass_in = mass_in_;
     now.energy = gas_.energy();
-    now.translational = 1.5 * now.pressure * now.volume;
     now.species = {{now.mass, now.temperature, now.energy}};
     return now;
 }
 
 PartState UniformBag::part_state(const Points& x) const {
     const std::size_t parts = walls_.part_ids.size();
-    PartState state{std::vector<double>(parts, card_.pressure_scale * gas_.pressure()),
+    PartState state{std::vector<double>(parts, card_.pressure_scale * pressure()),
                     std::vector<double>(parts, 0.0), std::vector<double>(parts, 0.0),
                     std::vector<double>(parts, 0.0)};
     for (std::size_t t = 0; t < walls_.triangles.size(); ++t) {

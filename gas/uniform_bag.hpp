@@ -20,7 +20,8 @@ namespace corpuscle::gas {
 ///     dE = cp T_in dm_in - cp T dm_out - p dV,   V = VSCA V_mesh - VINI,
 ///     load on the fabric: PSCA (p - p_atm)
 ///
-/// Gas flows out by orifice_flow(), or by a curve of gauge pressure.
+/// Gas flows out by orifice_flow(), or by a curve of gauge pressure. A bag with a VolumeLaw has no
+/// gas: mass, temperature and energy are 0, and the work of its load comes from outside.
 class UniformBag {
 public:
     /// Errors: InputError when the surface is not closed, or when there is no gas to begin with.
@@ -33,6 +34,8 @@ public:
     void book_load(const Points& v_mid, double span);
     /// Gas in and out, t -> t + dt.
     void flow(double t, double dt);
+    /// Gas as it is here to another bag of the same gases, with its enthalpy.           [kg]
+    void give(double mass, double dt, UniformBag& to);
 
     [[nodiscard]] Vec3 force(Index node) const { return gauge() * area_[node]; }  ///< [N]
     /// Step in which a five-hundredth of the gas leaves. [s]
@@ -46,7 +49,7 @@ public:
     [[nodiscard]] double inflow_energy() const { return inflow_energy_; }    ///< [J]
     [[nodiscard]] double outflow_energy() const { return outflow_energy_; }  ///< [J]
     [[nodiscard]] double ambient_work() const { return ambient_work_; }      ///< [J]
-    /// Work that VSCA and PSCA make of nothing (or take away).                              [J]
+    /// Work that VSCA, PSCA and a VolumeLaw make of nothing (or take away).                 [J]
     [[nodiscard]] double scaling_work() const { return scaling_work_; }
 
     [[nodiscard]] double mass_in() const { return mass_in_; }    ///< [kg]
@@ -57,7 +60,9 @@ public:
     [[nodiscard]] const UniformBagCard& card() const { return card_; }
     [[nodiscard]] const BagWalls& walls() const { return walls_; }
     [[nodiscard]] const Enclosure& enclosure() const { return enclosure_; }
-    [[nodiscard]] const ControlVolume& gas() const { return gas_; }
+    [[nodiscard]] const ControlVolume& gas() const { return gas_; }  ///< none with a VolumeLaw
+    /// Absolute, at t; that of a VolumeLaw is gauge.                                        [Pa]
+    [[nodiscard]] double pressure() const { return card_.law ? law_pressure_ : gas_.pressure(); }
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
@@ -72,11 +77,13 @@ private:
         return card_.volume_scale * enclosure_.volume(x) - card_.volume_taken;
     }
     [[nodiscard]] double gauge() const {  ///< load per area                                [Pa]
-        return card_.pressure_scale * (gas_.pressure() - card_.p_atm);
+        return card_.pressure_scale * (pressure() - card_.p_atm);
     }
     [[nodiscard]] double value(const CurveOr& of, double at) const {
         return of.curve >= 0 ? curves_[of.curve](at) : of.value;
     }
+    void fill(double V);
+    void follow_law(double t, const Points& x);
     void measure_exits(const Points& x);
     [[nodiscard]] double leak_rate(double t) const;
     void flow_in(double t, double dt);
@@ -94,7 +101,9 @@ private:
     std::vector<UniformGasCard> gases_;
     std::vector<std::optional<FlowCurve>> inflow_;  ///< by gas
     Points area_;  ///< N × 3, node areas at t                                            [m^2]
-    bool is_open_ = false;  ///< PPOP has been reached
+    double first_volume_ = NaN, law_volume_ = NaN;  ///< at the start; at t, of a VolumeLaw [m^3]
+    double law_pressure_ = 0.0;                     ///< [Pa]
+    bool is_open_ = false;                          ///< PPOP has been reached
     double mass_in_ = 0.0, mass_out_ = 0.0, rate_in_ = 0.0, rate_out_ = 0.0;
     double inflow_energy_ = 0.0, outflow_energy_ = 0.0, ambient_work_ = 0.0, scaling_work_ = 0.0;
     std::vector<std::string> warnings_;

@@ -27,6 +27,7 @@ target_sources(corpuscle_io PRIVATE
     keywords/rigid_parts.cpp
     keywords/rigid_merges.cpp
     keywords/joined_nodes.cpp
+    keywords/joints.cpp
     keywords/leakage.cpp
     keywords/links.cpp
     keywords/boundary.cpp

@@ -91,6 +91,8 @@ const std::pair<const char*, const char*> EXAMPLES[] = {
     {"AIRBAG_HYBRID",
      "1,1\n293,1e5,1.2,8.3,1,1\n1,1,1,1,1,1,1,1\n1,1,1,1,1,1\n"
      "1,1,0,0.028,1,28,0,0\n1\n"},
+    {"AIRBAG_SIMPLE_PRESSURE_VOLUME", "1,1\n1e5,2,0,1\n"},
+    {"AIRBAG_INTERACTION", "1,2,0.1,1,1,1,1\n"},
     {"AIRBAG_ADIABATIC_GAS_MODEL", "1,1\n1,1,1.4,1e5,1e5,1.2\n"},
     {"SECTION_BEAM", "9,2,1,1,1\n1,1,1,1,1\n"}};
 

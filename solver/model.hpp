@@ -79,11 +79,20 @@ struct RigidMerge {
     bool keeps_inertia = false;  ///< the lead's *PART_INERTIA holds for both, IFLAG = 0
 };
 
+/// *CONSTRAINED_JOINT_SPHERICAL, _REVOLUTE: two rigid parts share a place, or two places and with
+/// them an axis.
+struct RigidJoint {
+    std::array<Index, 2> parts{-1, -1};  ///< rows
+    std::vector<Vec3> places;            ///< one or two, at the start                       [m]
+    std::string name;                    ///< for messages: "*CONSTRAINED_JOINT_REVOLUTE 3"
+};
+
 /// *CONSTRAINED_ADAPTIVITY, or a node that hangs on an edge: it moves with the edge's ends,
 ///
 ///     x = (1 - w) x_0 + w x_1,
 ///
-/// which bear its mass and the forces on it in the same shares.
+/// which bear its mass and the forces on it in the same shares. *CONSTRAINED_TIED_NODES: both ends
+/// are one node, where it is.
 struct TiedNode {
     Index node = -1;                    ///< row
     std::array<Index, 2> ends{-1, -1};  ///< rows; may be tied themselves
@@ -147,7 +156,8 @@ struct Model {
     std::vector<RigidInertia> rigid_inertia;    ///< at most one a part
     std::vector<RigidExtraNode> rigid_extra_nodes;
     std::vector<RigidMerge> rigid_merges;  ///< a part is led by one other at most, none by itself
-    std::vector<TiedNode> tied_nodes;      ///< a node at most once
+    std::vector<RigidJoint> rigid_joints;
+    std::vector<TiedNode> tied_nodes;  ///< a node at most once
     std::vector<Support> supports;
     std::vector<PrescribedMotion> motions;
     std::vector<BodyLoad> body_loads;
@@ -157,6 +167,7 @@ struct Model {
     std::vector<AddedLeak> added_leaks;
     std::vector<gas::BagCard> bags;
     std::vector<gas::UniformBagCard> uniform_bags;  ///< that never hold particles
+    std::vector<gas::ExchangeCard> exchanges;       ///< between two of these
     std::vector<contact::ContactCard> contacts;
     std::vector<ContactShells> contact_shells;  ///< by contact; none: all contacts mean whole parts
     std::vector<contact::WallCard> walls;

@@ -45,6 +45,8 @@ void Simulation::move_bodies(double dt, double span) {
         bodies_[b].advance(clock_.t, dt, span, field, nodes_);
         movers_[b] = bodies_[b].mover();
     }
+    for (RigidJoints& joints : joints_)
+        joints.hold(clock_.t, dt, span, RigidJoints::After::KICK, bodies_, movers_, nodes_);
 }
 
 void Simulation::drift(double dt) {
@@ -66,8 +68,10 @@ void Simulation::stop_at_obstacles(double dt) {
         wall.hold(nodes_.x, met_mass(), clock_.t, dt, nodes_.v, {body_of_node_, movers_});
     }
     contact::SurfaceContact::Hold hold_by_walls;
-    if (!walls_.empty())
+    double by_joints = 0.0;
+    if (!walls_.empty() || !joints_.empty())
         hold_by_walls = [&](bool is_last) {
+            for (const RigidJoints& joints : joints_) by_joints += joints.pass_on(movers_);
             for (contact::RigidWall& wall : walls_)
                 wall.hold_again(is_last, nodes_.x, met_mass(), clock_.t, dt, nodes_.v,
                                 {body_of_node_, movers_});
@@ -81,13 +85,16 @@ void Simulation::stop_at_obstacles(double dt) {
     }
     for (const contact::RigidWall& wall : walls_)
         by_walls += wall.driving_work() + wall.held_work();
-    ledger_.after.external += by_walls;
-    ledger_.after.contact += by_walls;
+    ledger_.after.external += by_walls + by_joints;
+    ledger_.after.contact += by_walls + by_joints;
     if (!ties_.empty() && has_stopped)
         ties_.settle(v_free_, nodes_.mass, met_mass_, nodes_.x, body_of_node_, movers_, nodes_.v);
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         bodies_[b].take(movers_[b], dt, clock_.kick_span(dt), nodes_);
     if (has_stopped) {
+        for (RigidJoints& joints : joints_)
+            joints.hold(clock_.t, dt, clock_.kick_span(dt), RigidJoints::After::CONTACT, bodies_,
+                        movers_, nodes_);
         if (!ties_.empty()) ties_.hold(nodes_.v);  // bodies have moved ends
         const double kicked = std::exchange(ledger_.after.kinetic, kinetic_energy());
         ledger_.after.contact +=

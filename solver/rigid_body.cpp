@@ -101,32 +101,70 @@ void RigidBody::advance(double t, double dt, double span, const Field& field,
         force += nodes.f[n];
         torque += (nodes.x[n] - centre_).cross(nodes.f[n]);
     }
-    const Vec3 weight = mass_ * field.acceleration;
-    const Vec3 drag = -field.damping * mass_ * velocity_,
-               turning_drag = -field.damping * angular_momentum_;
-    const Vec3 velocity = velocity_, spin_before = spin();
-    const double kinetic = kinetic_energy();
+    const Vec3 zero = Vec3::Zero();
+    kick_ = {span,
+             force,
+             torque,
+             mass_ * field.acceleration,
+             -field.damping * mass_ * velocity_,
+             -field.damping * angular_momentum_,
+             spin(),
+             kinetic_energy(),
+             zero,
+             zero};
     velocity_before_ = velocity_;
     momentum_before_ = angular_momentum_;
-    velocity_ += span / mass_ * (force + weight + drag);
-    angular_momentum_ += span * (torque + turning_drag);
+    velocity_ += span / mass_ * (force + kick_.weight + kick_.drag);
+    angular_momentum_ += span * (torque + kick_.turning_drag);
     hold_translation(t, dt, span);
     hold_rotation(t, dt, span);
-    if (span > 0.0) acceleration_ = (velocity_ - velocity) / span;
+    if (span > 0.0) acceleration_ = (velocity_ - velocity_before_) / span;
     impulse_force_.setZero();
-
-    mid_velocity_ = 0.5 * (velocity + velocity_);
-    mid_spin_ = 0.5 * (spin_before + spin());
-    field_work_ = span * weight.dot(mid_velocity_);
-    damped_ = -span * (drag.dot(mid_velocity_) + turning_drag.dot(mid_spin_));
-    held_work_ = kinetic_energy() - kinetic - field_work_ + damped_ -
-                 span * (force.dot(mid_velocity_) + torque.dot(mid_spin_));
+    book_kick();
     carry(dt, nodes);
 }
 
-void RigidBody::carry(double dt, fabric::Nodes& nodes) {
+void RigidBody::book_kick() {
+    const Kick& k = kick_;
+    mid_velocity_ = 0.5 * (velocity_before_ + velocity_);
+    mid_spin_ = 0.5 * (k.spin + spin());
+    field_work_ = k.span * k.weight.dot(mid_velocity_);
+    damped_ = -k.span * (k.drag.dot(mid_velocity_) + k.turning_drag.dot(mid_spin_));
+    held_work_ = kinetic_energy() - k.kinetic - field_work_ + damped_ -
+                 (k.span * k.force + k.joint_impulse).dot(mid_velocity_) -
+                 (k.span * k.torque + k.joint_turning).dot(mid_spin_);
+}
+
+void RigidBody::pull(const contact::RigidMover& mover, const Vec3& impulse, const Vec3& turning,
+                     double span, bool is_of_kick) {
+    if (is_of_kick) {
+        kick_.joint_impulse += impulse;
+        kick_.joint_turning += turning;
+    }
+    give(mover, impulse, turning, span);
+}
+
+/// Changes V and L by an impulse and its moment, and by what holds answer.
+void RigidBody::give(const contact::RigidMover& mover, const Vec3& impulse, const Vec3& turning,
+                     double span) {
+    const Vec3 change = mover.inverse_mass * impulse;
+    velocity_ += change;
+    if (held_turns_.empty()) {
+        angular_momentum_ += turning;
+    } else {
+        const Vec3 local = turn_.conjugate() * (spin() + mover.inverse_inertia * turning);
+        angular_momentum_ = turn_ * inertia_.cwiseProduct(local);
+    }
+    if (span > 0.0) acceleration_ += change / span;
+}
+
+void RigidBody::foresee(double dt) {
     next_centre_ = centre_ + dt * velocity_;
     next_turn_ = turned(dt);
+}
+
+void RigidBody::carry(double dt, fabric::Nodes& nodes) {
+    foresee(dt);
     for (std::size_t i = 0; i < nodes_.size(); ++i)
         nodes.v[nodes_[i]] = (next_centre_ + next_turn_ * arm_[i] - nodes.x[nodes_[i]]) / dt;
 }
@@ -189,18 +227,8 @@ contact::RigidMover RigidBody::mover() const {
 void RigidBody::take(const contact::RigidMover& moved, double dt, double span,
                      fabric::Nodes& nodes) {
     if (moved.impulse.isZero(0.0) && moved.turning.isZero(0.0)) return;
-    const Vec3 change = moved.inverse_mass * moved.impulse;
-    velocity_ += change;
-    if (held_turns_.empty()) {
-        angular_momentum_ += moved.turning;
-    } else {
-        const Vec3 local = turn_.conjugate() * (spin() + moved.inverse_inertia * moved.turning);
-        angular_momentum_ = turn_ * inertia_.cwiseProduct(local);
-    }
-    if (span > 0.0) {
-        acceleration_ += change / span;
-        impulse_force_ = moved.impulse / span;
-    }
+    give(moved, moved.impulse, moved.turning, span);
+    if (span > 0.0) impulse_force_ = moved.impulse / span;
     carry(dt, nodes);
 }
 

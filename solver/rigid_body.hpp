@@ -47,6 +47,24 @@ public:
     /// Takes what contact has given in the step from t to t + dt, and carries its nodes anew.
     void take(const contact::RigidMover& moved, double dt, double span, fabric::Nodes& nodes);
 
+    /// What a joint gives between the kick and the drift (rigid_joints.hpp): changes V and L, and
+    /// where foresee() says that the body goes; carry() then moves the nodes.
+    /// @param mover       what holds leave of it, as mover() said
+    /// @param turning     moment of the impulse about the centre                       [N m s]
+    /// @param is_of_kick  it acts with the forces of the kick, and book_kick() knows it
+    void pull(const contact::RigidMover& mover, const Vec3& impulse, const Vec3& turning,
+              double span, bool is_of_kick);
+    void foresee(double dt);
+    void carry(double dt, fabric::Nodes& nodes);
+    void book_kick();  ///< work of the last kick, with what joints gave
+
+    /// A place of the body in its own axes, from where it is at t.                         [m]
+    [[nodiscard]] Vec3 arm_of(const Vec3& x) const { return turn_.conjugate() * (x - centre_); }
+    [[nodiscard]] Vec3 at(const Vec3& arm) const { return centre_ + turn_ * arm; }  ///< at t
+    [[nodiscard]] Vec3 then(const Vec3& arm) const {                                ///< at t + dt
+        return next_centre_ + next_turn_ * arm;
+    }
+
     [[nodiscard]] Index part() const { return part_; }  ///< the lead
     /// The part and all that are merged with it.
     [[nodiscard]] const std::vector<Index>& parts() const { return parts_; }
@@ -102,7 +120,8 @@ private:
         MotionCurve curve;
     };
     void set_inertia(const Model& model, const RigidInertia& all);
-    void carry(double dt, fabric::Nodes& nodes);
+    void give(const contact::RigidMover& mover, const Vec3& impulse, const Vec3& turning,
+              double span);
     [[nodiscard]] Vec3 spin_of(const Eigen::Quaterniond& turn, const Vec3& momentum) const;
     [[nodiscard]] double energy_of(const Vec3& velocity, const Vec3& angular_momentum) const {
         return 0.5 * mass_ * velocity.squaredNorm() +
@@ -142,6 +161,16 @@ private:
     Vec3 mid_velocity_ = Vec3::Zero(), mid_spin_ = Vec3::Zero();
     Vec3 impulse_force_ = Vec3::Zero();
     double held_work_ = 0.0, field_work_ = 0.0, damped_ = 0.0;
+
+    struct Kick {                           ///< the last one
+        double span = 0.0;                  ///< [s]
+        Vec3 force, torque;                 ///< on the nodes                               [N]
+        Vec3 weight, drag, turning_drag;    ///< [N], [N m]
+        Vec3 spin;                          ///< before it                              [rad/s]
+        double kinetic = 0.0;               ///< before it                                  [J]
+        Vec3 joint_impulse, joint_turning;  ///< [N s], [N m s]
+    };
+    Kick kick_;
 };
 
 }  // namespace corpuscle

@@ -16,6 +16,10 @@
 namespace corpuscle {
 namespace {
 
+/// Velocities at the start that joints do not allow are made to agree in this share of the run, as
+/// by a blow; and what of kinetic energy may go unsaid.
+constexpr double BLOW = 1e-6, AGREE = 1e-9;
+
 bool is_rigid(const Model& model, Index part) {
     return std::holds_alternative<fabric::RigidCard>(
         model.materials[model.parts[part].material].card);
@@ -127,6 +131,20 @@ void Simulation::build_bodies() {
     body_of_node_.assign(nodes_.size(), -1);
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         for (const Index n : bodies_[b].nodes()) body_of_node_[n] = static_cast<Index>(b);
+    if (model_.rigid_joints.empty()) return;
+    joints_.emplace_back(model_, bodies_);
+    const double before = kinetic_energy(), blow = BLOW * model_.end_time;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        movers_[b] = bodies_[b].mover();
+        bodies_[b].foresee(blow);
+    }
+    joints_[0].hold(0.0, blow, 0.0, RigidJoints::After::CONTACT, bodies_, movers_, nodes_);
+    for (RigidBody& body : bodies_) body.foresee(0.0);  // they have not moved
+    if (const double taken = before - kinetic_energy(); taken > AGREE * before)
+        model_.warnings.push_back(fmt::format(
+            "velocities at the start pull joints of rigid parts apart: they are made to agree, "
+            "which takes {:.3g} of {:.3g} of kinetic energy",
+            taken, before));
 }
 
 /// Nodes of rigid bodies ride on these alone.
@@ -166,6 +184,8 @@ void Simulation::build_bags(std::uint64_t seed) {
     for (const gas::UniformBagCard& card : model_.uniform_bags)
         build(uniform_bags_, card, bag_walls(model_, card), model_.curves, model_.node_id,
               model_.x);
+    for (const gas::ExchangeCard& card : model_.exchanges)
+        exchanges_.emplace_back(card, model_.curves);
     if (!faults.empty()) throw InputError(std::move(faults));
 }
 

@@ -13,6 +13,7 @@
 #include "fabric/membranes.hpp"
 #include "fabric/nodes.hpp"
 #include "gas/bag_gas.hpp"
+#include "gas/exchange.hpp"
 #include "gas/uniform_bag.hpp"
 #include "solver/base/archive.hpp"
 #include "solver/base/stopwatch.hpp"
@@ -25,6 +26,7 @@
 #include "solver/model.hpp"
 #include "solver/records.hpp"
 #include "solver/rigid_body.hpp"
+#include "solver/rigid_joints.hpp"
 #include "solver/stable_step.hpp"
 #include "solver/tied_nodes.hpp"
 
@@ -157,12 +159,14 @@ private:
     GrowthMonitor growth_;   ///< of the fabric, where there is any
     std::vector<gas::BagGas> bags_;
     std::vector<gas::UniformBag> uniform_bags_;
+    std::vector<gas::Exchange> exchanges_;           ///< between two of them
     std::vector<contact::SurfaceContact> contacts_;  ///< one for all cards, or none
     std::vector<Index> contact_shell_;               ///< of its triangles: rows of their shells
     std::vector<contact::RigidWall> walls_;
     std::vector<RigidBody> bodies_;
     std::vector<Index> body_of_node_;          ///< N: row in bodies_ or -1; empty without bodies
     std::vector<contact::RigidMover> movers_;  ///< the same as contact sees them
+    std::vector<RigidJoints> joints_;          ///< one for all joints, or none
     Constraints supports_;
     TiedNodes ties_;
     std::vector<double> met_mass_;  ///< N: that obstacles meet, if nodes are tied          [kg]

@@ -44,6 +44,7 @@ StepReport Simulation::step(const Observer& observe) {
         bag.fly(t, dt, nodes_.x, nodes_.x_1);                                   lap("flight");
     }
     for (gas::UniformBag& bag : uniform_bags_) bag.flow(t, dt);
+    for (const gas::Exchange& hole : exchanges_) hole.flow(t, dt, nodes_.x, uniform_bags_);
 
     // 5. Page and clock
     ledger_.turn_page();

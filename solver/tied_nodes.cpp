@@ -94,6 +94,16 @@ void TiedNodes::settle(const Points& before, const std::vector<double>& mass,
     hold(v);
 }
 
+namespace {
+
+/// Where a chain of ties in one place ends.
+Index last_of(Index node, const std::map<Index, Index>& next) {
+    for (auto at = next.find(node); at != next.end(); at = next.find(node)) node = at->second;
+    return node;
+}
+
+}  // namespace
+
 /// Of several nodes on one edge the middle one cuts it; the others lie on what is left.
 TiedEdges::TiedEdges(const std::vector<TiedNode>& ties) {
     struct OnEdge {
@@ -101,7 +111,12 @@ TiedEdges::TiedEdges(const std::vector<TiedNode>& ties) {
         Index node;
     };
     std::map<std::pair<Index, Index>, std::vector<OnEdge>> open;
-    for (const auto& [node, ends, w] : ties) {
+    for (const auto& [node, ends, w] : ties)
+        if (ends[0] == ends[1]) kept_.emplace(node, ends[0]);
+    for (auto& [node, other] : kept_) other = last_of(node, kept_);
+    for (const auto& [node, ends_as_told, w] : ties) {
+        const std::array<Index, 2> ends{kept(ends_as_told[0]), kept(ends_as_told[1])};
+        if (ends[0] == ends[1]) continue;
         const bool turned = ends[0] > ends[1];
         open[std::minmax(ends[0], ends[1])].push_back({turned ? 1.0 - w : w, node});
     }

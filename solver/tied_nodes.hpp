@@ -46,30 +46,42 @@ private:
     std::vector<TiedNode> ties_;
 };
 
-/// Triangles whose edges have tied nodes on them, cut there: two that share an edge share its nodes
-/// again.
+/// Triangles whose edges have tied nodes on them, cut there, and with one node where several are
+/// tied in one place: two that share an edge share its nodes again.
 class TiedEdges {
 public:
     explicit TiedEdges(const std::vector<TiedNode>& ties);
 
-    /// The triangle, or its pieces in its own sense of turning.
+    /// The triangle, or its pieces in its own sense of turning; none where two corners are one.
     template <class Add>
-    void cut(const Triangle& t, Add&& add) const {
+    void cut(const Triangle& whole, Add&& add) const {
+        const Triangle t{kept(whole[0]), kept(whole[1]), kept(whole[2])};
+        if (t == whole || (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])) cut_edges(t, add);
+    }
+
+    [[nodiscard]] bool empty() const { return node_on_.empty() && kept_.empty(); }
+
+private:
+    template <class Add>
+    void cut_edges(const Triangle& t, Add&& add) const {
         for (int k = 0; k < 3; ++k) {
             const Index a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
             const auto at = node_on_.find(std::minmax(a, b));
             if (at == node_on_.end() || at->second == c) continue;
-            cut({a, at->second, c}, add);
-            cut({at->second, b, c}, add);
+            cut_edges({a, at->second, c}, add);
+            cut_edges({at->second, b, c}, add);
             return;
         }
         add(t);
     }
 
-    [[nodiscard]] bool empty() const { return node_on_.empty(); }
+    [[nodiscard]] Index kept(Index node) const {
+        const auto at = kept_.find(node);
+        return at == kept_.end() ? node : at->second;
+    }
 
-private:
     std::map<std::pair<Index, Index>, Index> node_on_;  ///< ends, lower row first
+    std::map<Index, Index> kept_;  ///< of nodes tied in one place: the one that is free
 };
 
 }  // namespace corpuscle

@@ -61,7 +61,7 @@ void print_scene(const Simulation& simulation) {
         fmt::print(
             "  airbag {} ({}): {} facets close {:.6g} of volume, uniform pressure from {:g}\n",
             bag.card().id, bag.card().keyword, bag.walls().closing, bag.enclosure().volume(model.x),
-            bag.gas().pressure());
+            bag.pressure());
 }
 
 void print_needs(const Simulation& simulation) {

@@ -208,6 +208,7 @@ private:
     }
 
     void uniform_bag(const gas::UniformBag& bag) {
+        if (bag.card().law) return;  // no gas
         const gas::UniformBagCard& card = bag.card();
         const gas::Species& gas = bag.gas().species()[0];
         Filling in;

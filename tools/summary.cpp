@@ -49,6 +49,7 @@ void print_bag(const gas::BagGas& bag, const Points& x, const Everyday& unit) {
 
 void print_bag(const gas::UniformBag& bag, const Everyday& unit) {
     const gas::ControlVolume& gas = bag.gas();
+    if (bag.card().law) return;  // no gas: its pressure is the deck's
     print_state(bag.card().id, gas.volume(), gas.pressure(), bag.card().p_atm, gas.temperature(),
                 unit);
     fmt::print("    gas {} in, {} out, {} inside\n", unit.mass(bag.mass_in()),

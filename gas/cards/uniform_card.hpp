@@ -12,7 +12,7 @@
 #include "solver/base/constants.hpp"
 #include "solver/base/vec.hpp"
 
-/// What *AIRBAG_SIMPLE_AIRBAG_MODEL and *AIRBAG_WANG_NEFSKE say of one bag, in deck units.
+/// What *AIRBAG_SIMPLE_AIRBAG_MODEL, *AIRBAG_WANG_NEFSKE and their like say, in deck units.
 namespace corpuscle::gas {
 
 /// A value, or a curve of something; the curve counts where it is given.
@@ -49,6 +49,23 @@ struct UniformGasCard {
     CurveOr temperature;       ///< LCIDT: of time                                           [K]
 };
 
+/// *AIRBAG_SIMPLE_PRESSURE_VOLUME: no gas, but a gauge pressure that the volume gives,
+///
+///     p = BETA CN / (V / V0),   or a curve of V / V0,   V0 the volume at the start.
+struct VolumeLaw {
+    CurveOr coefficient;  ///< CN, of time                                              [Pa]
+    double scale = 1.0;   ///< BETA                                                     [-]
+    Index curve = -1;     ///< LCID: pressure over V / V0, instead of these             [Pa]
+};
+
+/// *AIRBAG_INTERACTION: gas of one bag of uniform pressure flows into another.
+struct ExchangeCard {
+    std::array<Index, 2> bags{-1, -1};  ///< rows of Model::uniform_bags
+    ExitCard opening;   ///< SF, of time; AREA, of absolute pressure; or the shells of PID
+    Index rate = -1;    ///< LCID: mass flow over pressure difference, instead           [kg/s]
+    int direction = 0;  ///< IFLOW: -1 from the first to the second alone, 1 the other way, 0 both
+};
+
 /// One bag of uniform pressure.
 struct UniformBagCard {
     std::string keyword;  ///< for messages: "*AIRBAG_WANG_NEFSKE"
@@ -72,6 +89,7 @@ struct UniformBagCard {
     std::vector<UniformLeak> leaks;
     std::vector<UniformGasCard> gases;  ///< in the place of cv, cp, temperature, mass_rate, density
     double gas_constant = NaN;          ///< GC, of `gases`                        [J/(mol K)]
+    std::optional<VolumeLaw> law;       ///< in the place of all gas
 };
 
 }  // namespace corpuscle::gas

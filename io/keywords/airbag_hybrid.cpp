@@ -47,14 +47,6 @@ UniformGasCard ambient_gas(const UniformBagCard& bag, double density, double T) 
     return air;
 }
 
-/// Cards of _JETTING: the gas is uniform here, so they push nothing.
-void skip_jets(Cards& cards) {
-    if (!cards.has("JETTING")) return;
-    static const Layout any("- - - - - - - -");
-    cards.warn("has jets, which do not act: its gas presses alike everywhere");
-    for (int card = 0; card < 3 && cards.lines_left() > 0; ++card) cards.next(any).harmless_all();
-}
-
 }  // namespace
 
 void airbag_hybrid(Cards& cards, Draft& draft) {
@@ -93,7 +85,7 @@ void airbag_hybrid(Cards& cards, Draft& draft) {
         cards.fault(
             fmt::format("has INITM that add up to {:g}, expected 1, or 0 and ATMOSD", start));
     }
-    skip_jets(cards);
+    skip_jets(cards, 3);
     fabric_leaks(cards, draft, option, bag);
     keep_bag(cards, draft, std::move(bag));
 }
@@ -114,6 +106,84 @@ void airbag_adiabatic(Cards& cards, Draft& draft) {
     bag.cp = gamma * bag.cv;
     bag.overpressure = p - bag.p_atm;
     keep_bag(cards, draft, std::move(bag));
+}
+
+/// A gauge pressure that the volume gives: p = BETA CN / (V / V0), or a curve of V / V0.
+void airbag_pressure_volume(Cards& cards, Draft& draft) {
+    UniformBagCard bag = control_volume(cards, draft, "*AIRBAG_SIMPLE_PRESSURE_VOLUME");
+    Card c = cards.next("CN BETA=1 LCID LCIDDR - - - -");
+    gas::VolumeLaw law;
+    law.curve = c.row_or_none("LCID", draft.curves);
+    law.scale = c.real("BETA");
+    law.coefficient = value_or_curve(c, "CN", draft.curves);
+    if (law.curve >= 0 && (c.real("CN") != 0.0 || law.scale != 1.0))
+        c.warn("LCID", "pressure over V / V0 goes before CN and BETA");
+    c.harmless("LCIDDR");  // of dynamic relaxation
+    const bool has_none = law.curve < 0 && law.coefficient.curve < 0 && c.real("CN") == 0.0;
+    if (has_none && c.good()) c.fault("CN", "a number, minus the id of a curve of time, or LCID");
+    if (!c.good()) return;
+    bag.cv = 2.5, bag.cp = 3.5;  // of no gas
+    bag.p_atm = 0.0;
+    bag.law = law;
+    cards.warn("is a pressure by volume: it has no gas, its history's mass and temperature are 0");
+    keep_bag(cards, draft, std::move(bag));
+}
+
+namespace {
+
+/// Row of the bag of uniform pressure that the field names, -1 with a fault.
+Index bag_named(Card& c, const Draft& draft, const char* field) {
+    const int id = c.integer(field);
+    const auto& bags = draft.model.uniform_bags;
+    for (std::size_t b = 0; b < bags.size(); ++b)
+        if (bags[b].id == id && !bags[b].law) return static_cast<Index>(b);
+    c.fault(field,
+            "the id of a bag of uniform pressure with gas (*AIRBAG_..._ID, or its place "
+            "among the deck's airbags)");
+    return -1;
+}
+
+bool is_same_gas(const UniformBagCard& a, const UniformBagCard& b) {
+    const auto differ = [](double u, double v) {
+        return std::abs(u - v) > 1e-9 * (std::abs(u) + std::abs(v));
+    };
+    if (a.gases.size() != b.gases.size()) return false;
+    if (a.gases.empty()) return !differ(a.cv, b.cv) && !differ(a.cp, b.cp);
+    for (std::size_t k = 0; k < a.gases.size(); ++k) {
+        const auto &u = a.gases[k].species, &v = b.gases[k].species;
+        if (differ(u.molar_mass, v.molar_mass) || differ(u.A, v.A) || differ(u.B, v.B) ||
+            differ(u.C, v.C))
+            return false;
+    }
+    return !differ(a.gas_constant, b.gas_constant);
+}
+
+}  // namespace
+
+/// Two bags of uniform pressure that vent into each other.
+void airbag_interaction(Cards& cards, Draft& draft) {
+    while (cards.rows()) {
+        Card c = cards.next("AB1 AB2 AREA SF=1 PID LCID IFLOW -");
+        gas::ExchangeCard hole;
+        hole.bags = {bag_named(c, draft, "AB1"), bag_named(c, draft, "AB2")};
+        hole.rate = c.row_or_none("LCID", draft.curves);
+        const int flow = c.integer("IFLOW");
+        hole.direction = (flow > 0) - (flow < 0);
+        hole.opening.coefficient = value_or_curve(c, "SF", draft.curves);
+        hole.opening.area = value_or_curve(c, "AREA", draft.curves);
+        const bool has_area = hole.opening.area.value > 0.0 || hole.opening.area.curve >= 0;
+        const int part = c.integer("PID", NON_NEGATIVE);
+        if (!c.good()) continue;
+        if (hole.bags[0] == hole.bags[1]) c.fault("AB2", "another bag than AB1");
+        if (!has_area && hole.rate < 0)
+            hole.opening.facets = facets_of_part(
+                c, draft, "PID", part, "the id of a *PART with shells in it, for AREA is blank");
+        const auto& bags = draft.model.uniform_bags;
+        if (c.good() && !is_same_gas(bags[static_cast<std::size_t>(hole.bags[0])],
+                                     bags[static_cast<std::size_t>(hole.bags[1])]))
+            c.fault("AB2", "a bag of the same gases as AB1");
+        if (c.good()) draft.model.exchanges.push_back(std::move(hole));
+    }
 }
 
 /// A gauge pressure over time, on the bag's inside.

@@ -88,7 +88,8 @@ void molar_heat_capacities(Card& c, UniformBagCard& bag) {
     bag.cv = (molar - R) / M;
 }
 
-/// A value, or below 0 the id of a curve.
+}  // namespace
+
 gas::CurveOr value_or_curve(Card& c, const char* name, const Registry& curves) {
     const double value = c.real(name);
     if (!c.good() || value >= 0.0) return {value};
@@ -100,20 +101,25 @@ gas::CurveOr value_or_curve(Card& c, const char* name, const Registry& curves) {
     return {0.0, entry->row};
 }
 
-/// Minus the id of a part: its shells are the vent.
-std::vector<std::array<Index, 4>> vent_of_part(Card& c, const Draft& draft, const char* field,
-                                               double id) {
+std::vector<std::array<Index, 4>> facets_of_part(Card& c, const Draft& draft, const char* field,
+                                                 double id, const char* expected) {
     const Registry::Entry* entry =
         id < 1e9 && id == std::floor(id) ? draft.parts.find(static_cast<int>(id)) : nullptr;
     std::vector<std::array<Index, 4>> facets;
     if (entry != nullptr)
         for (const Shell& shell : draft.model.shells)
             if (shell.part == entry->row) facets.push_back(shell.nodes);
-    if (facets.empty()) c.fault(field, ">= 0, or minus the id of a *PART with shells in it");
+    if (facets.empty()) c.fault(field, expected);
     return facets;
 }
 
-}  // namespace
+void skip_jets(Cards& cards, int most) {
+    if (!cards.has("JETTING")) return;
+    static const Layout any("- - - - - - - -");
+    cards.warn("has jets, which do not act: its gas presses alike everywhere");
+    for (int card = 0; card < most && cards.lines_left() > 0; ++card)
+        cards.next(any).harmless_all();
+}
 
 UniformBagCard control_volume(Cards& cards, const Draft& draft, const char* keyword) {
     UniformBagCard bag;
@@ -184,7 +190,7 @@ namespace {
 /// the card of heat capacities is behind it.
 void inflator_and_capacities(Cards& cards, UniformBagCard& bag) {
     const std::size_t left = cards.lines_left();
-    const bool is_molar = bag.cv == 0.0;
+    const bool is_molar = bag.cv == 0.0, has_jets = cards.has("JETTING");
     if (left > (is_molar ? 1U : 0U)) {
         Card c = cards.next("IOC IOA IVOL IRO IT LCBF - -");
         for (const char* name : {"IOC", "IOA", "IVOL", "IRO", "IT", "LCBF"})
@@ -201,7 +207,7 @@ void inflator_and_capacities(Cards& cards, UniformBagCard& bag) {
     if (is_molar) {
         Card c = cards.next("TEXT A B MW GASC HCONV");
         molar_heat_capacities(c, bag);
-    } else if (cards.lines_left() > 0) {
+    } else if (cards.lines_left() > 0 && !has_jets) {
         cards.next("TEXT A B MW GASC HCONV - -").harmless_all();  // CV counts
     }
 }
@@ -221,7 +227,8 @@ gas::ExitCard exit_card(Card& c, const Draft& draft, const char* C, const char* 
     exit.coefficient = {c.real(C, NON_NEGATIVE), c.row_or_none(C_curve, draft.curves)};
     const double area = c.real(A);
     if (area < 0.0)
-        exit.facets = vent_of_part(c, draft, A, -area);
+        exit.facets = facets_of_part(c, draft, A, -area,
+                                     ">= 0, or minus the id of a *PART with shells in it");
     else
         exit.area.value = area;
     exit.area.curve = c.row_or_none(A_curve, draft.curves);
@@ -294,6 +301,7 @@ void airbag_wang_nefske(Cards& cards, Draft& draft) {
         option = c.choice("OPT", {0, 1, 2, 3, 4, 5, 6, 7, 8});
     }
     inflator_and_capacities(cards, bag);
+    skip_jets(cards, 2);
     fabric_leaks(cards, draft, option, bag);
     keep_bag(cards, draft, std::move(bag));
 }

@@ -18,7 +18,7 @@ namespace corpuscle::io::keywords {
 void value_or_curve(Card& c, const char* name, const Registry& curves, double& value, Index& curve);
 
 /// What a keyword refers to is read before it, wherever it stands in the deck.
-enum class Phase { GROUND, AXES, MATERIAL, PART, SHELL, SET, SUM_OF_SETS, PLACE, SCENE };
+enum class Phase { GROUND, AXES, MATERIAL, PART, SHELL, SET, SUM_OF_SETS, PLACE, SCENE, RELATION };
 
 using Reader = void (*)(Cards&, Draft&);
 
@@ -101,6 +101,8 @@ void airbag_wang_nefske(Cards&, Draft&);
 void airbag_adiabatic(Cards&, Draft&);
 void airbag_hybrid(Cards&, Draft&);
 void airbag_load_curve(Cards&, Draft&);
+void airbag_pressure_volume(Cards&, Draft&);
+void airbag_interaction(Cards&, Draft&);
 // airbag_particle.cpp, airbag_vents.cpp, reference_geometry.cpp
 void airbag_particle(Cards&, Draft&);
 void define_cpm_vent(Cards&, Draft&);
@@ -136,6 +138,10 @@ void element_seatbelt(Cards&, Draft&);
 void nodal_rigid_body(Cards&, Draft&);
 void spotweld(Cards&, Draft&);
 void constrained_adaptivity(Cards&, Draft&);
+// joints.cpp
+void joint_spherical(Cards&, Draft&);
+void joint_revolute(Cards&, Draft&);
+void tied_nodes(Cards&, Draft&);
 // contact.cpp, walls.cpp, walls_geometric.cpp
 void contact_single_surface(Cards&, Draft&);
 void contact_surface_to_surface(Cards&, Draft&);

@@ -29,6 +29,13 @@ std::vector<Index> stopped_nodes(Card& c, const Draft& draft) {
         const std::unordered_set<Index> gone(left_out.begin(), left_out.end());
         std::erase_if(nodes, [&](Index node) { return gone.contains(node); });
     }
+    if (const Index row = c.row_or_none("BOXID", draft.boxes); row >= 0) {
+        const Eigen::AlignedBox3d& box = draft.box[static_cast<std::size_t>(row)];
+        std::erase_if(nodes, [&](Index node) {
+            return !box.contains(draft.model.x[static_cast<std::size_t>(node)]);
+        });
+        if (nodes.empty()) c.fault("BOXID", "a box with nodes that the wall may stop in it");
+    }
     return nodes;
 }
 

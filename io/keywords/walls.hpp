@@ -12,7 +12,7 @@ namespace corpuscle::io::keywords {
 /// The number, and the card of _ID.
 void wall_name(Cards& cards, const Draft& draft, contact::WallCard& wall);
 
-/// NSID = 0: every node; without those of NSIDEX.
+/// NSID = 0: every node; without those of NSIDEX; of them those in BOXID at the start.
 std::vector<Index> stopped_nodes(Card& c, const Draft& draft);
 
 /// XT YT ZT and XH YH ZH: the tail, and the unit vector to the head.

@@ -9,46 +9,11 @@
 #include <cmath>
 
 #include "gas/thermo/orifice_flow.hpp"
-#include "io/deck.hpp"
-#include "solver/simulation.hpp"
+#include "tests/support/stepped_deck.hpp"
 
 using namespace corpuscle;
 
 namespace {
-
-Model read(const std::string& name) {
-    return io::read_deck(std::string(CORPUSCLE_DECKS) + "/" + name);
-}
-
-bool tells(const std::vector<std::string>& lines, const std::string& words) {
-    return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
-        return line.find(words) != std::string::npos;
-    });
-}
-
-/// Steps, and the time that velocities live at after them.
-struct Run {
-    explicit Run(Model model) : scene(std::move(model)) {}
-    explicit Run(const std::string& name) : Run(read(name)) {}
-
-    void steps(int count) {
-        for (int i = 0; i < count && !scene.is_over(); ++i) {
-            const StepReport report = scene.step([](Simulation&) {});
-            half_step = report.t + 0.5 * report.dt;
-        }
-    }
-    void to_the_end() { steps(1'000'000); }
-
-    [[nodiscard]] Index row(int node) const {
-        const auto& ids = scene.model().node_id;
-        return static_cast<Index>(std::find(ids.begin(), ids.end(), node) - ids.begin());
-    }
-    [[nodiscard]] const Vec3& x(int node) const { return scene.nodes().x[row(node)]; }
-    [[nodiscard]] const Vec3& v(int node) const { return scene.nodes().v[row(node)]; }
-
-    Simulation scene;
-    double half_step = 0.0;
-};
 
 constexpr double VOLUME = 1e-3, AREA = 0.06;  // of the cube
 constexpr double CP = 1004.5, CV = 717.5, R = CP - CV;
