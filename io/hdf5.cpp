@@ -311,8 +311,8 @@ std::vector<T> Hdf5Reader::read(const std::string& path) const {
     return values;
 }
 
-bool Hdf5Reader::has_attribute(const std::string& path, const std::string& name) const {
-    return H5Aexists_by_name(id_, path.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+bool Hdf5Reader::has_attribute(const std::string& path, const std::string& attribute) const {
+    return H5Aexists_by_name(id_, path.c_str(), attribute.c_str(), H5P_DEFAULT) > 0;
 }
 
 std::string Hdf5Reader::text(const std::string& path, const std::string& attribute) const {

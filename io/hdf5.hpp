@@ -82,7 +82,7 @@ public:
     template <class T>
     [[nodiscard]] std::vector<T> read(const std::string& path) const;
 
-    [[nodiscard]] bool has_attribute(const std::string& path, const std::string& name) const;
+    [[nodiscard]] bool has_attribute(const std::string& path, const std::string& attribute) const;
     [[nodiscard]] std::string text(const std::string& path, const std::string& attribute) const;
     template <class T>
     [[nodiscard]] T number(const std::string& path, const std::string& attribute) const;

@@ -129,6 +129,12 @@ void fill_root(Hdf5Writer& file, const RunInfo& info, const std::string& termina
     file.attribute("/", "scene", info.scene);
     file.attribute("/", "threads", info.threads);
     if (!info.mendings.empty()) file.attribute("/", "mendings", info.mendings);
+    if (!info.up.empty()) file.attribute("/", "up", info.up);
+    std::string titles;
+    for (const auto& [id, title] : info.parts) titles += fmt::format("{} {}\n", id, title);
+    if (!titles.empty()) file.attribute("/", "part_titles", titles);
+    for (const auto& [id, pressure] : info.ambient)
+        file.attribute("/", fmt::format("ambient_pressure_{}", id), pressure);
     file.attribute("/", "termination", termination);
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/history_table.hpp"
@@ -28,6 +29,9 @@ struct RunInfo {
     int threads = 1;
     std::string mendings = {};  ///< what was done to close bags, a line each
     std::uint64_t scene = 0;    ///< fingerprint of the scene, as in its checkpoints
+    std::vector<std::pair<int, std::string>> parts = {};  ///< ids and titles
+    std::vector<std::pair<int, double>> ambient = {};  ///< by airbag id: pressure outside     [Pa]
+    std::string up = {};  ///< "z", "-y", ...: against gravity; empty: there is none
 };
 
 /// What a run that came to its normal end has left.

@@ -33,6 +33,16 @@ enum class Quantity {
 ///                     system, for which the answer is "deck [pressure]"
 [[nodiscard]] std::string unit_of(Quantity quantity, std::string_view unit_system);
 
+/// The unit in which people say a quantity, whatever the deck's are: kPa, l, g, ms, kN, J, m/s, mm,
+/// K, ...; of an unknown consistent system the deck's own.
+struct SpokenUnit {
+    double factor = 1.0;  ///< on a number in the deck's unit
+    std::string unit;
+};
+[[nodiscard]] SpokenUnit spoken(Quantity quantity, std::string_view unit_system);
+/// The same, of a number in one of the system's units, as unit_of() names it.
+[[nodiscard]] SpokenUnit spoken(std::string_view unit, std::string_view unit_system);
+
 /// The base units of a unit system, in SI.
 struct UnitScale {
     double second = 1.0, metre = 1.0, kilogram = 1.0;  ///< one unit of time, length, mass in them

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 
 namespace corpuscle::io {
@@ -41,14 +42,15 @@ std::string rows_of_3(std::uint64_t n) {
     return fmt::format("{} 3", n);
 }
 
-std::string bag(const XdmfScene& scene, const std::string& frame) {
+std::string bag(const XdmfScene& scene, double time, const std::string& frame) {
     const std::uint64_t n = scene.nodes, e = scene.shells;
     std::string text = fmt::format(
         R"(        <Grid Name="bag" GridType="Uniform">
+          <Time Value="{:.17g}"/>
           <Topology TopologyType="Mixed" NumberOfElements="{}">{}</Topology>
           <Geometry GeometryType="XYZ">{}</Geometry>
 )",
-        e, item({"/mesh/xdmf_topology", rows(scene.topology_size), "Int", 4}),
+        time, e, item({"/mesh/xdmf_topology", rows(scene.topology_size), "Int", 4}),
         item({frame + "coordinates", rows_of_3(n), "Float", 8}));
     text += attribute("velocity", "Vector", "Node", {frame + "velocity", rows_of_3(n), "Float", 4});
     text += attribute("part", "Scalar", "Cell", {"/mesh/shell_part", rows(e), "Int", 4});
@@ -66,14 +68,15 @@ std::string bag(const XdmfScene& scene, const std::string& frame) {
 }
 
 /// Vertices need their numbers spelt out: one common reader shows nothing without them.
-std::string gas(std::uint64_t p, const std::string& frame) {
+std::string gas(std::uint64_t p, double time, const std::string& frame) {
     const std::string at = frame + "particles/";
     std::string text = fmt::format(
         R"(        <Grid Name="gas" GridType="Uniform">
+          <Time Value="{:.17g}"/>
           <Topology TopologyType="Polyvertex" NumberOfElements="{}" NodesPerElement="1">{}</Topology>
           <Geometry GeometryType="XYZ">{}</Geometry>
 )",
-        p, item({at + "xdmf_index", rows(p), "Int", 4}),
+        time, p, item({at + "xdmf_index", rows(p), "Int", 4}),
         item({at + "position", rows_of_3(p), "Float", 8}));
     text += attribute("velocity", "Vector", "Node", {at + "velocity", rows_of_3(p), "Float", 4});
     text += attribute("id", "Scalar", "Node", {at + "id", rows(p), "Int", 8});
@@ -102,26 +105,41 @@ std::string frame_name(std::size_t frame) {
     return fmt::format("{:05}", frame);
 }
 
+namespace {
+
+/// A block over time: one reader of ParaView calls grids of one name "bag", "bag[1]", ..., so each
+/// block is a collection of its own, whose name stays.
+template <class Write>
+std::string over_time(std::string_view name, const XdmfScene& scene, Write&& write) {
+    std::string text =
+        fmt::format(R"(    <Grid Name="{}" GridType="Collection" CollectionType="Temporal">)"
+                    "\n",
+                    name);
+    for (std::size_t i = 0; i < scene.states.size(); ++i)
+        text += write(scene.states[i], fmt::format("/frames/{}/", frame_name(i)));
+    return text + "    </Grid>\n";
+}
+
+}  // namespace
+
 std::string xdmf_text(const XdmfScene& scene) {
     std::string text = R"(<?xml version="1.0" ?>
 <!DOCTYPE Xdmf SYSTEM "Xdmf.dtd" []>
 <Xdmf Version="2.0">
   <Domain>
-    <Grid Name="deployment" GridType="Collection" CollectionType="Temporal">
 )";
-    for (std::size_t i = 0; i < scene.states.size(); ++i) {
-        const XdmfScene::State& state = scene.states[i];
-        const std::string frame = fmt::format("/frames/{}/", frame_name(i));
-        text += fmt::format(
-            R"(      <Grid Name="state" GridType="Collection" CollectionType="Spatial">
-        <Time Value="{:.17g}"/>
-)",
-            state.time);
-        if (scene.shells > 0) text += bag(scene, frame);
-        if (state.particles.value_or(0) > 0) text += gas(*state.particles, frame);
-        text += "      </Grid>\n";
-    }
-    return text + "    </Grid>\n  </Domain>\n</Xdmf>\n";
+    const auto has_gas = [](const XdmfScene::State& state) {
+        return state.particles.value_or(0) > 0;
+    };
+    if (scene.shells > 0)
+        text += over_time("bag", scene, [&](const XdmfScene::State& state, const std::string& at) {
+            return bag(scene, state.time, at);
+        });
+    if (std::any_of(scene.states.begin(), scene.states.end(), has_gas))
+        text += over_time("gas", scene, [&](const XdmfScene::State& state, const std::string& at) {
+            return has_gas(state) ? gas(*state.particles, state.time, at) : std::string();
+        });
+    return text + "  </Domain>\n</Xdmf>\n";
 }
 
 }  // namespace corpuscle::io

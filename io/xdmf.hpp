@@ -29,8 +29,8 @@ struct XdmfScene {
 /// @param shells  E × 4 node rows, a triangle repeats its 3rd
 [[nodiscard]] std::vector<std::int32_t> xdmf_topology(std::span<const std::array<Index, 4>> shells);
 
-/// The text of the XDMF file beside results.h5: one temporal collection, each state a spatial
-/// collection of the shells ("bag") and, where there are any, the particles ("gas").
+/// The text of the XDMF file beside results.h5: two temporal collections, the shells ("bag") and,
+/// of the states that have any, the particles ("gas").
 [[nodiscard]] std::string xdmf_text(const XdmfScene& scene);
 
 /// "00012" for frame 12.

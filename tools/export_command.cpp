@@ -38,6 +38,19 @@ std::string test_name(const fs::path& folder) {
     return fs::absolute(folder / ".").parent_path().filename().replace_extension("").string();
 }
 
+/// TO/NAME/NAME.mme and its channels; a run that has nothing for them is told so.
+void export_iso_mme(const io::Hdf5Reader& results, const std::string& name, const fs::path& to) {
+    try {
+        io::write_iso_mme(results, name, [&](const std::string& file, const std::string& bytes) {
+            fs::create_directories((to / name / file).parent_path());
+            write(to / name / file, bytes);
+        });
+    } catch (const InputError& nothing) {
+        for (const std::string& why : nothing.faults)
+            fmt::print(stderr, "warning: skipped {}\n", why);
+    }
+}
+
 }  // namespace
 
 int export_results(const ExportArguments& arguments) {
@@ -57,14 +70,7 @@ int export_results(const ExportArguments& arguments) {
         io::write_d3plot(results, [&](const std::string& name, const std::string& bytes) {
             write(to / name, bytes);
         });
-    if (arguments.iso_mme) {
-        const fs::path test = to / "iso_mme";
-        io::write_iso_mme(results, test_name(from),
-                          [&](const std::string& name, const std::string& bytes) {
-                              fs::create_directories((test / name).parent_path());
-                              write(test / name, bytes);
-                          });
-    }
+    if (arguments.iso_mme) export_iso_mme(results, test_name(from), to);
     return 0;
 }
 

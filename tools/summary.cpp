@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
+#include <string_view>
 
 #include "io/atomic_file.hpp"
 #include "io/json.hpp"
@@ -15,15 +17,35 @@
 namespace corpuscle::tools {
 namespace {
 
+/// A lap of the step (solver/step.cpp) in the words of somebody who has not read it.
+std::string said(std::string_view lap) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 11> WORDS{
+        {{"membranes", "cloth: strains and stresses"},
+         {"gas load", "gas: pressure on the cloth"},
+         {"contact search", "contact: what is near what"},
+         {"contact", "contact: forces"},
+         {"loads", "loads and damping"},
+         {"motion", "motion and energy books"},
+         {"output", "writing results"},
+         {"facet lists", "gas: cloth near particles"},
+         {"collisions", "gas: collisions"},
+         {"inflators", "gas: inflators"},
+         {"flight", "gas: flight, vents, leaks"}}};
+    for (const auto& [name, words] : WORDS)
+        if (lap == name) return std::string(words);
+    return std::string(lap);
+}
+
 void print_phases(const Timings& timings, double wall) {
-    fmt::print("\n  phase              wall [s]   share\n");
+    fmt::print("\n  {:<28} wall [s]   share\n", "phase");
     double known = 0.0;
     for (const auto& [phase, seconds] : timings.phases()) {
         known += seconds;
         if (seconds > 0.0005 * wall)
-            fmt::print("  {:<16} {:>10.3f}  {:>5.1f} %\n", phase, seconds, 100.0 * seconds / wall);
+            fmt::print("  {:<28} {:>8.3f}  {:>5.1f} %\n", said(phase), seconds,
+                       100.0 * seconds / wall);
     }
-    fmt::print("  {:<16} {:>10.3f}\n", "all", wall);
+    fmt::print("  {:<28} {:>8.3f}\n", "all", wall);
 }
 
 /// Gauge pressure with the absolute one beside it.
@@ -160,7 +182,7 @@ void Summary::write(const Simulation& simulation, const std::string& folder) con
     for (const std::string& mending : simulation.model().mendings)
         mended.push_back(io::json(mending));
     for (const auto& [phase, seconds] : simulation.timings().phases())
-        phases.push_back(io::json(phase) + ": " + io::json(seconds));
+        phases.push_back(io::json(said(phase)) + ": " + io::json(seconds));
     std::string contact;
     for (const contact::SurfaceContact& of : simulation.contacts()) {
         const contact::ContactCounts& counts = of.counts();

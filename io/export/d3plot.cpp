@@ -9,6 +9,9 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <map>
+
+#include "io/export/history_source.hpp"
 
 namespace corpuscle::io {
 namespace {
@@ -16,8 +19,8 @@ namespace {
 using Lines = std::vector<double>;
 
 constexpr float END_MARK = -999999.0F;
-constexpr std::size_t BLOCK = 512;  ///< words that files are padded to
-constexpr std::size_t STRESSES = 6, EXTRAS = 1;
+constexpr std::size_t BLOCK = 512;                             ///< words that files are padded to
+constexpr std::size_t STRESSES = 6, EXTRAS = 1, STRAINS = 12;  ///< strains: inner, outer face
 constexpr int IS_THERE = 1000, IS_NOT_THERE = 999;
 
 /// A file in the making.
@@ -57,7 +60,8 @@ public:
           node_id_(results.read<std::int32_t>("/mesh/node_id")),
           shell_id_(results.read<std::int32_t>("/mesh/shell_id")),
           shell_part_(results.read<std::int32_t>("/mesh/shell_part")),
-          parts_(shell_part_) {
+          parts_(shell_part_),
+          titles_(part_titles(results)) {
         std::sort(parts_.begin(), parts_.end());
         parts_.erase(std::unique(parts_.begin(), parts_.end()), parts_.end());
     }
@@ -96,7 +100,7 @@ private:
         word[20] = word[21] = 1;  // coordinates and velocities in every state
         word[31] = static_cast<std::int64_t>(shell_id_.size());
         word[32] = parts;
-        word[33] = STRESSES + EXTRAS;  // values a shell
+        word[33] = STRESSES + EXTRAS + STRAINS;  // values a shell; that many tell of strains
         word[35] = EXTRAS;
         word[36] = -(10000 + 1);  // one point of integration, a table of deleted elements
         word[39] = static_cast<std::int64_t>(numbering_size());
@@ -145,7 +149,10 @@ private:
         file.integer(static_cast<std::int64_t>(parts_.size()));
         for (const std::int32_t id : parts_) {
             file.integer(id);
-            file.text(fmt::format("part {}", id), 18);
+            const auto title = titles_.find(id);
+            file.text(title != titles_.end() && !title->second.empty() ? title->second
+                                                                       : fmt::format("part {}", id),
+                      18);
         }
         file.real(END_MARK);
     }
@@ -156,11 +163,18 @@ private:
         file.reals(results_.read<double>(at + "coordinates"));
         file.reals(results_.read<double>(at + "velocity"));
         const Lines stress = results_.read<double>(at + "shell_stress");
+        const Lines strain = results_.read<double>(at + "shell_strain");
         const Lines pressure = results_.read<double>(at + "shell_pressure");
-        for (std::size_t s = 0; s < shell_id_.size(); ++s)
-            for (const double value :
-                 {stress[3 * s], stress[3 * s + 1], 0.0, stress[3 * s + 2], 0.0, 0.0, pressure[s]})
+        const auto six = [&](const Lines& of, std::size_t s) {  // xx, yy, zz, xy, yz, zx
+            for (const double value : {of[3 * s], of[3 * s + 1], 0.0, of[3 * s + 2], 0.0, 0.0})
                 file.real(value);
+        };
+        for (std::size_t s = 0; s < shell_id_.size(); ++s) {
+            six(stress, s);
+            file.real(pressure[s]);
+            six(strain, s);  // of the inner face, and of the outer: a membrane has one
+            six(strain, s);
+        }
         for (const std::uint8_t is_alive : results_.read<std::uint8_t>(at + "shell_active"))
             file.real(is_alive);
         file.real(END_MARK);
@@ -188,6 +202,7 @@ private:
     const Hdf5Reader& results_;
     const D3plotFile& write_;
     std::vector<std::int32_t> node_id_, shell_id_, shell_part_, parts_;
+    std::map<int, std::string> titles_;
 };
 
 }  // namespace

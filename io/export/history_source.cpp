@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <sstream>
 
 #include "solver/base/error.hpp"
 
@@ -46,6 +48,18 @@ std::vector<History> read_histories(const Hdf5Reader& results, const std::string
     std::stable_partition(all.begin(), all.end(),
                           [](const History& history) { return history.path == "time"; });
     return all;
+}
+
+std::map<int, std::string> part_titles(const Hdf5Reader& results) {
+    std::map<int, std::string> titles;
+    if (!results.has_attribute("/", "part_titles")) return titles;
+    std::istringstream lines(results.text("/", "part_titles"));
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t blank = std::min(line.find(' '), line.size());
+        titles[std::atoi(line.substr(0, blank).c_str())] =
+            blank < line.size() ? line.substr(blank + 1) : "";
+    }
+    return titles;
 }
 
 std::string csv_text(const std::vector<History>& histories) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct History {
 /// @throws SystemError if the group is not there
 [[nodiscard]] std::vector<History> read_histories(const Hdf5Reader& results,
                                                   const std::string& group);
+
+/// Titles of parts by id, as the run's deck has them; none of results without them.
+[[nodiscard]] std::map<int, std::string> part_titles(const Hdf5Reader& results);
 
 /// "time [ms],airbag/1/pressure [GPa],rigid_body/20/force.x [kN],...", then the rows.
 [[nodiscard]] std::string csv_text(const std::vector<History>& histories);

@@ -90,16 +90,33 @@ private:
     }
 
     [[nodiscard]] std::string about() const {
-        return entry("Data format edition number", "1.6") +
-               entry("Laboratory name",
-                     results_.text("/", "program") + " " + results_.text("/", "version")) +
-               entry("Laboratory test ref. number", name_) +
-               entry("Title", results_.text("/", "deck")) +
-               entry("Medium No./number of media", "1/1") +
-               entry("Comments", "numerical simulation") + entry("Type of the test", "simulation") +
-               entry("Date of the test", "NOVALUE") + entry("Number of test objects", "1") +
-               entry("Name of test object 1", "impactor") + entry("Class of test object 1", "H") +
-               entry("Code of test object 1", "H");
+        // every entry of the header, in its order; what a simulation has not is NOVALUE
+        std::string text = entry("Data format edition number", "1.6");
+        text += entry("Laboratory name",
+                      results_.text("/", "program") + " " + results_.text("/", "version"));
+        for (const char* name : {"Laboratory contact name", "Laboratory contact phone",
+                                 "Laboratory contact fax", "Laboratory contact email"})
+            text += entry(name, "NOVALUE");
+        text += entry("Laboratory test ref. number", name_);
+        for (const char* name :
+             {"Customer name", "Customer test ref. number", "Customer project ref. number",
+              "Customer order number", "Customer cost unit", "Customer test engineer name",
+              "Customer test engineer phone", "Customer test engineer fax",
+              "Customer test engineer email"})
+            text += entry(name, "NOVALUE");
+        text +=
+            entry("Title", results_.text("/", "deck")) +
+            entry("Medium No./number of media", "1/1") + entry("Comments", "numerical simulation") +
+            entry("Type of the test", "simulation") + entry("Date of the test", "NOVALUE") +
+            entry("Subtype of the test", "NOVALUE") + entry("Regulation", "NOVALUE") +
+            entry("Reference temperature", "NOVALUE") + entry("Relative air humidity", "NOVALUE") +
+            entry("Number of test objects", "1") + entry("Name of test object 1", "impactor");
+        for (const char* name :
+             {"Velocity test object 1", "Mass test object 1", "Driver position object 1",
+              "Impact side test object 1", "Type of test object 1"})
+            text += entry(name, "NOVALUE");
+        return text + entry("Class of test object 1", "H") + entry("Code of test object 1", "H") +
+               entry("Ref. number of test object 1", "NOVALUE");
     }
 
     [[nodiscard]] std::string contents() const {

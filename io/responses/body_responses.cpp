@@ -57,13 +57,15 @@ public:
 private:
     void add(const char* name, double value, Quantity quantity, const char* filter,
              std::string note = {}) {
-        all_.push_back({name, value, unit_of(quantity, units_), filter, std::move(note)});
+        const SpokenUnit unit = spoken(quantity, units_);
+        all_.push_back({name, unit.factor * value, unit.unit, filter, std::move(note)});
     }
 
     void forces() {
         const Lines force = norms(motion_.force);
         peak_force_ = peak(force);
         add("peak_force", peak_force_, Quantity::FORCE, "raw");
+        for (const double cfc : {60.0, 180.0, 600.0, 1000.0}) filtered_force(cfc);
         for (const Vec3& f : motion_.force) impulse_ += motion_.interval * f;
         add("impulse", impulse_.norm(), Quantity::MOMENTUM, "raw");
         const auto meets = [&](double f) { return peak_force_ > 0.0 && f > 1e-3 * peak_force_; };
@@ -71,6 +73,26 @@ private:
         touches_ = first != force.end();
         // forces are means since the row before: there contact began
         contact_ = std::max<std::ptrdiff_t>(first - force.begin() - 1, 0);
+    }
+
+    void filtered_force(double cfc) {
+        const SpokenUnit unit = spoken(Quantity::FORCE, units_);
+        Response response{fmt::format("peak_force_cfc{:g}", cfc),
+                          NaN,
+                          unit.unit,
+                          fmt::format("CFC {:g}", cfc),
+                          {}};
+        try {
+            if (scale_)
+                response.value =
+                    unit.factor *
+                    peak(filtered_norms(motion_.force, motion_.interval * scale_->second, cfc));
+            else
+                response.note = "the deck's units are unknown";
+        } catch (const InputError& why) {
+            response.note = why.what();
+        }
+        all_.push_back(std::move(response));
     }
 
     /// One that needs units and a rate that serves its filter; else it says why there is none.

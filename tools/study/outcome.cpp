@@ -12,6 +12,7 @@
 #include "io/hdf5.hpp"
 #include "io/responses/body_responses.hpp"
 #include "io/text.hpp"
+#include "io/units.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/vec.hpp"
 
@@ -51,10 +52,11 @@ Value find(const io::Hdf5Reader& results, const std::string& response) {
         throw SystemError(fmt::format("the results hold no {}", path));
     const std::vector<double> values = results.read<double>(path);
     if (values.empty()) throw SystemError(fmt::format("{} is empty", path));
-    const std::string unit = results.text(path, "unit");
-    if (how == "max") return {*std::max_element(values.begin(), values.end()), unit};
-    if (how == "min") return {*std::min_element(values.begin(), values.end()), unit};
-    return {values.back(), unit};
+    const auto [factor, unit] =
+        io::spoken(results.text(path, "unit"), results.text("/", "unit_system"));
+    if (how == "max") return {factor * *std::max_element(values.begin(), values.end()), unit};
+    if (how == "min") return {factor * *std::min_element(values.begin(), values.end()), unit};
+    return {factor * values.back(), unit};
 }
 
 void read_responses(const Study& study, const fs::path& folder, Outcome& outcome) {

@@ -64,7 +64,7 @@ TEST_CASE("a d3plot holds mesh, ids and states, value by value", "[export]") {
     const int stresses = mesh.integer(43) == 1000 ? 6 : 0, strain = mesh.integer(44) == 1000;
     const int values = points * (stresses + strain + mesh.integer(35)) +
                        8 * (mesh.integer(45) == 1000) + 4 * (mesh.integer(46) == 1000);
-    CHECK(mesh.integer(33) == values);
+    CHECK(mesh.integer(33) == values + 12);  // more by two faces' strains
     CHECK(mesh.integer(39) == 16 + nodes + shells + 3 * parts);
     mesh.go(14);
     CHECK(mesh.real() == 960.0F);
@@ -99,6 +99,10 @@ TEST_CASE("a d3plot holds mesh, ids and states, value by value", "[export]") {
             for (const float value :
                  {stress[0], stress[1], 0.0F, stress[2], 0.0F, 0.0F, frame.shell_pressure[s]})
                 CHECK(state.real() == value);
+            const auto& strain = frame.shell_strain[s];
+            for (int face = 0; face < 2; ++face)
+                for (const float value : {strain[0], strain[1], 0.0F, strain[2], 0.0F, 0.0F})
+                    CHECK(state.real() == value);
         }
         for (std::size_t s = 0; s < 2; ++s)
             CHECK(state.real() == static_cast<float>(frame.shell_active[s]));

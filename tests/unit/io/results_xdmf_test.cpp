@@ -89,8 +89,10 @@ TEST_CASE("after each frame the XDMF file is well-formed and fits results.h5", "
 
         const std::string xml = text_of(folder.path / "results.xdmf");
         REQUIRE(is_well_formed(xml));
-        CHECK(count(xml, "<Time ") == i + 1);
-        CHECK(count(xml, fmt::format("<Time Value=\"{}\"/>", 1.5 * static_cast<double>(i))) == 1);
+        CHECK(count(xml, "<Time ") == i + 1 + gas);
+        CHECK(count(xml, fmt::format("<Time Value=\"{}\"/>", 1.5 * static_cast<double>(i))) ==
+              (particles[i] > 0 ? 2 : 1));
+        CHECK(count(xml, R"(CollectionType="Temporal")") == (gas > 0 ? 2 : 1));
         CHECK(count(xml, R"(<Grid Name="bag" GridType="Uniform">)") == i + 1);
         CHECK(count(xml, R"(<Grid Name="gas" GridType="Uniform">)") == gas);
 
