@@ -8,6 +8,7 @@
 #include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/simulation.hpp"
+#include "tools/bad_starts.hpp"
 #include "tools/check_json.hpp"
 #include "tools/commands.hpp"
 #include "tools/sanity.hpp"
@@ -129,8 +130,11 @@ void print_contacts_at_start(Simulation& simulation) {
 
 int check_for_scripts(const DeckArguments& arguments) {
     try {
-        const Simulation simulation = load(arguments);
+        Simulation simulation = load(arguments);
+        simulation.look_at_contacts();
         Model model = simulation.model();
+        for (std::string& warning : crossings_at_start(simulation))
+            model.warnings.push_back(std::move(warning));
         for (std::string& warning : sanity_of(simulation).warnings)
             model.warnings.push_back(std::move(warning));
         fmt::print("{}", check_json(arguments.file, &model, {}));
@@ -160,6 +164,8 @@ int check(const DeckArguments& arguments, bool as_json) {
     for (const std::string& warning : simulation.model().warnings)
         fmt::print("warning: {}\n", warning);
     for (const std::string& warning : sanity.warnings) fmt::print("warning: {}\n", warning);
+    for (const std::string& warning : crossings_at_start(simulation))
+        fmt::print("WARNING: {}\n", warning);
     return 0;
 }
 

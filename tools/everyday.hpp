@@ -27,6 +27,7 @@ public:
     [[nodiscard]] std::string volume(double V) const {
         return told(V, 1e3 * std::pow(scale_.metre, 3.0), "l");
     }
+    [[nodiscard]] std::string length(double l) const { return told(l, 1e3 * scale_.metre, "mm"); }
     [[nodiscard]] std::string area(double A) const {
         return told(A, scale_.metre * scale_.metre, "m^2");
     }

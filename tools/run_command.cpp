@@ -20,6 +20,7 @@
 #include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/simulation.hpp"
+#include "tools/bad_starts.hpp"
 #include "tools/body_tracker.hpp"
 #include "tools/commands.hpp"
 #include "tools/summary.hpp"
@@ -198,6 +199,9 @@ void advance_to_end(Simulation& simulation, Recorder& recorder, Keeper& keeper,
     StepWatch watch(simulation.model().end_time);
     while (!simulation.is_over()) {
         const StepReport step = simulation.step(observe);
+        if (simulation.steps() == 1)
+            for (const std::string& warning : crossings_at_start(simulation))
+                fmt::print(stderr, "WARNING: {}\n", warning);
         watch.see(step);
         const double share =
             recorder.brought > 0.0 ? std::abs(recorder.residual) / recorder.brought : 0.0;
