@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <sstream>
 
 #include "io/atomic_file.hpp"
@@ -18,6 +19,7 @@
 #include "tools/commands.hpp"
 #include "tools/fold/bag_deck.hpp"
 #include "tools/fold/fold.hpp"
+#include "tools/fold/refusal.hpp"
 #include "tools/new_deck.hpp"
 
 namespace corpuscle::tools {
@@ -134,6 +136,15 @@ NewDeck bag_of(const fs::path& mesh_file) {
     return bag;
 }
 
+/// Between the panels, over the cloth about the recipe's inflator.
+Vec3 middle_of_inflator(const fold::Recipe& recipe, const fold::Bag& bag) {
+    Vec3 sum = Vec3::Zero();
+    for (const Index n : bag.module) sum += bag.sheet.x[n];
+    const double inward = recipe.inflator->is_front ? -0.5 : 0.5;
+    return sum / static_cast<double>(bag.module.size()) +
+           Vec3(0.0, 0.0, inward * recipe.pattern.gap);
+}
+
 }  // namespace
 
 int new_deck(const NewArguments& arguments) {
@@ -143,15 +154,19 @@ int new_deck(const NewArguments& arguments) {
     if (!fs::is_regular_file(from))
         throw InputError(fmt::format("--from {}: expected a file that can be read", from.string()));
     fs::path mesh = fs::path(deck).replace_extension("mesh.k");
-    bool is_folded = false, has_vents = false, has_module = false;
+    std::optional<Vec3> inflator;
+    bool is_folded = false, has_vents = false, has_module = false, has_clamps = false;
     if (from.extension() == ".toml") {
         const fold::Recipe recipe = fold::read_recipe(from.string());
         const fold::Bag bag = fold::fold(recipe);
         const fold::Inspection found = fold::inspect(bag, recipe.pattern.gap);
+        fold::refuse_crossings(recipe, bag, found, mesh);
         io::replace_text(mesh, fold::bag_deck(bag, recipe, found));
+        if (recipe.inflator) inflator = middle_of_inflator(recipe, bag);
         is_folded = true;
         has_vents = bag.has_vents;
         has_module = !bag.module.empty();
+        has_clamps = !bag.clamped.empty();
         fmt::print("{}\n", fold::text(found));
     } else if (from.extension() == ".k" || from.extension() == ".key") {
         mesh = from;
@@ -165,12 +180,14 @@ int new_deck(const NewArguments& arguments) {
                         "and parts",
                         mesh.string()));
     NewDeck bag = bag_of(mesh);
+    if (inflator) bag.inflator = *inflator;
     bag.title = fmt::format("bag of {}", from.filename().string());
     if (mesh == from) bag.mesh = fs::relative(mesh, fs::absolute(deck).parent_path()).string();
     if (text.find("\n*PART\n") != std::string::npos) bag.numbered_parts = bag.parts;
     bag.has_part_set = is_folded;
     bag.has_vents = has_vents;
     bag.has_module = has_module;
+    bag.has_clamps = has_clamps;
     if (arguments.head) bag.head = std::max(900, *bag.parts.rbegin() + 1);
     io::replace_text(deck, new_deck(bag));
     const fs::path study = fs::path(deck).replace_extension("study.toml");

@@ -197,11 +197,18 @@ std::string new_deck(const NewDeck& bag) {
         T_GAS, length, pressure, thickness, units.p(3.5e8), bag.mesh, units.t(1e-4), units.t(1e-4),
         units.t(1e-3));
     text += parts_and_cloth(bag, units) + part_set(bag);
-    text += bag.has_module
-                ? "$ The cover of the inflator's hole and its ring stand still (node set 1)\n"
-                  "*BOUNDARY_SPC_SET\n$#    nsid       cid      dofx      dofy      dofz\n"
-                  "         1         0         1         1         1\n"
-                : "$ THINK: nothing holds this bag. *SET_NODE_LIST and *BOUNDARY_SPC_SET do.\n";
+    const auto stands = [&](bool is_there, const char* what, int set) {
+        if (!is_there) return std::string();
+        return fmt::format(
+            "$ {} (node set {})\n*BOUNDARY_SPC_SET\n"
+            "$#    nsid       cid      dofx      dofy      dofz\n"
+            "{:10d}         0         1         1         1\n",
+            what, set, set);
+    };
+    text += stands(bag.has_module, "The inflator's place stands still", 1);
+    text += stands(bag.has_clamps, "What is clamped stands still", 3);
+    if (!bag.has_module && !bag.has_clamps)
+        text += "$ THINK: nothing holds this bag. *SET_NODE_LIST and *BOUNDARY_SPC_SET do.\n";
     text += fmt::format(
         "*CONTACT_AIRBAG_SINGLE_SURFACE_ID\n$#     cid     title\n         1fabric on fabric\n"
         "$#   surfa     surfb  surfatyp  surfbtyp\n         1         0         2         0\n"

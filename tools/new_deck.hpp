@@ -19,6 +19,7 @@ struct NewDeck {
     bool has_part_set = false;     ///< the mesh has part set 1, the bag
     bool has_vents = false;        ///< and part set 2, its vents
     bool has_module = false;       ///< and node set 1, what holds it
+    bool has_clamps = false;       ///< node set 3 is clamped
     int free_node = 1;             ///< a number that no node has, nor one above it
     int free_shell = 1;            ///< likewise of shells
     Vec3 inflator = Vec3::Zero();  ///< where gas comes in

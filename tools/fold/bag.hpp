@@ -16,8 +16,9 @@ struct BagPart {
 struct Bag {
     Sheet sheet;  ///< part: row in `parts`
     std::vector<BagPart> parts;
-    std::vector<Index> seam;    ///< nodes, ascending
-    std::vector<Index> module;  ///< nodes of the hole's cover and ring, ascending
+    std::vector<Index> seam;     ///< nodes, ascending
+    std::vector<Index> module;   ///< of the hole's cover and ring, or about the inflator; ascending
+    std::vector<Index> clamped;  ///< nodes, ascending
     bool has_vents = false;
 };
 

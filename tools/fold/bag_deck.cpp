@@ -66,9 +66,12 @@ std::string bag_deck(const Bag& bag, const Recipe& recipe, const Inspection& fou
     deck += set("*SET_PART_LIST_TITLE", 1, "the bag", parts);
     deck += set("*SET_PART_LIST_TITLE", 2, "vents",
                 bag.has_vents ? std::vector{recipe.parts.vent} : std::vector<int>{});
-    deck +=
-        set("*SET_NODE_LIST_TITLE", 1, "module: cover and ring of the hole", numbers(bag.module));
+    deck += set(
+        "*SET_NODE_LIST_TITLE", 1,
+        recipe.inflator ? "module: cloth about the inflator" : "module: cover and ring of the hole",
+        numbers(bag.module));
     deck += set("*SET_NODE_LIST_TITLE", 2, "seam", numbers(bag.seam));
+    deck += set("*SET_NODE_LIST_TITLE", 3, "clamped", numbers(bag.clamped));
     return deck + "*END\n";
 }
 

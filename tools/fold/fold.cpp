@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "tools/fold/fold.hpp"
 
-#include <algorithm>
-#include <map>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "solver/base/error.hpp"
 #include "tools/fold/imprint.hpp"
 #include "tools/fold/improve.hpp"
 #include "tools/fold/inspect.hpp"
@@ -212,6 +217,40 @@ Bag without_slivers(const Bag& bag, Panel panel, double size, Bag cut) {
     return cut;
 }
 
+/// Nodes of a panel within the spot, as the cloth lies flat.
+std::vector<Index> nodes_of(const Spot& spot, const char* name, const Recipe& recipe,
+                            const Bag& bag) {
+    const Panel panel = spot.is_front ? Panel::FRONT : Panel::BACK;
+    std::set<Index> nodes;
+    double nearest = INF;
+    for (std::size_t e = 0; e < bag.sheet.cells.size(); ++e) {
+        if (!is_of(panel, bag, e)) continue;
+        for (const Index n : bag.sheet.cells[e]) {
+            const Vec3& X = bag.sheet.X[n];
+            const double away = std::hypot(X.x() - spot.x, X.y() - spot.y);
+            nearest = std::min(nearest, away);
+            if (away <= 0.5 * spot.diameter) nodes.insert(n);
+        }
+    }
+    if (nodes.empty())
+        throw InputError(fmt::format(
+            "{}:{}: {} of diameter {:g} at ({:g}, {:g}) holds no node of the {} panel: the nearest "
+            "is {:.4g} away, expected a diameter above {:.4g}",
+            recipe.file, spot.line, name, spot.diameter, spot.x, spot.y,
+            spot.is_front ? "front" : "back", nearest, 2.0 * nearest));
+    return {nodes.begin(), nodes.end()};
+}
+
+void mark_spots(const Recipe& recipe, Bag& bag) {
+    if (recipe.inflator) bag.module = nodes_of(*recipe.inflator, "[inflator]", recipe, bag);
+    std::set<Index> clamped;
+    for (const Spot& clamp : recipe.clamps) {
+        const std::vector<Index> nodes = nodes_of(clamp, "[[clamp]]", recipe, bag);
+        clamped.insert(nodes.begin(), nodes.end());
+    }
+    bag.clamped.assign(clamped.begin(), clamped.end());
+}
+
 /// The first way that does not cross, or the first.
 Bag best_of(const Recipe& recipe, const std::vector<Move>& folds) {
     Bag first;
@@ -239,6 +278,7 @@ Bag fold(const Recipe& recipe) {
     Bag best = best_of(recipe, folds);
     turn_front(best);
     if (recipe.hole && recipe.hole->depth > 0.0) press_dish(recipe.hole->depth, best);
+    mark_spots(recipe, best);
     return best;
 }
 

@@ -97,6 +97,19 @@ VentHole read_vent(const toml::table& table, RecipeFaults& faults) {
     return v;
 }
 
+Spot read_spot(const toml::table& table, const char* name, RecipeFaults& faults) {
+    TableReader at(table, name, faults);
+    Spot s;
+    s.line = static_cast<int>(at.line());
+    const std::vector<double> place = at.numbers("at", 2, false);
+    s.x = place[0];
+    s.y = place[1];
+    s.diameter = at.positive("diameter");
+    s.is_front = at.choice("panel", {"back", "front"}) == "front";
+    at.finish();
+    return s;
+}
+
 Tether read_tether(const toml::table& table, RecipeFaults& faults) {
     TableReader at(table, "[[tether]]", faults);
     Tether t;
@@ -133,6 +146,12 @@ Recipe read(const toml::table& root, const std::string& name) {
     if (const auto* table = at.table("parts")) r.parts = read_parts(*table, faults);
     if (const auto* table = at.table("hole")) r.hole = read_hole(*table, faults);
     if (const auto* table = at.table("package")) r.package = read_package(*table, faults);
+    if (const auto* table = at.table("inflator"))
+        r.inflator = read_spot(*table, "[inflator]", faults);
+    if (r.inflator && r.hole)
+        at.fault("inflator", "none: the [hole]'s cover is the inflator's place");
+    for (const auto* table : at.tables("clamp"))
+        r.clamps.push_back(read_spot(*table, "[[clamp]]", faults));
     for (const auto* table : at.tables("vent")) r.vents.push_back(read_vent(*table, faults));
     for (const auto* table : at.tables("tether")) r.tethers.push_back(read_tether(*table, faults));
     if (r.pattern.kind == PatternKind::DECK)

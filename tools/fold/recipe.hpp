@@ -43,6 +43,13 @@ struct VentHole {
     bool is_front = false;
 };
 
+/// Nodes of a panel about a place: where the inflator sits, or what is clamped.
+struct Spot {
+    double x = NaN, y = NaN, diameter = NaN;  ///< in the flat cloth                         [m]
+    bool is_front = false;
+    int line = 0;  ///< of the recipe
+};
+
 /// A strip between the panels: sewn to the back where it begins and to the front where it ends.
 struct Tether {
     double x = NaN, y = NaN;  ///< middle of its beginning                                     [m]
@@ -70,6 +77,8 @@ struct Recipe {
     std::optional<Hole> hole;
     std::vector<VentHole> vents;
     std::vector<Tether> tethers;
+    std::optional<Spot> inflator;  ///< none with a hole, whose cover is the inflator's place
+    std::vector<Spot> clamps;
     std::vector<Step> steps;
     std::optional<Package> package;
 };
