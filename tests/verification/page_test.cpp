@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include <array>
+#include <cmath>
 
 #include "tests/support/page_visit.hpp"
 #include "tools/report/page.hpp"
@@ -22,6 +23,9 @@ namespace {
 std::string shown(double value) {
     std::array<char, 40> text{};
     std::snprintf(text.data(), text.size(), "%.5g", static_cast<double>(static_cast<float>(value)));
+    const double rounded = std::stod(text.data());
+    if (std::abs(rounded) >= 1e5)  // a browser writes large numbers without an exponent
+        std::snprintf(text.data(), text.size(), "%.0f", rounded);
     return text.data();
 }
 
@@ -38,32 +42,32 @@ TEST_CASE("a page of one run, and of two side by side, works in a browser", "[re
         folders.push_back(folder.path / std::to_string(run));
         const std::vector<double> pressure = test::write_results(folders.back(), 0.2 + 0.1 * run);
         std::string& list = words.emplace_back();
-        for (const double value : pressure) list += std::to_string(value) + ",";
+        for (const double value : pressure) list += std::to_string(1e6 * value) + ",";  // GPa
         list.pop_back();
         for (std::string* readings : {&at_start, &at_end, &points})
             if (run > 0) *readings += readings == &points ? "," : ", ";
-        at_start += shown(pressure.front());
-        at_end += shown(pressure.back());
+        at_start += shown(1e6 * pressure.front());
+        at_end += shown(1e6 * pressure.back());
         points += "4";
     }
     const test::Visit seen("visit_run.mjs", report::page(folders), words, folder.path);
     CHECK(seen["pictures"] == std::to_string(runs));
     CHECK(std::stod(seen["ink"]) > 0.005);
     CHECK(std::stoi(seen["colours"]) > 4);  // two lit parts and the gas
-    CHECK(seen["start"] == "airbag/7/pressure: " + at_start + " GPa");
+    CHECK(seen["start"] == "bag 7: pressure: " + at_start + " kPa");
     CHECK(seen["curve"] == "[" + points + "]");
 
     CHECK(seen["bag grows"] == "true");
     // in one scale: the second run's bag ends 1.9 / 1.6 times as large
     CHECK(std::stod(seen["last over first bag"]) == Approx(runs == 1 ? 1.0 : 1.19).epsilon(0.1));
     CHECK(std::stod(seen["cursor off"]) < 0.01);
-    CHECK(seen["end"] == "airbag/7/pressure: " + at_end + " GPa");
+    CHECK(seen["end"] == "bag 7: pressure: " + at_end + " kPa");
     CHECK(seen["legend"] == "4.5, " + at_end);
     CHECK(seen["clock"] == "t = 4.5 ms");
 
-    const std::string volume = "3014.1";  // the scene's at the last time
+    const std::string volume = "0.0030141";  // the scene's at the last time
     CHECK(seen["chosen"] ==
-          "airbag/7/volume: " + (runs == 1 ? volume : volume + ", " + volume) + " mm^3");
+          "bag 7: volume: " + (runs == 1 ? volume : volume + ", " + volume) + " l");
     CHECK(std::stod(seen["cursor of chosen off"]) < 0.01);
 
     CHECK(seen["home"] == seen["start"]);
@@ -88,6 +92,11 @@ TEST_CASE("a page of one run, and of two side by side, works in a browser", "[re
     CHECK(seen["time kept"] == "true");
     CHECK(seen["fits"] == "true");
     CHECK(seen["idle"] == "true");
+    for (const char* what : {"hidden", "shown", "up", "up again", "projector"}) {
+        INFO(what);
+        CHECK(seen[what] == "true");
+    }
+    CHECK(seen["opens at"] == "4.5");  // the body's force grows to the end
     CHECK(seen["requests"] == "[]");
     CHECK(seen["faults"] == "[]");
 }

@@ -5,13 +5,16 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include "io/export/history_source.hpp"
 #include "io/hdf5.hpp"
 #include "io/json.hpp"
 #include "io/responses/body_responses.hpp"
+#include "tools/report/labels.hpp"
 #include "tools/report/pack.hpp"
 
 namespace corpuscle::report {
@@ -94,6 +97,26 @@ private:
             member(name, json(file_.text("/", name)));
         member("seed", fmt::format("\"{}\"", file_.number<std::uint64_t>("/", "seed")));
         member("threads", fmt::format("{}", file_.number<std::int32_t>("/", "threads")));
+        system_ = file_.text("/", "unit_system");
+        member("up", json(file_.has_attribute("/", "up") ? file_.text("/", "up") : "z"));
+        titles();
+    }
+
+    void titles() {
+        std::vector<std::string> entries;
+        titles_ = io::part_titles(file_);
+        for (const auto& [id, title] : titles_)
+            entries.push_back(fmt::format("\"{}\":{}", id, json(title)));
+        member("part_titles", fmt::format("{{{}}}", fmt::join(entries, ",")));
+    }
+
+    [[nodiscard]] io::SpokenUnit unit(io::Quantity quantity) const {
+        return io::spoken(quantity, system_);
+    }
+    /// Stress is said in MPa.
+    [[nodiscard]] io::SpokenUnit stress_unit() const {
+        io::SpokenUnit of = unit(io::Quantity::PRESSURE);
+        return of.unit == "kPa" ? io::SpokenUnit{1e-3 * of.factor, "MPa"} : of;
     }
 
     void mesh() {
@@ -158,7 +181,8 @@ private:
             const std::vector<std::uint8_t> species(picture.species.begin(), picture.species.end());
             Blob blob;
             std::string entry = fmt::format("\"t\":{},\"x\":{},\"pressure\":{},\"stress\":{}",
-                                            json(all[f]), blob.add(change(x, before)),
+                                            json(unit(io::Quantity::TIME).factor * all[f]),
+                                            blob.add(change(x, before)),
                                             blob.add(in_bytes(picture.pressure, pressure)),
                                             blob.add(in_bytes(picture.stress, stress)));
             if (!contact.is_empty)
@@ -176,16 +200,21 @@ private:
         }
         member("frames", fmt::format("[{}]", fmt::join(entries, ",\n")));
         member("frames_in_file", fmt::format("{}", all.size()));
-        const auto range = [](const Range& r) {
-            return fmt::format("[{},{}]", json(r.low), json(r.high));
+        const auto range = [](const Range& r, const io::SpokenUnit& in) {
+            return fmt::format("[{},{}]", json(in.factor * r.low), json(in.factor * r.high));
         };
-        member("box", fmt::format("[{},{},{}]", range(box[0]), range(box[1]), range(box[2])));
+        const io::SpokenUnit deck, kPa = unit(io::Quantity::PRESSURE);
+        member("box", fmt::format("[{},{},{}]", range(box[0], deck), range(box[1], deck),
+                                  range(box[2], deck)));
         const std::string touching =
-            contact.is_empty ? "" : fmt::format("\"contact\":{},", range(contact));
+            contact.is_empty ? "" : fmt::format("\"contact\":{},", range(contact, kPa));
         const std::string heat =
-            temperature.is_empty ? "" : fmt::format(",\"temperature\":{}", range(temperature));
+            temperature.is_empty ? ""
+                                 : fmt::format(",\"temperature\":{}",
+                                               range(temperature, unit(io::Quantity::TEMPERATURE)));
         member("ranges", fmt::format("{{\"pressure\":{},\"stress\":{},{}\"speed\":{}{}}}",
-                                     range(pressure), range(stress), touching, range(speed), heat));
+                                     range(pressure, kPa), range(stress, stress_unit()), touching,
+                                     range(speed, unit(io::Quantity::VELOCITY)), heat));
         units();
     }
 
@@ -197,14 +226,26 @@ private:
     }
 
     void units() {
-        const std::string system = file_.text("/", "unit_system");
         using enum io::Quantity;
         member("units",
-               fmt::format(
-                   "{{\"time\":{},\"length\":{},\"pressure\":{},\"speed\":{},\"temperature\":{}}}",
-                   json(io::unit_of(TIME, system)), json(io::unit_of(LENGTH, system)),
-                   json(io::unit_of(PRESSURE, system)), json(io::unit_of(VELOCITY, system)),
-                   json(io::unit_of(TEMPERATURE, system))));
+               fmt::format("{{\"time\":{},\"length\":{},\"pressure\":{},\"stress\":{},\"speed\":{},"
+                           "\"temperature\":{}}}",
+                           json(unit(TIME).unit), json(io::unit_of(LENGTH, system_)),
+                           json(unit(PRESSURE).unit), json(stress_unit().unit),
+                           json(unit(VELOCITY).unit), json(unit(TEMPERATURE).unit)));
+    }
+
+    /// Pressure outside of the airbag that a history is of; NaN: it is no pressure of one, or what
+    /// is outside is not known.
+    [[nodiscard]] double outside(const std::string& path) const {
+        std::istringstream words(path);
+        std::string group, id, last;
+        std::getline(words, group, '/');
+        std::getline(words, id, '/');
+        last = path.substr(path.rfind('/') + 1);
+        const std::string name = "ambient_pressure_" + id;
+        if (group != "airbag" || last != "pressure" || !file_.has_attribute("/", name)) return NaN;
+        return file_.number<double>("/", name);
     }
 
     void histories() {
@@ -212,15 +253,29 @@ private:
         std::size_t rows = 0;
         for (const io::History& history : io::read_histories(file_, "/history")) {
             rows = history.values.size() / history.columns;
-            for (std::size_t c = 0; c < history.columns; ++c) {
+            const io::SpokenUnit in = io::spoken(history.unit, system_);
+            const auto add = [&](const std::string& name, const std::string& label, std::size_t c,
+                                 double less) {
                 std::vector<float> column;
                 for (std::size_t row = 0; row < rows; ++row)
-                    column.push_back(static_cast<float>(history.values[row * history.columns + c]));
+                    column.push_back(static_cast<float>(
+                        in.factor * (history.values[row * history.columns + c] - less)));
+                entries.push_back(fmt::format("{{\"name\":{},\"label\":{},\"unit\":{},\"at\":{}}}",
+                                              json(name), json(label), json(in.unit),
+                                              blob_.add(column)));
+            };
+            for (std::size_t c = 0; c < history.columns; ++c) {
                 const std::string name = history.columns == 1
                                              ? history.path
                                              : fmt::format("{}.{}", history.path, "xyz"[c]);
-                entries.push_back(fmt::format("{{\"name\":{},\"unit\":{},\"at\":{}}}", json(name),
-                                              json(history.unit), blob_.add(column)));
+                const std::string label = label_of(name, titles_);
+                const double less = outside(name);
+                if (std::isnan(less)) {
+                    add(name, label, c, 0.0);
+                    continue;
+                }
+                add(name + "_gauge", label + ", gauge", c, less);
+                add(name, label + ", absolute", c, 0.0);
             }
         }
         member("rows", fmt::format("{}", rows));
@@ -251,6 +306,8 @@ private:
     Blob blob_;
     std::vector<std::string> frames_;
     std::vector<std::string> members_;
+    std::string system_;  ///< of units
+    std::map<int, std::string> titles_;
 };
 
 }  // namespace

@@ -51,7 +51,11 @@ struct Run {
     std::vector<Frame> frames;
     Sample last;
     Run() {
-        io::ResultsFile results(folder.path, scene::info(), layout);
+        io::RunInfo info = scene::info();
+        info.ambient = {{7, 1000.0}};
+        info.parts = {{10, "cloth"}, {20, "head"}};
+        info.up = "-y";
+        io::ResultsFile results(folder.path, info, layout);
         for (std::size_t k = 0; k < 2; ++k) {
             last = scene::sample(layout, k);
             results.append(last);
@@ -148,7 +152,23 @@ TEST_CASE("a run's data hold its mesh, places and histories", "[report]") {
     REQUIRE(pressure != std::string::npos);
     const auto values =
         section<float>(data.bytes, number(data.json, "at", pressure), number(data.json, "rows"));
-    CHECK(values.back() == static_cast<float>(run.last.airbags[0].pressure));
+    // of GPa
+    CHECK(values.back() == Approx(1e6 * run.last.airbags[0].pressure).epsilon(1e-6));
+    const std::size_t gauge = data.json.find("\"name\":\"airbag/7/pressure_gauge\"");
+    REQUIRE(gauge < pressure);
+    CHECK(section<float>(data.bytes, number(data.json, "at", gauge), 2).back() ==
+          Approx(1e6 * (run.last.airbags[0].pressure - 1000.0)).epsilon(1e-6));
+    for (const char* said :
+         {"\"label\":\"bag 7: pressure, gauge\",\"unit\":\"kPa\"",
+          "\"label\":\"bag 7: volume\",\"unit\":\"l\"",
+          "\"label\":\"bag 9: pressure\",\"unit\":\"kPa\"",
+          "\"label\":\"bag 7: gas gone through vents\",\"unit\":\"g\"",
+          "\"label\":\"rigid body 20 \\\"head\\\": force, z\",\"unit\":\"kN\"",
+          "\"label\":\"bag 7, part 10 \\\"cloth\\\": area\",\"unit\":\"cm^2\"", "\"up\": \"-y\"",
+          "\"part_titles\": {\"10\":\"cloth\",\"20\":\"head\"}"}) {
+        CAPTURE(said);
+        CHECK(data.json.find(said) != std::string::npos);
+    }
 }
 
 TEST_CASE("a page is whole in itself and asks nothing of the net", "[report]") {

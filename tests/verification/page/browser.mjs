@@ -23,13 +23,13 @@ class Watch {
 }
 
 /** Opens the page, lets `look` see it, and says which requests left the file. */
-export async function visit(look, [program, file] = process.argv.slice(2)) {
+export async function visit(look, hash = "", [program, file] = process.argv.slice(2)) {
     // the software renderer of WebGL draws the same everywhere
     const browser = await chromium.launch({executablePath: program, args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]});
     try {
         const page = await browser.newPage({viewport: {width: 1280, height: 960}});
         const address = pathToFileURL(file).href, watch = new Watch(page, address);
-        await page.goto(address, {waitUntil: "commit"});
+        await page.goto(`${address}${hash}`, {waitUntil: "commit"});
         await page.waitForSelector("body[data-ready]", {state: "attached"});
         await look(page, address);
         say("requests", watch.requests);

@@ -151,6 +151,40 @@ async function resize(page) {
         && document.documentElement.scrollWidth <= innerWidth));
 }
 
+/** A part's box hides it; another axis up is another picture; without #t= the page opens on a frame worth seeing. */
+async function parts(page) {
+    const before = await pictures(page), box = page.locator("#parts input").first();
+    await box.uncheck();
+    await settle(page);
+    say("hidden", (await pictures(page)).every((one, k) => one.ink < before[k].ink));
+    await box.check();
+    await settle(page);
+    say("shown", allSame(await pictures(page), before));
+    await page.locator("#up").selectOption("-y");
+    await settle(page);
+    say("up", allDiffer(await pictures(page), before));
+    await page.locator("#up").selectOption("z");
+    await settle(page);
+    say("up again", allSame(await pictures(page), before));
+}
+
+/** A projector's window: nothing sideways, and the pictures and their player in sight. */
+async function projector(page) {
+    await page.setViewportSize({width: 1280, height: 900});
+    await page.waitForTimeout(100);
+    await settle(page);
+    say("projector", await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth && document.getElementById("player").getBoundingClientRect().bottom < innerHeight
+        && document.querySelector("#charts figure").getBoundingClientRect().top < innerHeight));
+}
+
+async function reopen(page, address) {
+    await page.goto("about:blank");
+    await page.goto(address, {waitUntil: "commit"});
+    await page.waitForSelector("body[data-ready]", {state: "attached"});
+    await page.waitForFunction(() => window.page.t > 0);
+    say("opens at", await now(page));
+}
+
 /** Nothing is drawn while nothing changes. */
 async function idle(page) {
     const drawn = () => page.evaluate(() => window.page.viewers.map((viewer) => viewer.renderer.info.render.frame));
@@ -161,7 +195,7 @@ async function idle(page) {
     say("idle", after.every((count, k) => count === before[k]) && (await drawn()).every((count, k) => count > after[k]));
 }
 
-await visit(async (page) => {
+await visit(async (page, address) => {
     await settle(page);
     const start = await pictures(page);
     say("pictures", start.length);
@@ -179,4 +213,7 @@ await visit(async (page) => {
     await mouse(page);
     await resize(page);
     await idle(page);
-});
+    await parts(page);
+    await projector(page);
+    await reopen(page, address);
+}, "#t=0");

@@ -1,6 +1,6 @@
 // Curves with the page's time. One chart shows one history, of every run that has it.
 
-const FIRST_CHARTS = [/^airbag\/\d+\/pressure$/, /^airbag\/\d+\/volume$/, /^airbag\/\d+\/temperature$/, /^energy\/gas$/, /^energy\/residual$/, /^rigid_body\/\d+\/force\.z$/];
+const FIRST_CHARTS = [/^airbag\/\d+\/pressure(_gauge)?$/, /^airbag\/\d+\/volume$/, /^airbag\/\d+\/temperature$/, /^energy\/gas$/, /^energy\/residual$/];
 const CHART_HEIGHT = 230;  // without the legend [pixel]
 const FONT = "13px system-ui, sans-serif";
 const ALONG = {size: 26, gap: 4, labelGap: 0}, UP = {size: 72};  // room for the numbers of an axis [pixel]
@@ -8,6 +8,24 @@ const ALONG = {size: 26, gap: 4, labelGap: 0}, UP = {size: 72};  // room for the
 /** An axis of uPlot. */
 function axis(label, room) {
     return {label, labelFont: FONT, labelSize: label ? 20 : 0, font: FONT, stroke: "#5c6675", grid: {stroke: "#d5dae1", width: 1}, ticks: {show: false}, values: (plot, all) => all.map(show), ...room};
+}
+
+const most = (values) => values.reduce((high, v) => Math.abs(v) > high ? Math.abs(v) : high, 0);
+
+/** The history of the force that pushes a body hardest, of those that move if any does; none: there is no body. */
+function hardestPush(run) {
+    const all = run.histories.map((history) => [history, /^rigid_body\/(\d+)\/force\.[xyz]$/.exec(history.name)]).filter(([, found]) => found);
+    const speed = (id) => Math.max(...["x", "y", "z"].map((axis) => most(run.histories.find((h) => h.name === `rigid_body/${id}/velocity.${axis}`)?.values ?? [])));
+    const moving = all.filter(([, found]) => speed(found[1]) > 0);
+    return (moving.length ? moving : all).map(([history]) => history).sort((a, b) => most(b.values) - most(a.values))[0];
+}
+
+/** When a run is worth seeing: its body is pushed hardest, or its first bag has got 95 % of its greatest volume. */
+function worthSeeing(run) {
+    const force = hardestPush(run), volume = run.histories.find((history) => /^airbag\/\d+\/volume$/.test(history.name));
+    const [values, share] = force && most(force.values) > 0 ? [force.values, 1] : volume ? [volume.values, 0.95] : [[], 1];
+    const bound = share * most(values), row = values.findIndex((v) => Math.abs(v) >= bound);
+    return row < 0 ? run.time[run.rows - 1] : run.time[row];
 }
 
 /** Numbers for uPlot; what is none is a gap. */
@@ -18,8 +36,9 @@ class Chart {
         this.runs = runs;
         this.pick = pick;
         this.t = 0;
-        const names = [...new Set(runs.flatMap((run) => run.histories.slice(1).map((history) => history.name)))];
-        this.select = make("select", {"aria-label": "history"}, ...names.map((name) => make("option", {}, name)));
+        this.labels = new Map(runs.flatMap((run) => run.histories.slice(1).map((history) => [history.name, history.label])));
+        const names = [...this.labels.keys()];
+        this.select = make("select", {"aria-label": "history"}, ...names.map((name) => make("option", {value: name}, this.labels.get(name))));
         this.select.value = names.find((name) => first.test(name)) || names[0];
         this.place = make("div", {class: "plot", role: "img"});
         this.figure = make("figure", {}, this.select, this.place);
@@ -80,6 +99,6 @@ class Chart {
         now.style.transform = `translateX(${x}px)`;
         if (plot.cursor.left < 0) plot.setLegend({idx: rowAt(plot.data[0], t)}, false);
         const readings = this.shown.map((curve) => show(this.reading(curve, t)));
-        this.place.setAttribute("aria-label", `${this.select.value}: ${readings.join(", ")} ${this.shown[0].history.unit}`);
+        this.place.setAttribute("aria-label", `${this.labels.get(this.select.value)}: ${readings.join(", ")} ${this.shown[0].history.unit}`);
     }
 }

@@ -17,14 +17,50 @@ class Page {
             return new Viewer(canvas, run, is_comparable ? box : run.box);
         });
         this.camera = new Camera(element("scene"), () => this.ask());
-        this.charts = FIRST_CHARTS.filter((first) => runs.some((run) => run.histories.some((h) => first.test(h.name)))).map((first) => new Chart(runs, first, (t) => this.go(t)));
+        const push = runs.map(hardestPush).find((history) => history);
+        const wanted = push ? [...FIRST_CHARTS, {test: (name) => name === push.name}] : FIRST_CHARTS;
+        this.charts = wanted.filter((first) => runs.some((run) => run.histories.some((h) => first.test(h.name)))).map((first) => new Chart(runs, first, (t) => this.go(t)));
         element("charts").append(...this.charts.map((chart) => chart.figure));
         for (const chart of this.charts) chart.renew();
+        this.hidden = new Set();
+        this.listParts();
+        element("up").value = runs[0].up;
+        this.turnUp();
         this.listen();
-        this.go(0);
+        this.asked = /^#t=([\d.e+-]+)$/.exec(location.hash);
+        this.go(this.asked ? Number(this.asked[1]) : 0);
+    }
+
+    /** Goes to a frame worth seeing when that is read, unless the address says another time or somebody has gone elsewhere. */
+    open() {
+        if (this.asked || this.moves > 1) return;
+        const {runs} = this, t = runs[0].frames[frameAt(runs[0], worthSeeing(runs[0]))].t, moves = this.moves;
+        Promise.all(runs.map((run) => readFrame(run, frameAt(run, t)))).then(() => { if (this.moves === moves) this.go(t); }, failed);
+    }
+
+    /** A box to tick for each part, with its colour. */
+    listParts() {
+        for (const run of this.runs)
+            for (const [k, part] of run.parts.entries()) {
+                if (element(`part${part}`)) continue;
+                const title = run.part_titles[part], box = make("input", {type: "checkbox", id: `part${part}`, checked: ""});
+                box.addEventListener("change", () => {
+                    if (box.checked) this.hidden.delete(part); else this.hidden.add(part);
+                    this.renew();
+                });
+                const colour = make("span", {class: "swatch"});
+                colour.style.background = `rgb(${PART_COLOURS[k % PART_COLOURS.length]})`;
+                element("parts").append(make("label", {}, box, colour, title ? `${part} ${title}` : `part ${part}`));
+            }
+    }
+
+    turnUp() {
+        for (const viewer of this.viewers) viewer.turnUp(element("up").value);
+        this.ask();
     }
 
     go(t) {
+        this.moves = (this.moves ?? 0) + 1;
         this.t = Math.min(Math.max(t, 0), this.end);
         element("slider").value = 1000 * this.t / this.end;
         element("clock").textContent = `t = ${show(this.t)} ${this.runs[0].units.time}`;
@@ -64,7 +100,7 @@ class Page {
 
     /** A frame that is not read yet is drawn when it is. */
     take(viewer, k, field) {
-        if (viewer.run.frames[k].isRead) return viewer.take(k, viewer.run.ranges[field] ? field : "part", element("dots").value);
+        if (viewer.run.frames[k].isRead) return viewer.take(k, viewer.run.ranges[field] ? field : "part", element("dots").value, this.hidden);
         readFrame(viewer.run, k).then(() => this.renew(), failed);
     }
 
@@ -107,6 +143,7 @@ class Page {
         element("view").addEventListener("change", (event) => this.camera.turn(event.target.value));
         element("cut").addEventListener("input", () => this.ask());
         element("toward").addEventListener("change", () => this.ask());
+        element("up").addEventListener("change", () => this.turnUp());
         window.addEventListener("resize", () => {
             for (const chart of this.charts) chart.fit();
             this.ask();
@@ -142,7 +179,10 @@ async function begin() {
     if (runs.length && !runs.some((run) => run.ranges.contact)) element("colour").querySelector("[value=contact]").remove();
     document.body.dataset.ready = "yes";
     if (runs.length && !runs.some((run) => run.ranges.temperature)) element("dots").querySelector("[value=temperature]").remove();
-    if (window.page) setTimeout(() => window.page.readAhead().catch(failed), 100);
+    if (window.page) setTimeout(() => {
+        window.page.open();
+        window.page.readAhead().catch(failed);
+    }, 100);
 }
 
 function failed(why) {

@@ -28,10 +28,17 @@ class Viewer {
         this.renderer.setClearColor(PAPER);
         this.shells = this.object(lib.Mesh, 3 * run.triangles, new lib.MeshLambertMaterial({vertexColors: true, flatShading: true, side: lib.DoubleSide}));
         this.dots = this.object(lib.Points, Math.max(1, ...run.frames.map((frame) => frame.count)), new lib.PointsMaterial({vertexColors: true, size: DOT, sizeAttenuation: false}));
-        const sky = new lib.HemisphereLight(SKY, GROUND, 0.55 * Math.PI);
-        sky.position.set(0, 0, 1);
+        this.sky = new lib.HemisphereLight(SKY, GROUND, 0.55 * Math.PI);
         this.lamp = new lib.DirectionalLight(SKY, 0.5 * Math.PI);
-        this.scene = new lib.Scene().add(this.shells, this.dots, sky, this.lamp);
+        this.scene = new lib.Scene().add(this.shells, this.dots, this.sky, this.lamp);
+        this.turnUp("z");
+    }
+
+    /** Turns the scene so that an axis of the deck, such as "z" or "-y", points up in the pictures. */
+    turnUp(axis) {
+        const up = new lib.Vector3().setComponent("xyz".indexOf(axis.at(-1)), axis.startsWith("-") ? -1 : 1);
+        this.scene.quaternion.setFromUnitVectors(up, new lib.Vector3(0, 0, 1));
+        this.sky.position.copy(up);
     }
 
     /** Coordinate k of the deck in the scene. */
@@ -53,22 +60,22 @@ class Viewer {
     }
 
     /** Takes what a frame shows: field is part, pressure, stress or contact; dots species, speed, temperature or off. */
-    take(index, field, dots) {
+    take(index, field, dots, hidden) {
         const frame = this.run.frames[index];
-        this.takeShells(frame, field);
+        this.takeShells(frame, field, hidden);
         this.dots.visible = dots !== "off" && frame.count > 0;
         if (this.dots.visible) this.takeDots(frame, dots);
     }
 
-    takeShells(frame, field) {
+    takeShells(frame, field, hidden) {
         const {run} = this, {position, color} = this.shells.geometry.attributes;
         const partColour = new Map(run.parts.map((part, k) => [part, PART_COLOURS[k % PART_COLOURS.length]]));
         for (let t = 0, at = 0; t < run.triangles; ++t) {
-            const shell = run.shellOf[t];
+            const shell = run.shellOf[t], isHidden = hidden.has(run.shell_part[shell]);
             const colour = field === "part" ? partColour.get(run.shell_part[shell]) : RAMP[frame[field][shell]];
             for (let c = 0; c < 3; ++c, at += 3)
                 for (let k = 0; k < 3; ++k) {
-                    position.array[at + k] = frame.x[3 * run.corners[3 * t + c] + k];
+                    position.array[at + k] = frame.x[3 * run.corners[3 * t + (isHidden ? 0 : c)] + k];  // hidden: no area
                     color.array[at + k] = colour[k];
                 }
         }
@@ -87,7 +94,7 @@ class Viewer {
     cut(toward, share) {
         const k = "xyz".indexOf(toward.at(-1)), sign = toward.startsWith("-") ? -1 : 1, [low, high] = this.box[k];
         const at = this.inScene(k, sign > 0 ? low + share * (high - low) : high - share * (high - low));
-        const normal = new lib.Vector3().setComponent(k, -sign);
+        const normal = new lib.Vector3().setComponent(k, -sign).applyQuaternion(this.scene.quaternion);
         this.renderer.clippingPlanes = share < 1 ? [new lib.Plane(normal, sign * at)] : [];
     }
 
@@ -100,7 +107,7 @@ class Viewer {
         }
         camera.aspect = width / height;
         camera.updateProjectionMatrix();
-        this.lamp.position.copy(camera.position);
+        this.lamp.position.copy(camera.position).applyQuaternion(this.scene.quaternion.clone().invert());
         this.renderer.render(this.scene, camera);
     }
 }
