@@ -1,6 +1,10 @@
 # Warnings are a target: link it last and privately.
 add_library(corpuscle_warnings INTERFACE)
 add_library(corpuscle::warnings ALIAS corpuscle_warnings)
+set(null_dereference -Wnull-dereference)
+if(CORPUSCLE_SANITIZE)
+    set(null_dereference)  # minutes a file, where sanitizers have put a branch before every access
+endif()
 target_compile_options(corpuscle_warnings INTERFACE
-    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wnull-dereference
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual ${null_dereference}
     -Wno-maybe-uninitialized)  # false alarms from inlined Eigen temporaries in g++ 12
