@@ -3,6 +3,8 @@
 #include "io/history_table.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
 
 #include <cassert>
 #include <set>
@@ -89,8 +91,8 @@ void airbag(auto&& row, const RecordLayout::Airbag& bag, const AirbagSample& s) 
         s.translational_energy);
     row(at + "owed_momentum", MOMENTUM,
         "given up by particles at walls, not yet passed on to the fabric", s.owed_momentum);
-    row(at + "owed_angular_momentum", ANGULAR_MOMENTUM,
-        "the same about the origin of coordinates", s.owed_angular_momentum);
+    row(at + "owed_angular_momentum", ANGULAR_MOMENTUM, "the same about the origin of coordinates",
+        s.owed_angular_momentum);
     for (std::size_t k = 0; k < bag.species.size(); ++k) {
         const std::string of = fmt::format("{}species/{}/", at, bag.species[k]);
         row(of + "mass", MASS, "this gas inside", s.species[k].mass);
@@ -221,8 +223,22 @@ void HistoryTable::append(const RecordLayout& layout, const Sample& sample) {
               else
                   values.push_back(value);
           });
+    expect_finite(sample.time);
     last_ = sample;
     ++rows_;
+}
+
+/// The new row, which is taken back if it is not finite.
+void HistoryTable::expect_finite(double time) {
+    for (const Column& c : columns_) {
+        const std::size_t begin = (c.is_vector ? 3 : 1) * rows_;
+        if (std::all_of(c.values.begin() + static_cast<std::ptrdiff_t>(begin), c.values.end(),
+                        [](double value) { return std::isfinite(value); }))
+            continue;
+        const std::string path = c.path;
+        for (Column& of : columns_) of.values.resize((of.is_vector ? 3 : 1) * rows_);
+        throw PhysicsError(time, path + " is not finite");
+    }
 }
 
 void HistoryTable::write(Hdf5Writer& file, const std::string& unit_system) const {

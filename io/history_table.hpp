@@ -21,6 +21,7 @@ public:
     explicit HistoryTable(const RecordLayout& layout);
 
     /// One row more; the sample has the layout's sizes.
+    /// @throws PhysicsError, with the table as it was, if a number of the row is not finite
     void append(const RecordLayout& layout, const Sample& sample);
 
     /// Writes /history, in the units of `unit_system`.
@@ -36,6 +37,8 @@ public:
     }
 
 private:
+    void expect_finite(double time);
+
     struct Column {
         std::string path;
         Quantity quantity;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -119,6 +120,32 @@ void fill_frame(Hdf5Writer& file, const Frame& frame, const std::string& units) 
     if (frame.particles) fill_particles(file, *frame.particles, units);
 }
 
+/// @throws PhysicsError that names the first number of a frame that is not finite
+void expect_finite(const Frame& frame, const RecordLayout& layout) {
+    const auto expect = [&](const char* what, const char* whose, const auto& id, auto numbers) {
+        const auto bad = std::find_if(numbers.begin(), numbers.end(),
+                                      [](double value) { return !std::isfinite(value); });
+        if (bad == numbers.end()) return;
+        const std::size_t row =
+            static_cast<std::size_t>(bad - numbers.begin()) / (numbers.size() / id.size());
+        throw PhysicsError(frame.time,
+                           fmt::format("{} of {} {} is not finite", what, whose, id[row]));
+    };
+    expect("position", "node", layout.node_id, flat(frame.coordinates));
+    expect("velocity", "node", layout.node_id, flat(frame.velocity));
+    expect("pressure", "shell", layout.shell_id, std::span(frame.shell_pressure));
+    expect("contact pressure", "shell", layout.shell_id, std::span(frame.shell_contact_pressure));
+    expect("stress", "shell", layout.shell_id, flat(frame.shell_stress));
+    expect("strain", "shell", layout.shell_id, flat(frame.shell_strain));
+    if (!frame.particles) return;
+    const Frame::Particles& p = *frame.particles;
+    expect("position", "particle", p.id, flat(p.position));
+    expect("velocity", "particle", p.id, flat(p.velocity));
+    expect("internal energy", "particle", p.id, std::span(p.internal_energy));
+    expect("mass", "particle", p.id, std::span(p.mass));
+    expect("temperature", "particle", p.id, std::span(p.temperature));
+}
+
 void fill_root(Hdf5Writer& file, const RunInfo& info, const std::string& termination) {
     file.attribute("/", "program", info.program);
     file.attribute("/", "version", info.version);
@@ -228,6 +255,11 @@ void ResultsFile::follow(double interval, const std::vector<RigidTrack>& tracks)
 }
 
 void ResultsFile::observe(double t, const std::vector<RigidState>& states, bool at_end) {
+    for (std::size_t b = 0; b < states.size(); ++b)
+        if (const RigidState& now = states[b];
+            !(now.position + now.velocity + now.force).allFinite())
+            throw PhysicsError(
+                t, fmt::format("the state of followed rigid body {} is not finite", b + 1));
     rigid_.observe(t, states, at_end);
 }
 
@@ -249,6 +281,7 @@ void ResultsFile::write(const Frame& frame) {
            "a frame has the mesh's sizes");
     assert(frame.shell_contact_pressure.size() == (xdmf_.has_contact ? xdmf_.shells : 0) &&
            "a frame has contact pressure where there is contact");
+    expect_finite(frame, layout_);
     write_whole(part_file(frame_name(frame_times_.size())),
                 [&](Hdf5Writer& file) { fill_frame(file, frame, info_.unit_system); });
     frame_times_.push_back(frame.time);

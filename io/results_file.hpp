@@ -81,6 +81,10 @@ public:
     /// What the followed bodies felt so far.
     [[nodiscard]] std::vector<BodyTable> responses() const;
 
+    /// Numbers that are not finite are refused here, so that none is ever in the results: observe(),
+    /// append() and write() throw PhysicsError, which names the first, and leave it out.
+    /// (Responses are NaN where there are none.)
+
     /// One row in every history. On the disk within a second, or 50 times what a version costs.
     void append(const Sample& sample);
     /// One state for pictures, on the disk on return.

@@ -347,3 +347,56 @@ TEST_CASE("a results folder that cannot be made is named with the reason", "[io]
     CHECK_THROWS_WITH(ResultsFile(folder.path / "run", scene::info(), scene::layout()),
                       Catch::Contains("Not a directory") && Catch::Contains(folder.path.string()));
 }
+
+TEST_CASE("a number that is not finite is refused by its name, and is never in the results",
+          "[io]") {
+    const scene::Folder folder("finite");
+    const RecordLayout layout = scene::layout();
+    io::ResultsFile results(folder.path, scene::info(), layout);
+    results.append(scene::sample(layout, 0));
+    results.write(scene::frame(layout, 0, 20));
+    const double broken = GENERATE(as<double>{}, NaN, INF, -INF);
+    CAPTURE(broken);
+    const auto fault = [&](auto&& spoil, auto what, auto&& take) {
+        spoil(what);
+        try {
+            take(what);
+        } catch (const PhysicsError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const auto of_sample = [&](auto&& spoil) {
+        return fault(spoil, scene::sample(layout, 1), [&](const Sample& s) { results.append(s); });
+    };
+    const auto of_frame = [&](auto&& spoil) {
+        return fault(spoil, scene::frame(layout, 1, 20), [&](const Frame& f) { results.write(f); });
+    };
+    using Catch::Contains;
+    CHECK_THAT(of_sample([&](Sample& s) { s.energy.contact = broken; }),
+               Contains("at time 0.5: /history/energy/contact is not finite"));
+    CHECK_THAT(of_sample([&](Sample& s) { s.airbags[1].pressure = broken; }),
+               Contains("/history/airbag/9/pressure is not finite"));
+    CHECK_THAT(of_sample([&](Sample& s) { s.airbags[0].species[2].temperature = broken; }),
+               Contains("/history/airbag/7/species/2/temperature is not finite"));
+    CHECK_THAT(of_sample([&](Sample& s) { s.node_velocity[1].z() = broken; }),
+               Contains("/history/node/105/velocity is not finite"));
+    CHECK_THAT(of_frame([&](Frame& f) { f.coordinates[3].y() = broken; }),
+               Contains("at time 1.5: position of node 104 is not finite"));
+    CHECK_THAT(of_frame([&](Frame& f) { f.shell_stress[1][2] = static_cast<float>(broken); }),
+               Contains("stress of shell 1002 is not finite"));
+    CHECK_THAT(of_frame([&](Frame& f) { f.particles->velocity[7].x() = broken; }),
+               Contains("velocity of particle " + std::to_string((std::int64_t{1} << 40) + 7)));
+    CHECK_THAT(of_frame([&](Frame& f) { f.particles->internal_energy[0] = broken; }),
+               Contains("internal energy of particle"));
+    CHECK_THAT(
+        of_frame([&](Frame& f) { f.particles->temperature[19] = static_cast<float>(broken); }),
+        Contains("temperature of particle"));
+    results.append(scene::sample(layout, 1));
+    results.finish("error: not finite");
+    const io::Hdf5Reader file(folder.path / "results.h5");
+    CHECK(file.shape("/frames/time") == io::Shape{1});
+    const auto pressure = file.read<double>("/history/airbag/9/pressure");
+    REQUIRE(pressure.size() == 2);
+    CHECK(pressure[1] == scene::sample(layout, 1).airbags[1].pressure);
+}
