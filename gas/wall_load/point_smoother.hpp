@@ -36,6 +36,8 @@ public:
     void prepare(const WettedSurface& surface, std::span<const Vec3> area,
                  std::span<const double> size, std::span<const std::uint8_t> takes_part);
     void spread(const WettedSurface& surface, std::vector<Brought>& field);
+    /// k of each edge, as prepare() has left it; 0: shut.                                  [m^2]
+    [[nodiscard]] std::span<const double> links() const { return link_; }
 
 private:
     std::vector<double> share_;  ///< of each edge: 1 / (1 + n)

@@ -28,18 +28,27 @@ constexpr double LEAST_WET = 0.25;
 /// Times of release after the last hit from which a point counts as one that gas has not reached.
 constexpr double DRY_AFTER = 4.0;
 
+/// By wall point: is its node held?
+std::vector<std::uint8_t> held_at(const WettedSurface& surface,
+                                  std::span<const std::uint8_t> held) {
+    std::vector<std::uint8_t> at(surface.points());
+    for (std::size_t p = 0; p < at.size(); ++p) at[p] = held[surface.node(p)];
+    return at;
+}
+
 }  // namespace
 
 WallLoad::WallLoad(std::shared_ptr<const WettedSurface> surface, std::span<const std::uint8_t> held,
                    std::span<const Index> jet_nodes, double time, double extra_damping)
     : surface_(std::move(surface)),
       smoother_(*surface_),
+      recoil_(*surface_, held_at(*surface_, held)),
       jet_nodes_(jet_nodes.begin(), jet_nodes.end()),
       time_(time),
       dry_after_(DRY_AFTER * time),
       extra_damping_(extra_damping) {
     const std::size_t points = surface_->points();
-    for (std::size_t p = 0; p < points; ++p) held_.push_back(held[surface_->node(p)]);
+    held_ = held_at(*surface_, held);
     for (const Index n : jet_nodes_) jet_held_.push_back(held[n]);
     takes_part_.assign(points, 0);
     place_.assign(held.size(), -1);
@@ -57,7 +66,8 @@ WallLoad::WallLoad(std::shared_ptr<const WettedSurface> surface, std::span<const
         of_node_[fill[place_[surface_->node(p)]]++] = static_cast<Index>(p);
 
     for (Points* all : {&area_, &along_, &force_, &arrived_}) all->assign(points, Vec3::Zero());
-    for (auto* all : {&size_, &kept_, &mass_, &account_, &fresh_, &pressure_, &arrived_mass_})
+    for (auto* all :
+         {&size_, &kept_, &answered_, &mass_, &account_, &fresh_, &pressure_, &arrived_mass_})
         all->assign(points, 0.0);
     brought_.resize(points);
     age_.assign(points, INF);
@@ -69,12 +79,25 @@ WallLoad::WallLoad(std::shared_ptr<const WettedSurface> surface, std::span<const
 
 // ---- what comes
 
-void WallLoad::receive(const FlightResult& flight, std::span<const double> mass,
-                       Particles& particles) {
+void WallLoad::receive(FlightResult& flight, std::span<const double> mass, Particles& particles) {
     std::size_t i = 0;
-    for (const auto& hits : flight.hits)
-        for (const Hit& hit : hits)
-            take_in(hit, static_cast<std::size_t>(sides_[i++]), mass, particles);
+    for (auto& hits : flight.hits)
+        for (Hit& hit : hits) {
+            const auto side = static_cast<std::size_t>(sides_[i++]);
+            if (!hit.has_left()) recoil(hit, side, mass[particles.species[hit.row()]], particles);
+            take_in(hit, side, mass, particles);
+        }
+}
+
+/// Gives back to the particle what a wall that recoils did not take, (1 - f) J.
+void WallLoad::recoil(Hit& hit, std::size_t side, double mass, Particles& particles) {
+    const double share = recoil_.share(*surface_, side, hit.at, mass, smoother_.links());
+    if (share == 1.0) return;
+    Vec3& v = particles.v[hit.row()];
+    const double before = v.squaredNorm();
+    v += (1.0 - share) / mass * hit.impulse;
+    hit.impulse *= share;
+    hit.energy -= 0.5 * mass * (v.squaredNorm() - before);
 }
 
 void WallLoad::find_sides(const FlightResult& flight, std::span<const Vec3> x_0,
@@ -195,12 +218,13 @@ void WallLoad::measure(std::span<const Vec3> x) {
 void WallLoad::release(double span, std::span<const Vec3> x, std::span<const Vec3> v,
                        std::span<const double> mass, std::span<Vec3> f) {
     measure(x);
+    recoil_.weigh(*surface_, mass);
     const std::size_t points = size_.size();
     parallel::for_each(points, [&](std::size_t p) {
         if (!hits_are_over_) age_[p] = arrived_mass_[p] > 0.0 ? 0.0 : age_[p] + span;
         takes_part_[p] = held_[p] == 0 && is_wet(p) && size_[p] > 0.0;
-        const double along = arrived_[p].dot(normal(p));
-        const Vec3 beside = arrived_[p] - along * normal(p);
+        const double own = arrived_[p].dot(normal(p)), along = own + answered_[p];
+        const Vec3 beside = arrived_[p] - own * normal(p);
         const double per_area = takes_part_[p] != 0 ? 1.0 / size_[p] : 0.0;
         brought_[p] = {along * per_area, arrived_mass_[p] * per_area,
                        v[surface_->node(p)].dot(normal(p)), beside * per_area};
@@ -250,7 +274,7 @@ void WallLoad::release_points(double share, double span, std::span<const Vec3> v
             const Index node = surface_->node(p);
             const double flutter = v[node].dot(n) - brought_[p].speed;
             const double damped = damper / (1.0 + damper * span / mass[node]) * flutter;
-            kept_[p] += span * damped;
+            answered_[p] = span * damped;
             const double given = share * kept_[p];
             const Vec3 beside = share * along_[p];
             kept_[p] -= given;
@@ -319,7 +343,7 @@ void WallLoad::balance_momentum(double share, double span, std::span<const Vec3>
             if (!counts(p)) return own;
             const Vec3& at = x[surface_->node(p)];
             own.given.add(at, span * force_[p]);
-            own.kept.add(at, kept_[p] * normal(p) + along_[p]);
+            own.kept.add(at, (kept_[p] + answered_[p]) * normal(p) + along_[p]);
             if (!bears(p)) return own;
             const Vec3 d = at - origin;
             own.area = size_[p];

@@ -11,6 +11,7 @@
 #include "gas/flight/flight.hpp"
 #include "gas/particles.hpp"
 #include "gas/wall_load/point_smoother.hpp"
+#include "gas/wall_load/recoil.hpp"
 
 namespace corpuscle::gas {
 
@@ -48,14 +49,14 @@ struct Wrench {
 /// One hit on a light facet is a kick of tens of m/s, so what hits bring is smoothed, in space
 /// along the wetted surface (point_smoother.hpp) and in time, and nothing of it is lost:
 ///
-///     dQ_p/dt = S(J·n)_p + D w A - Q_p / time,   F_p = (Q_p / time - D w A) n_p + V_p / time
+///     dQ_p/dt = S(J·n + D w A)_p - Q_p / time,   F_p = (Q_p / time - D w A) n_p + V_p / time
 ///     dV_p/dt = S(J - (J·n) n)_p - V_p / time
 ///
 /// Q: deferred normal impulse, kept along the normal n, so that it turns with the cloth; V: what of
 /// an impulse J is not along n. A point that moves at w along n against its neighbours is hit with
 /// D w A less (D = 4 times the mass that hits it per area and time, whatever the gas's distribution
-/// of velocities): smoothing would leave out this answer of the gas to flutter, so it is given at
-/// once.
+/// of velocities). Smoothing would leave out this answer of the gas to flutter, so it is given at
+/// once, and what is smoothed are the hits on a wall that does not flutter, J·n + D w A.
 ///
 /// - *Momentum.* What each room's wall is owed, linear and angular, is what hits brought less what
 ///   was given: exact. Where turning and spreading have moved what is kept away from that, a rigid
@@ -63,6 +64,7 @@ struct Wrench {
 /// - *Energy.* The work of F differs from what hits took. Each point keeps the difference in an
 ///   account; hits at the point pay it with the particle's internal energy. Other debts of the gas
 ///   to the wall or past it (heat, enthalpy of what left) go through the same account.
+/// - *Recoil.* A free wall takes from a hit what a body of the mass that bears it does.
 /// - A point on a node that supports, motions or bodies carry passes impulse on at once: there
 ///   it does no harm, and work is done where it arises.
 class WallLoad {
@@ -79,8 +81,8 @@ public:
     /// Sides of the hits, in their order.
     [[nodiscard]] std::span<const Index> sides() const { return sides_; }
     /// Takes in a flight's hits, in their order, pays accounts to the particles that hit. After
-    /// find_sides().
-    void receive(const FlightResult& flight, std::span<const double> mass, Particles& particles);
+    /// find_sides(). Where cloth recoils, hits and particles are set right for it (recoil.hpp).
+    void receive(FlightResult& flight, std::span<const double> mass, Particles& particles);
     /// Takes in a jet's push on a node, and the energy that goes with it.
     void owe_jet(Index node, const Vec3& at, const Vec3& impulse, double energy);
     /// Energy that jets took beyond the work of their push: for the gas that enters.     [J]
@@ -127,9 +129,9 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(kept_, along_, mass_, age_, account_, fresh_, force_, node_force_, pressure_,
-                arrived_, arrived_mass_, owed_, held_owed_, jet_owed_, jet_wrench_, jet_account_,
-                last_given_, taken_, hits_are_over_);
+        archive(kept_, answered_, along_, mass_, age_, account_, fresh_, force_, node_force_,
+                pressure_, arrived_, arrived_mass_, owed_, held_owed_, jet_owed_, jet_wrench_,
+                jet_account_, last_given_, taken_, hits_are_over_);
     }
 
 private:
@@ -137,6 +139,7 @@ private:
                                       std::span<const Vec3> x_1) const;
     void take_in(const Hit& hit, std::size_t side, std::span<const double> mass,
                  Particles& particles);
+    void recoil(Hit& hit, std::size_t side, double mass, Particles& particles);
     void measure(std::span<const Vec3> x);
     void release_points(double share, double span, std::span<const Vec3> v,
                         std::span<const double> mass);
@@ -148,6 +151,7 @@ private:
 
     std::shared_ptr<const WettedSurface> surface_;
     PointSmoother smoother_;
+    Recoil recoil_;
     std::vector<std::uint8_t> held_;        ///< by point
     std::vector<std::uint8_t> takes_part_;  ///< in smoothing, this step
     std::vector<Index> jet_nodes_;
@@ -161,6 +165,7 @@ private:
     std::vector<Brought> brought_;
     std::vector<double> kept_;      ///< Q                                                [N s]
     Points along_;                  ///< V                                                [N s]
+    std::vector<double> answered_;  ///< D w A of the last release: to be smoothed        [N s]
     std::vector<double> mass_;      ///< of hits, kept as Q                               [kg]
     std::vector<double> age_;       ///< since the last hit                               [s]
     std::vector<double> account_;   ///< that hits are to get                             [J]

@@ -23,6 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int MOST_SECONDS = 20;  ///< of one core, however loaded the machine is
+
 /// Calls visit(path) for every dataset below `group`.
 void each_dataset(const io::Hdf5Reader& file, const std::string& group,
                   const std::function<void(const std::string&)>& visit) {
@@ -61,8 +63,8 @@ SceneRun::SceneRun(const std::string& name, const std::string& deck, const std::
     std::ofstream(directory_ / "scene.k") << deck;
     const auto start = std::chrono::steady_clock::now();
     const std::string command =
-        fmt::format("cd '{}' && exec timeout 20 {} run scene.k -j 1 -o out {} >log 2>&1",
-                    directory_.string(), CORPUSCLE_PROGRAM, options);
+        fmt::format("cd '{}' && ulimit -t {} && exec {} run scene.k -j 1 -o out {} >log 2>&1",
+                    directory_.string(), MOST_SECONDS, CORPUSCLE_PROGRAM, options);
     const int ended = std::system(command.c_str());
     seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     status = WIFEXITED(ended) ? WEXITSTATUS(ended) : 128 + WTERMSIG(ended);

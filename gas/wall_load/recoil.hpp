@@ -1,0 +1,49 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "gas/enclosure/wetted_surface.hpp"
+
+namespace corpuscle::gas {
+
+/// Elastic impact of a particle on a free wall of finite mass M: of what a wall of infinite mass
+/// would take, momentum and kinetic energy leave
+///
+///     f = M / (M + m)
+///
+/// (J = f m (v - v'), from v' = -v in the frame of the centre of mass). M: mass of the cloth that
+/// bears the hit at once, which is the cloth that smoothing spreads it over (point_smoother.hpp):
+/// RINGS rings of points round the facet, as far as gas has reached. Without recoil a heavy
+/// particle on light cloth gives work J²/2M that nobody pays.
+class Recoil {
+public:
+    /// @param held  by wall point: 1 where supports, motions or bodies carry it
+    Recoil(const WettedSurface& surface, std::span<const std::uint8_t> held);
+
+    /// Takes over the masses of the nodes [kg].
+    void weigh(const WettedSurface& surface, std::span<const double> node_mass);
+
+    /// f of a particle of mass m [kg] that hits a side at barycentric coordinates `at`; 1 where m is
+    /// below LIGHT of what each of the side's nodes weighs, or before weigh().
+    /// @param link  by edge: 0 where the smoother is shut
+    [[nodiscard]] double share(const WettedSurface& surface, std::size_t side,
+                               const std::array<double, 3>& at, double m,
+                               std::span<const double> link);
+
+private:
+    [[nodiscard]] double mass_around(const WettedSurface& surface, std::size_t side,
+                                     std::span<const double> link);
+
+    std::vector<std::uint8_t> held_;  ///< by point
+    std::vector<double> mass_;        ///< of each point's node                        [kg]
+    std::vector<std::uint32_t> seen_;
+    std::uint32_t search_ = 0;
+    std::vector<Index> ring_, next_;
+};
+
+}  // namespace corpuscle::gas

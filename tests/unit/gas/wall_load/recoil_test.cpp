@@ -1,0 +1,74 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// A heavy particle and light cloth meet as two bodies do.
+
+#include "gas/wall_load/recoil.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <memory>
+
+#include "gas/wall_load/wall_load.hpp"
+#include "tests/support/shapes.hpp"
+
+using namespace corpuscle;
+using namespace corpuscle::gas;
+
+namespace {
+
+constexpr double NODE = 1e-3;  // mass [kg]
+
+/// A box whose wall gas has not reached: three nodes bear a hit on facet 0.
+struct Struck {
+    shapes::Shape shape = shapes::box({1.0, 1.0, 1.0}, 4);
+    std::shared_ptr<const WettedSurface> surface =
+        std::make_shared<WettedSurface>(shape.triangles, shape.triangles.size(), shape.x);
+    Particles particles;
+    FlightResult flight;
+
+    /// A particle of mass m at velocity v is mirrored by facet 0, whose nodes are `held` or not.
+    void hit(double m, const Vec3& v, bool is_held) {
+        const std::vector<std::uint8_t> held(shape.x.size(), is_held ? 1 : 0);
+        const std::vector<double> node_mass(shape.x.size(), NODE), mass{m};
+        WallLoad load(surface, held, {}, 50e-6, 0.0);
+        Points f(shape.x.size(), Vec3::Zero()), rest(shape.x.size(), Vec3::Zero());
+        load.release(1e-6, shape.x, rest, node_mass, f);
+        const auto& [a, b, c] = shape.triangles[0];
+        const Vec3 n = vector_area(shape.x[a], shape.x[b], shape.x[c]).normalized();
+        const Vec3 mirrored = v - 2.0 * v.dot(n) * n;
+        particles.add(shape.x[a], mirrored, 0.0, 0, 0);
+        flight.hits = {{{0, 0, {0.2, 0.3, 0.5}, m * (v - mirrored), 0.0, shape.x[a]}}};
+        load.find_sides(flight, shape.x, shape.x);
+        load.receive(flight, mass, particles);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a particle and the free cloth that it hits collide as two bodies", "[gas]") {
+    const Vec3 v(300.0, -200.0, -400.0);
+    for (const double m : {0.1 * NODE, NODE, 3.0 * NODE, 30.0 * NODE}) {
+        Struck cloth;
+        cloth.hit(m, v, false);
+        const Hit& hit = cloth.flight.hits[0][0];
+        const Vec3 after = cloth.particles.v[0];
+        INFO("particle " << m << " kg");
+        CHECK((hit.impulse - m * (v - after)).norm() < 1e-14 * m * v.norm());
+        const double bearing = 3.0 * NODE;
+        CHECK(hit.energy == Approx(0.5 * hit.impulse.squaredNorm() / bearing).epsilon(1e-12));
+        CHECK(0.5 * m * (v.squaredNorm() - after.squaredNorm()) ==
+              Approx(hit.energy).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("walls that are held, and cloth far heavier than the particle, mirror it", "[gas]") {
+    const Vec3 v(300.0, -200.0, -400.0);
+    Struck wall, cloth;
+    wall.hit(NODE, v, true);
+    cloth.hit(1e-4 * NODE, v, false);
+    for (const Struck* struck : {&wall, &cloth}) {
+        CHECK(struck->particles.v[0].norm() == Approx(v.norm()).epsilon(1e-14));
+        CHECK(struck->flight.hits[0][0].energy == 0.0);
+    }
+}
