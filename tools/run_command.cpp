@@ -23,6 +23,7 @@
 #include "tools/bad_starts.hpp"
 #include "tools/body_tracker.hpp"
 #include "tools/commands.hpp"
+#include "tools/run_folder.hpp"
 #include "tools/summary.hpp"
 
 namespace corpuscle::tools {
@@ -247,53 +248,6 @@ std::optional<io::Checkpoint> checkpoint_for(const Simulation& simulation,
     return found;
 }
 
-std::vector<std::pair<int, std::string>> titles_of(const Model& model) {
-    std::vector<std::pair<int, std::string>> titles;
-    for (const Part& part : model.parts) titles.emplace_back(part.id, part.title);
-    return titles;
-}
-
-/// Pressure outside of each airbag.
-std::vector<std::pair<int, double>> ambient_of(const Model& model) {
-    std::vector<std::pair<int, double>> all;
-    for (const gas::BagCard& bag : model.bags) all.emplace_back(bag.id, bag.p_atm);
-    for (const gas::UniformBagCard& bag : model.uniform_bags) all.emplace_back(bag.id, bag.p_atm);
-    return all;
-}
-
-/// Against the first load that pulls on everything.
-std::string up_of(const Model& model) {
-    for (const BodyLoad& load : model.body_loads) {
-        if (!load.parts.empty()) continue;
-        const double pull = load.scale * (load.curve >= 0 ? model.curves[load.curve](0.0) : 1.0);
-        if (pull != 0.0) return fmt::format("{}{}", pull > 0.0 ? "" : "-", "xyz"[load.axis]);
-    }
-    return "";
-}
-
-/// Exports and responses of an earlier run would pass for this one's.
-void remove_old_exports(const std::filesystem::path& folder) {
-    namespace fs = std::filesystem;
-    if (!fs::is_directory(folder)) return;
-    std::vector<std::string> old;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        const std::string name = entry.path().filename().string();
-        const bool is_d3plot = name.starts_with("d3plot") &&
-                               name.find_first_not_of("0123456789", 6) == std::string::npos;
-        const bool is_mme = entry.is_directory() && fs::exists(entry.path() / (name + ".mme"));
-        if (is_d3plot || is_mme || name == "binout" || name == "history.csv" ||
-            name == "history_fast.csv" || name == "responses.json" || name == "run.json")
-            old.push_back(name);
-    }
-    if (old.empty()) return;
-    std::sort(old.begin(), old.end());
-    for (const std::string& name : old) fs::remove_all(folder / name);
-    fmt::print(
-        "{}: of an earlier run, removed: {}{}\n", folder.string(),
-        fmt::join(old.begin(), old.begin() + std::min<std::ptrdiff_t>(8, std::ssize(old)), ", "),
-        old.size() > 8 ? fmt::format(" and {} more", old.size() - 8) : "");
-}
-
 /// Did a run of this scene come to its end in the folder before?
 bool is_finished(const Simulation& simulation, const std::string& folder) {
     const auto run = io::finished_run(folder);
@@ -335,17 +289,8 @@ int run(const RunArguments& arguments) {
     }
 
     const RecordLayout layout = simulation.layout();
-    const io::RunInfo info{"corpuscle",
-                           std::string(VERSION),
-                           model.deck,
-                           model.unit_system,
-                           arguments.deck.seed,
-                           parallel::threads(),
-                           fmt::format("{}", fmt::join(model.mendings, "\n")),
-                           simulation.fingerprint(),
-                           titles_of(model),
-                           ambient_of(model),
-                           up_of(model)};
+    const io::RunInfo info =
+        run_info(model, VERSION, arguments.deck.seed, simulation.fingerprint());
     StateReader state(from ? std::span<const char>(from->state) : std::span<const char>());
     if (from) state(simulation);
     io::ResultsFile results =
