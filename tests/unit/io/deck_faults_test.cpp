@@ -11,10 +11,9 @@ using namespace corpuscle::test;
 TEST_CASE("a lone star is a fault of its own", "[io]") {
     const DeckFolder folder;
     const auto faults = folder.faults(small_deck("*\n1,2\n* +\n*+\n"));
-    REQUIRE(faults.size() == 3);
-    CHECK(faults[0] == "deck.k:30: *, expected the name of a keyword behind it");
-    CHECK(contains(faults[1], "deck.k:32:"));
-    CHECK(contains(faults[2], "deck.k:33:"));
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0] ==
+          "deck.k:30: *, expected the name of a keyword behind it (and 2 more like it)");
 }
 
 TEST_CASE("a line of megabytes is shown by its ends", "[io]") {
@@ -22,8 +21,7 @@ TEST_CASE("a line of megabytes is shown by its ends", "[io]") {
     const std::string long_one(2000000, 'x');
     for (const std::string& text :
          {"*" + long_one + "\n", "*TITLE\nt\n*NODE\n" + long_one + "\n",
-          "*INCLUDE\n" + long_one + "\n", "*NODE\n7," + long_one + ",0,0\n",
-          "*PARAMETER\nR " + long_one + ",1\n"}) {
+          "*INCLUDE\n" + long_one + "\n", "*NODE\n7," + long_one + ",0,0\n"}) {
         const auto faults = folder.faults(small_deck(text));
         REQUIRE_FALSE(faults.empty());
         for (const std::string& fault : faults) {
