@@ -52,6 +52,7 @@ void BagGas::collide(double dt, const Points& x) {
     if (!air_.empty()) exchange_heat_with_air(heat);
     const CollisionReport report =
         collider_.collide(collisions_, since_collision_, heat, particles_);
+    check_collided(report.thermal);
     unrelaxed_ += report.unrelaxed;
     if (collisions_ % MEASURE_EVERY == 0) measure_speed();
     ++collisions_;

@@ -330,6 +330,12 @@ void BagGas::inject(double t, double dt, const Points& x_0, const Points& x_1) {
         const double share = std::clamp((entry.time - t) / dt, 0.0, 1.0);
         const Vec3 v = entry.velocity + (to - from) / dt;
         const double mass = mass_[entry.inflow];
+        if (!std::isfinite(mass * v.squaredNorm() + entry.internal))
+            throw PhysicsError(
+                t, fmt::format("{}: what inflow {} brings through orifice {} is not finite: speed "
+                               "{:g}, internal energy {:g}",
+                               name_of(card_), entry.inflow + 1, entry.orifice + 1, v.norm(),
+                               entry.internal));
         born_.push_back(share);
         // The first takes along what jets took beyond the work of their push.
         const double paid = &entry == entries_.data() ? load_.pay_jets() : 0.0;
@@ -363,8 +369,13 @@ void BagGas::fly(double t, double dt, const Points& x_0, const Points& x_1) {
         look_at_openings();
         openings_.set_gates(t, dt, x_0, at_opening_);
     }
-    gas::fly(lists_, x_0, x_1, dt, mass_, born_, particles_, flight_, openings_.gates(),
-             roughness_.now());
+    try {
+        gas::fly(lists_, x_0, x_1, dt, mass_, born_, particles_, flight_, openings_.gates(),
+                 roughness_.now());
+    } catch (const BrokenParticle& broken) {
+        stop_for(broken.row, broken.in_flight ? "in its flight, where it met a facet"
+                                              : "before its flight, after collisions and inflow");
+    }
     flights_ += particles_.size();
     load_.find_sides(flight_, x_0, x_1);
     samples_.receive(flight_, load_.sides(), dt, x_1, rooms_, particles_);
@@ -394,6 +405,32 @@ void BagGas::record_hits(const Points& x_1) {
             part_impulse_[walls_.part[hit.facet]] += push;
             ++hits_;
         }
+}
+
+/// Stops for a particle that is not finite.
+void BagGas::stop_for(std::size_t particle, const char* when) const {
+    const Vec3 &at = particles_.x[particle], &v = particles_.v[particle];
+    const std::size_t row = static_cast<std::size_t>(particles_.species[particle]);
+    throw PhysicsError(
+        time_, fmt::format("{}: particle {} of {} near ({:g}, {:g}, {:g}) is not finite {}: "
+                           "velocity ({:g}, {:g}, {:g}), internal energy {:g}",
+                           name_of(card_), particles_.id[particle],
+                           row == inflators_.inflows() ? std::string("the initial air")
+                                                       : fmt::format("gas {}", row + 1),
+                           at[0], at[1], at[2], when, v[0], v[1], v[2], particles_.e[particle]));
+}
+
+/// Stops where the groups' energies, all added up, are not finite.
+void BagGas::check_collided(double thermal) const {
+    if (std::isfinite(thermal)) return;
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+        if (!(particles_.x[i].squaredNorm() + particles_.v[i].squaredNorm() +
+                  std::abs(particles_.e[i]) <
+              INF))
+            stop_for(i, "at its collisions");
+    throw PhysicsError(time_, fmt::format("{}: the thermal energy of its particles overflows at "
+                                          "their collisions",
+                                          name_of(card_)));
 }
 
 void BagGas::book_lost(double t) {

@@ -192,6 +192,8 @@ private:
     void push_back(std::size_t orifice, const Vec3& at, const Vec3& impulse, const Vec3& moving);
     void record_hits(const Points& x_1);
     void book_lost(double t);
+    [[noreturn]] void stop_for(std::size_t particle, const char* when) const;
+    void check_collided(double thermal) const;
     /// Pressure that does not come from particles: that of the initial air, or after TSW of all.
     [[nodiscard]] double air_pressure(std::size_t room) const {
         if (uniform_) return (*uniform_)[room].pressure();

@@ -4,7 +4,10 @@
 // What forces have done, and what there is at t.
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
+#include "solver/base/error.hpp"
 #include "solver/simulation.hpp"
 
 namespace corpuscle {
@@ -75,8 +78,23 @@ void Simulation::book_forces(double span) {
         growth_.give(restored);
     }
     book_impulses(span);
+    check_books();
     if (clock_.step == 0) ledger_.open(books());
     watch_growth(span);
+}
+
+/// Stops when an account of the ledger is not finite.
+void Simulation::check_books() const {
+    const Moved& moved = ledger_.after;
+    const std::pair<const char*, double> accounts[] = {
+        {"external work", moved.external}, {"contact", moved.contact},
+        {"friction", moved.friction},      {"damping", moved.damping},
+        {"the atmosphere", moved.ambient}, {"gas in transit to the fabric", moved.smoothing}};
+    for (const auto& [name, energy] : accounts)
+        if (!std::isfinite(energy))
+            throw PhysicsError(clock_.t, fmt::format("the energy account of {} is not finite after "
+                                                     "the forces of this step were booked",
+                                                     name));
 }
 
 /// What walls and contacts have got in this kick.

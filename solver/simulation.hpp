@@ -138,6 +138,7 @@ private:
     void find_contact_pressure(std::vector<float>& pressure);
     void find_contact_push(double span);
     void check_finite() const;
+    void check_books() const;
     [[noreturn]] void stop_for(Index broken_shell) const;
     [[nodiscard]] std::string growing_shell(Index node) const;
     [[nodiscard]] Vec3 gas_force(Index node) const;

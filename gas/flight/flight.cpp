@@ -51,7 +51,12 @@ struct Flyer {
     int bounces = 0;  ///< so far in this step: tells a gate's draws apart
 };
 
-enum class End : std::uint8_t { FLOWN, CAUGHT, GONE };
+/// BROKEN: not finite, at the start or after a bounce.
+enum class End : std::uint8_t { FLOWN, CAUGHT, GONE, BROKEN };
+
+bool is_finite(const Flyer& who) {
+    return who.x.squaredNorm() + who.v.squaredNorm() < INF;
+}
 
 /// Keeps the facet in `first` if the path crosses it earlier.
 void meet(const Scene& scene, const Path& path, Index facet, double after, const Meeting& last,
@@ -160,6 +165,7 @@ Bounce bounce(const Scene& scene, const Meeting& meeting, double mass, const Vec
 /// Flies a particle to the end of the step; or until it is caught between facets, or gone through a
 /// gate: then x is where it was at first.
 End fly_one(const Scene& scene, double born, Flyer& who) {
+    if (!is_finite(who)) return End::BROKEN;
     Vec3 from = who.x;
     double now = born;
     Path path{from - now * scene.dt * who.v, from + (1.0 - now) * scene.dt * who.v};
@@ -183,6 +189,7 @@ End fly_one(const Scene& scene, double born, Flyer& who) {
         const auto [away, impulse, heat] = bounce(scene, meeting, who.mass, who.v);
         const double before = 0.5 * who.mass * who.v.squaredNorm();
         const double given = passage.push * (before - 0.5 * who.mass * away.squaredNorm() - heat);
+        if (!std::isfinite(given)) return End::BROKEN;
         const double stop = std::max(now, meeting.where.tau - SHORT_OF);
         const Vec3 turn = from + (stop - now) * scene.dt * who.v;
         const auto row = static_cast<Index>(who.row);
@@ -313,6 +320,7 @@ void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec
                 mark_left(who, hits);
                 break;
             case End::CAUGHT:
+            case End::BROKEN:
                 who.hits.resize(hits);
                 who.arrivals.resize(arrivals);
                 result.caught[chunk].push_back(i);
@@ -344,7 +352,9 @@ void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec
         for (const std::size_t i : some) {
             Flyer who = flyer(i, chunks);
             const std::size_t hits = who.hits.size();
-            const End end = fly_caught(scene, start(i), who);
+            const bool came_so = !is_finite(who);
+            const End end = came_so ? End::BROKEN : fly_caught(scene, start(i), who);
+            if (end == End::BROKEN) throw BrokenParticle{i, !came_so};
             if (end == End::FLOWN) land(who);
             if (end == End::GONE) mark_left(who, hits);
             if (end == End::CAUGHT) result.lost.push_back({i, gas.x[i]});

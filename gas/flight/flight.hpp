@@ -37,6 +37,12 @@ struct Lost {
     Vec3 at;               ///< where it was last seen                                      [m]
 };
 
+/// Thrown for the first particle whose place or velocity is not finite.
+struct BrokenParticle {
+    std::size_t row;
+    bool in_flight;  ///< else it came so
+};
+
 struct FlightResult {
     std::vector<std::vector<Hit>> hits;  ///< a list a chunk, to be read in order
     std::vector<Lost> lost;
@@ -58,7 +64,7 @@ struct FlightResult {
 /// particles, the share of the step at which they start. `mass[s]`: of a particle of species s.
 /// `friction`: what rough fabric takes from the velocity along it turns into the particle's
 /// internal energy. `gates`: where particles may pass; what has left stays in `gas` where it was,
-/// to be removed.
+/// to be removed. @throws BrokenParticle, and the flight is void
 void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec3> x_1, double dt,
          std::span<const double> mass, std::span<const double> born, Particles& gas,
          FlightResult& result, const Gates* gates = nullptr, const WallFriction& friction = {});

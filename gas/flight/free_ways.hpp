@@ -42,7 +42,8 @@ public:
         moved_ = round_up(lists.displacement(x_0, x_1));
     }
 
-    /// Which of up to BLOCK rows may meet fabric in dt, a bit each. The others' ways are used up.
+    /// Which of up to BLOCK rows may meet fabric in dt, or have no finite velocity, a bit each. The
+    /// others' ways are used up.
     std::uint32_t ask(const FacetLists& lists, std::size_t begin, std::size_t count, double dt,
                       Particles& gas) const {
         const std::uint32_t all = static_cast<std::uint32_t>((std::uint64_t{1} << count) - 1);
@@ -70,12 +71,13 @@ public:
 private:
     static constexpr float ROUNDING = 1e-6F;
 
-    /// Largest component of each particle's way, rounded up. Three fours hold four velocities.
+    /// Largest component of each particle's way, rounded up; NaN where it is not finite. Three fours
+    /// hold four velocities.
     static std::array<float, BLOCK> ways(const double* v, std::size_t count, double dt) {
         using lanes::Four;
         std::array<float, BLOCK> out;
         const auto longest = [&](double x, double y, double z) {
-            return std::max(std::max(std::abs(x), std::abs(y)), std::abs(z));
+            return std::max(std::max(std::abs(x), std::abs(y)), std::abs(z)) + 0.0 * (x + y + z);
         };
         const double factor = dt * (1.0 + ROUNDING);
         std::size_t i = 0;
@@ -85,7 +87,9 @@ private:
                 return a < 0.0 ? -a : a;
             };
             const auto [x, y, z] = lanes::columns(size(0), size(1), size(2));
-            const Four xy = x > y ? x : y, most = factor * (xy > z ? xy : z);
+            // what is not finite has no finite way: zero times it is NaN
+            const Four xy = x > y ? x : y, not_finite = 0.0 * (x + y + z);
+            const Four most = factor * (xy > z ? xy : z) + not_finite;
             for (int l = 0; l < lanes::LANES; ++l) out[i + l] = static_cast<float>(most[l]);
         }
         for (; i < count; ++i)
