@@ -13,8 +13,8 @@ namespace corpuscle::tools {
 
 /// What results say of the run that they are of.
 /// @param scene  fingerprint of the scene
-[[nodiscard]] io::RunInfo run_info(const Model& model, std::string_view version,
-                                   std::uint64_t seed, std::uint64_t scene);
+[[nodiscard]] io::RunInfo run_info(const Model& model, std::string_view version, std::uint64_t seed,
+                                   std::uint64_t scene);
 
 /// Exports and responses of an earlier run would pass for this one's: removed, and named on the
 /// standard output.

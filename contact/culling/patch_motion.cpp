@@ -13,7 +13,7 @@
 namespace corpuscle::contact {
 namespace {
 
-constexpr std::size_t CHUNK = 4;        ///< patches
+constexpr std::size_t CHUNK = 4;         ///< patches
 constexpr std::size_t MOST_NODES = 192;  ///< of a patch that is measured
 
 }  // namespace
