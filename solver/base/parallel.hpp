@@ -68,6 +68,13 @@ inline void set_threads([[maybe_unused]] int n) {
     return (n + chunk - 1) / chunk;
 }
 
+/// Chunks that a thread takes at once: some sixteen times each, for taking them costs as well.
+[[nodiscard]] inline std::ptrdiff_t taken_at_once(std::ptrdiff_t chunks) {
+    constexpr std::ptrdiff_t TIMES = 16;
+    const std::ptrdiff_t n = threads();
+    return n > 1 ? std::max<std::ptrdiff_t>(1, chunks / (TIMES * n)) : 1;
+}
+
 /// body(begin, end, chunk index) for every chunk of 0..n; chunks run in any order.
 template <class Body>
 void for_chunks(std::size_t n, Body&& body, Cut cut = {}) {
@@ -76,8 +83,9 @@ void for_chunks(std::size_t n, Body&& body, Cut cut = {}) {
     [[maybe_unused]] const bool is_worth_it = chunks > 1 && (!cut.is_light || n >= WORTH_THREADS);
     LoopObserver* const observer = is_worth_it ? observer_here() : nullptr;
     if (observer != nullptr) observer->begin();
+    [[maybe_unused]] const std::ptrdiff_t at_once = taken_at_once(chunks);
 #ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 1) if (is_worth_it)
+#pragma omp parallel for schedule(dynamic, at_once) if (is_worth_it)
 #endif
     for (std::ptrdiff_t c = 0; c < chunks; ++c) {
         const std::size_t begin = static_cast<std::size_t>(c) * chunk;
