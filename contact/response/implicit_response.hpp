@@ -28,9 +28,10 @@ namespace corpuscle::contact {
 ///     J = span · (A (p(gap) + p(gap + dt r)) / 2 - C r),   r = rate after all impulses,
 ///
 /// a quadratic for the gap at the end. No impulse takes a gap beyond rest; no gap shrinks in a step
-/// by more than half of what it has above a quarter of rest. Rows are solved one after the other [projected Gauss-Seidel], in
-/// sweeps, from the impulses of the step before, until a sweep changes little; friction is the
-/// same row along the surface, |J_t| <= mu J. The scheme asks nothing of the time step.
+/// by more than half of what it has above a quarter of rest. Rows are solved one after the other
+/// [projected Gauss-Seidel], in sweeps, from the impulses of the step before, until a sweep changes
+/// little; friction is the same row along the surface, |J_t| <= mu J. The scheme asks nothing of
+/// the time step.
 ///
 /// As the impulse acts at the beginning of the step, this is half as lossy as taking all of it from
 /// the end [backward Euler]; growing areas and pairs that appear between cloth that is pressed

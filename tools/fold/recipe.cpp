@@ -85,15 +85,21 @@ Hole read_hole(const toml::table& table, RecipeFaults& faults) {
     return h;
 }
 
+/// Where something round lies on a panel: of a vent, or of a spot.
+template <class Round>
+void read_circle(TableReader& at, Round& circle) {
+    const std::vector<double> place = at.numbers("at", 2, false);
+    circle.x = place[0];
+    circle.y = place[1];
+    circle.diameter = at.positive("diameter");
+    circle.is_front = at.choice("panel", {"back", "front"}) == "front";
+    at.finish();
+}
+
 VentHole read_vent(const toml::table& table, RecipeFaults& faults) {
     TableReader at(table, "[[vent]]", faults);
     VentHole v;
-    const std::vector<double> place = at.numbers("at", 2, false);
-    v.x = place[0];
-    v.y = place[1];
-    v.diameter = at.positive("diameter");
-    v.is_front = at.choice("panel", {"back", "front"}) == "front";
-    at.finish();
+    read_circle(at, v);
     return v;
 }
 
@@ -101,12 +107,7 @@ Spot read_spot(const toml::table& table, const char* name, RecipeFaults& faults)
     TableReader at(table, name, faults);
     Spot s;
     s.line = static_cast<int>(at.line());
-    const std::vector<double> place = at.numbers("at", 2, false);
-    s.x = place[0];
-    s.y = place[1];
-    s.diameter = at.positive("diameter");
-    s.is_front = at.choice("panel", {"back", "front"}) == "front";
-    at.finish();
+    read_circle(at, s);
     return s;
 }
 
