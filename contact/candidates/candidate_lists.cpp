@@ -14,10 +14,7 @@
 namespace corpuscle::contact {
 namespace {
 
-/// Farthest that a node may sweep while lists live, in edge lengths: in open cloth, with so many
-/// candidates a triangle at most, and in folded cloth.
-constexpr double SWEEP_OPEN = 0.25, SWEEP_FOLDED = 0.5;
-constexpr std::size_t OPEN = 8;
+constexpr double SWEEP = 0.4;  ///< farthest that a node may go while lists live, in edge lengths
 /// Steps for which patches have room to move: in open cloth; more than lists have lived, in folded.
 constexpr std::size_t FEW = 2;  ///< candidates a triangle, in open cloth
 constexpr double ROOM = 28.0, MORE_ROOM = 1.25;
@@ -77,8 +74,7 @@ void Candidates::build(const Points& x, const Points& v, double t, double dt) {
     motion_.foresee(x, v, dt);
     life_ = steps_ * dt;
     const double fastest = motion_.fastest();
-    const bool is_open = list_.size() <= OPEN * cloth_.triangles.size();
-    const double most = (is_open ? SWEEP_OPEN : SWEEP_FOLDED) * cloth_.mean_edge;
+    const double most = SWEEP * cloth_.mean_edge;
     if (fastest * life_ > most) life_ = std::max(dt, most / fastest);
     ++builds_;
 

@@ -8,7 +8,7 @@
 
 #include "contact/candidates/blocks.hpp"
 #include "contact/candidates/shared_nodes.hpp"
-#include "contact/culling/patch_pairs.hpp"
+#include "contact/culling/pieces.hpp"
 
 namespace corpuscle::contact {
 
@@ -47,7 +47,7 @@ public:
     /// Each pair between a pair of patches once: edges(Piece, Piece, Distances) and node(Piece,
     /// triangle, Distances). None has a node in common.
     template <class Edges, class Node>
-    void for_each_in(const std::pair<Index, Index>& patches, Edges&& edges, Node&& node) const {
+    void for_each_in(const PatchPair& patches, Edges&& edges, Node&& node) const {
         const auto [p, q] = patches;
         for_each_pair(edges_, p, edges_, q, edges_by_edges_, p == q, edges);
         const auto turned = [&](Piece t, Piece n, Distances apart) { node(n, t.triangle, apart); };

@@ -3,7 +3,6 @@
 #include "contact/culling/patch_motion.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -13,20 +12,17 @@
 namespace corpuscle::contact {
 namespace {
 
-constexpr std::size_t CHUNK = 4;         ///< patches
-constexpr std::size_t MOST_NODES = 192;  ///< of a patch that is measured
+constexpr std::size_t CHUNK = 4;  ///< patches
 
 }  // namespace
 
 PatchMotion::PatchMotion(const Cloth& cloth)
     : cloth_(cloth),
       start_{0},
-      edge_start_{0},
       gone_(cloth.patches.size()),
       ahead_(gone_.size()),
       mean_(gone_.size(), Vec3::Zero()),
-      from_(mean_),
-      shape_flutter_(gone_.size(), 0.0) {
+      from_(mean_) {
     std::vector<Index> nodes;
     for (std::size_t p = 0; p < gone_.size(); ++p) {
         nodes.clear();
@@ -39,34 +35,13 @@ PatchMotion::PatchMotion(const Cloth& cloth)
         const auto is_of_body = [&](Index n) { return cloth.body[n] >= 0; };
         all_.push_back(static_cast<Index>(p));
         if (std::any_of(nodes.begin(), nodes.end(), is_of_body)) of_bodies_.push_back(all_.back());
-        list_edges(p);
     }
-    shape_.resize(node_.size());
-}
-
-/// The edges of a patch's triangles, once each, by where their nodes are among the patch's.
-void PatchMotion::list_edges(std::size_t patch) {
-    const auto all = nodes(patch);
-    if (all.size() > MOST_NODES) return edge_start_.push_back(static_cast<Index>(edge_.size()));
-    const auto row_of = [&](Index n) {
-        return static_cast<std::uint8_t>(std::lower_bound(all.begin(), all.end(), n) - all.begin());
-    };
-    const auto first = static_cast<std::ptrdiff_t>(edge_.size());
-    for (const Index t : cloth_.patches[patch])
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Triangle& corner = cloth_.triangles[t];
-            edge_.push_back(std::minmax(row_of(corner[k]), row_of(corner[(k + 1) % 3])));
-        }
-    std::sort(edge_.begin() + first, edge_.end());
-    edge_.erase(std::unique(edge_.begin() + first, edge_.end()), edge_.end());
-    edge_start_.push_back(static_cast<Index>(edge_.size()));
 }
 
 void PatchMotion::start(const Points& x) {
     last_ = x;
     dt_ = 0.0;
     mark(x);
-    for (const Index p : all_) mark_shape(p, x);
 }
 
 /// Bounds a patch's displacements by how far they are off what they were in the mean before, per
@@ -85,14 +60,13 @@ void PatchMotion::bound(const std::vector<Index>& patches, double dt, Velocity&&
         }
         from_[p] = mean;
         mean_[p] += sum / static_cast<double>(nodes(p).size());
-        ahead_[p].flutter = dt * std::sqrt(square);
+        ahead_[p] = dt * std::sqrt(square);
     };
     parallel::for_each(patches.size(), one, CHUNK);
     const Vec3 common = std::accumulate(from_.begin(), from_.end(), Vec3(Vec3::Zero())) /
                         static_cast<double>(std::max<std::size_t>(1, from_.size()));
     common_ahead_ = dt * common;
-    for (std::size_t p = 0; p < ahead_.size(); ++p)
-        ahead_[p].drift = dt * (from_[p] - common).norm() + ahead_[p].flutter;
+    for (std::size_t p = 0; p < ahead_.size(); ++p) ahead_[p] += dt * (from_[p] - common).norm();
 }
 
 void PatchMotion::foresee(const Points& v, double dt) {
@@ -108,45 +82,21 @@ void PatchMotion::follow(const Points& x) {
         for (const Index p : of_bodies_)
             for (const Index n : nodes(p)) last_[n] = x[n];
     }
-    for (std::size_t p = 0; p < gone_.size(); ++p) {
-        gone_[p].drift += ahead_[p].drift;
-        gone_[p].flutter += ahead_[p].flutter;
-    }
+    for (std::size_t p = 0; p < gone_.size(); ++p) gone_[p] += ahead_[p];
     common_ += common_ahead_;
 }
 
 void PatchMotion::mark(const Points& x) {
     marked_ = x;
     common_.setZero();
-    for (Ways& gone : gone_) gone.drift = 0.0;
+    std::fill(gone_.begin(), gone_.end(), 0.0);
 }
 
-void PatchMotion::measure_drift(Index patch, const Points& x) {
+void PatchMotion::measure(Index patch, const Points& x) {
     double square = 0.0;
     for (const Index n : nodes(patch))
         square = std::max(square, (x[n] - marked_[n] - common_).squaredNorm());
-    gone_[patch].drift = std::sqrt(square);
-}
-
-void PatchMotion::measure_flutter(Index patch, const Points& x) {
-    const auto all = nodes(patch);
-    if (all.size() > MOST_NODES) return;
-    std::array<Vec3, MOST_NODES> way;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        way[i] = x[all[i]] - shape_[static_cast<std::size_t>(start_[patch]) + i];
-    double square = 0.0;
-    for (Index e = edge_start_[patch]; e < edge_start_[patch + 1]; ++e)
-        square = std::max(square, (way[edge_[e].second] - way[edge_[e].first]).squaredNorm());
-    const double measured = shape_flutter_[patch] + 0.5 * std::sqrt(square);
-    gone_[patch].flutter = std::min(gone_[patch].flutter, measured);
-}
-
-void PatchMotion::mark_shape(Index patch, const Points& x) {
-    measure_flutter(patch, x);
-    const auto all = nodes(patch);
-    for (std::size_t i = 0; i < all.size(); ++i)
-        shape_[static_cast<std::size_t>(start_[patch]) + i] = x[all[i]];
-    shape_flutter_[patch] = gone_[patch].flutter;
+    gone_[patch] = std::sqrt(square);
 }
 
 }  // namespace corpuscle::contact

@@ -28,7 +28,6 @@ Index common_of(std::span<const Index> triangles, Of&& of) {
 PatchPairs::PatchPairs(const Cloth& cloth, std::span<const double> margin)
     : cloth_(cloth),
       motion_(cloth),
-      open_(cloth, margin),
       margin_(cloth.patches.size(), 0.0),
       room_(margin_),
       tree_(margin_.size()),
@@ -50,20 +49,18 @@ PatchPairs::PatchPairs(const Cloth& cloth, std::span<const double> margin)
 bool PatchPairs::holds(const Points& x) {
     for (std::size_t i = 0; i < room_.size(); ++i) {
         const auto p = static_cast<Index>(i);
-        const auto is_over = [&] {
-            return motion_.gone(p).drift + motion_.ahead(p).drift > room_[p];
-        };
+        const auto is_over = [&] { return motion_.gone(p) + motion_.ahead(p) > room_[p]; };
         if (!is_over()) continue;
-        motion_.measure_drift(p, x);
+        motion_.measure(p, x);
         if (is_over()) return false;
     }
-    return open_.holds(x, motion_);
+    return true;
 }
 
 void PatchPairs::find(const Points& x, double steps) {
     motion_.mark(x);
     const auto bound = [&](std::size_t p) {
-        const double ahead = motion_.ahead(static_cast<Index>(p)).drift;
+        const double ahead = motion_.ahead(static_cast<Index>(p));
         room_[p] = std::max(steps * ahead, LEAST_ROOM * cloth_.mean_edge);
         box_[p] = {};
         for (const Index n : motion_.nodes(p)) box_[p].include(x[n]);
@@ -76,9 +73,8 @@ void PatchPairs::find(const Points& x, double steps) {
     for (std::size_t p = 0; p < room_.size(); ++p)
         pairs_.emplace_back(static_cast<Index>(p), static_cast<Index>(p));
     drop_apart(x);
-    open_.drop_open(x, motion_, pairs_);
     sort_pairs();
-    list_pieces();
+    pieces_.list(cloth_, motion_, pairs_);
 }
 
 /// By counting, the second patch first: a stable sort by the first one then keeps its order.
@@ -123,7 +119,7 @@ bool PatchPairs::may_touch(Index p, Index q) const {
 /// is in them does not. Seen from the one, the other's nodes are at z; the nearest z of their hull
 /// is approached along straight lines [Gilbert 1966].
 bool PatchPairs::are_apart(Index p, Index q, const Points& x) const {
-    if (p == q || open_.are_neighbours(p, q)) return false;
+    if (p == q) return false;
     const double needed = margin_[p] + room_[p] + margin_[q] + room_[q];
     Vec3 z = middle_[q] - middle_[p];
     for (int look = 0; look < MOST_LOOKS; ++look) {
@@ -147,28 +143,6 @@ const Vec3& PatchPairs::farthest(Index patch, const Vec3& along, const Points& x
             at = n;
         }
     return x[at];
-}
-
-void PatchPairs::list_pieces() {
-    auto& [patches, nodes, triangles] = pieces_;
-    patches.clear();
-    nodes.clear();
-    triangles.clear();
-    is_met_.assign(room_.size(), 0);
-    for (const auto& [p, q] : pairs_) is_met_[p] = is_met_[q] = 1;
-    for (std::size_t p = 0; p < is_met_.size(); ++p)
-        if (is_met_[p]) patches.push_back(static_cast<Index>(p));
-    if (patches.empty()) return;
-    is_met_.assign(cloth_.inverse_mass.size(), 0);
-    for (const Index p : patches)
-        for (const Index n : motion_.nodes(p)) is_met_[n] = 1;
-    for (const Index n : cloth_.nodes)
-        if (is_met_[n]) nodes.push_back(n);
-    is_met_.assign(cloth_.triangles.size(), 0);
-    for (const Index p : patches)
-        for (const Index t : cloth_.patches[p]) is_met_[t] = 1;
-    for (std::size_t t = 0; t < is_met_.size(); ++t)
-        if (is_met_[t]) triangles.push_back(static_cast<Index>(t));
 }
 
 }  // namespace corpuscle::contact

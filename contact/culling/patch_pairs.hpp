@@ -7,29 +7,21 @@
 #include <vector>
 
 #include "contact/broad_phase/broad_phase.hpp"
-#include "contact/culling/open_cloth.hpp"
 #include "contact/culling/patch_motion.hpp"
+#include "contact/culling/pieces.hpp"
 
 namespace corpuscle::contact {
 
-/// Patches, with their nodes and triangles, all ascending.
-struct Pieces {
-    std::vector<Index> patches, nodes, triangles;
-};
-
 /// Which patches of cloth have to be searched: FCL tells whose boxes overlap, each with room to
-/// move; those of them that lie open beside each other are left out. Holds until a patch has used
-/// up its room or cloth does not lie open any more.
+/// move; those of them between which there is a plane are left out. Holds until a patch has used up its
+/// room.
 class PatchPairs {
 public:
     /// @param margin  by triangle: its part of the gap that matters                        [m]
     PatchPairs(const Cloth& cloth, std::span<const double> margin);
 
     /// Begins at x.
-    void start(const Points& x) {
-        motion_.start(x);
-        open_.forget();
-    }
+    void start(const Points& x) { motion_.start(x); }
     void follow(const Points& x) { motion_.follow(x); }
 
     /// Looks at the step ahead, from x to x + dt v.
@@ -42,14 +34,14 @@ public:
     void find(const Points& x, double steps);
 
     /// Pairs p <= q that may meet, sorted; each patch also with itself.
-    [[nodiscard]] std::span<const std::pair<Index, Index>> pairs() const { return pairs_; }
+    [[nodiscard]] std::span<const PatchPair> pairs() const { return pairs_; }
     /// What these are of.
     [[nodiscard]] const Pieces& pieces() const { return pieces_; }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(motion_, open_, room_, pairs_, pieces_.patches, pieces_.nodes, pieces_.triangles);
+        archive(motion_, room_, pairs_, pieces_.patches, pieces_.nodes, pieces_.triangles);
     }
 
 private:
@@ -58,21 +50,19 @@ private:
     [[nodiscard]] const Vec3& farthest(Index patch, const Vec3& along, const Points& x) const;
     void drop_apart(const Points& x);
     void sort_pairs();
-    void list_pieces();
 
     const Cloth& cloth_;
     PatchMotion motion_;
-    OpenCloth open_;
     std::vector<Index> part_, body_;  ///< that a whole patch is of, or -1
     std::vector<double> margin_;      ///< by patch                                        [m]
     std::vector<double> room_;        ///< by patch: drift that it has room for            [m]
     BroadPhase tree_;
     std::vector<Box> box_;
     Points middle_;  ///< by patch                                                          [m]
-    std::vector<std::pair<Index, Index>> pairs_, sorted_;
+    std::vector<PatchPair> pairs_, sorted_;
     std::vector<std::size_t> start_;  ///< of the pairs by patch, while they are sorted
     Pieces pieces_;
-    std::vector<std::uint8_t> is_met_;  ///< pairs, patches, nodes, or triangles
+    std::vector<std::uint8_t> is_met_;  ///< by pair
 };
 
 }  // namespace corpuscle::contact

@@ -167,7 +167,7 @@ TEST_CASE("where most of the cloth lies open, nothing near is missed either", "[
     const support::Sheet sheet = support::square_sheet(16, 0.16);
     const auto everything = all_pairs(sheet.triangles, sheet.x.size());
     const Cloth fixed = support::cloth_of(sheet);
-    std::size_t near = 0, unsearched = 0;
+    std::size_t near = 0;
     for (unsigned state = 0; state < 10; ++state) {
         const Crumpling motion(sheet.x, 0.16, state, 0.01 * (1 + state % 5));
         Candidates pairs(fixed, REACH);
@@ -179,7 +179,6 @@ TEST_CASE("where most of the cloth lies open, nothing near is missed either", "[
             std::set<Named> due;
             pairs.for_each_due(0, pairs.size(), insert_into(due, pairs));
             pairs.for_each_due(0, pairs.size(), [&](std::size_t i) { tell_distance(pairs, i, x); });
-            unsearched += sheet.triangles.size() - pairs.searched();
             if (n % 13 != 0) continue;
             for (const Pair& pair : everything) {
                 if (nearest(pair, corners(pair, x)).apart.norm() >=
@@ -192,7 +191,6 @@ TEST_CASE("where most of the cloth lies open, nothing near is missed either", "[
         }
     }
     CHECK(near > 100);
-    CHECK(unsearched > 10 * 40 * sheet.triangles.size() / 8);
 }
 
 TEST_CASE("whatever is near is due, and whatever may meet is known, as in a list of all pairs",

@@ -38,16 +38,6 @@ struct Flying {
                     40.0 * t * rest[i].cwiseProduct(Vec3(1, 0, 0));
         return x;
     }
-    /// Half the most that two corners of a patch's triangle have gone against each other.  [m]
-    [[nodiscard]] double flutter(Index patch, const Points& from, const Points& to) const {
-        double most = 0.0;
-        for (const Index t : cloth.patches[patch])
-            for (std::size_t k = 0; k < 3; ++k) {
-                const Index a = cloth.triangles[t][k], b = cloth.triangles[t][(k + 1) % 3];
-                most = std::max(most, 0.5 * ((to[a] - to[b]) - (from[a] - from[b])).norm());
-            }
-        return most;
-    }
 };
 
 void step(PatchMotion& motion, const Flying& flying, int n) {
@@ -58,56 +48,6 @@ void step(PatchMotion& motion, const Flying& flying, int n) {
 }
 
 }  // namespace
-
-TEST_CASE("flutter bounds how triangles change, from each mark to each later time", "[contact]") {
-    const Flying flying;
-    PatchMotion motion(flying.cloth);
-    motion.start(flying.at(0.0));
-    struct Mark {
-        Index patch;
-        double flutter;
-        Points x;
-    };
-    std::vector<Mark> marks;
-    std::mt19937 random(2);
-    std::vector<double> ways(motion.size(), 0.0);
-    for (int n = 0; n < 60; ++n) {
-        const Points x = flying.at(n * DT);
-        for (std::size_t i = 0; i < motion.size(); ++i) {
-            const auto p = static_cast<Index>(i);
-            if (random() % 3 == 0) motion.measure_flutter(p, x);
-            if (random() % 5 != 0) continue;
-            motion.mark_shape(p, x);
-            marks.push_back({p, motion.gone(p).flutter, x});
-        }
-        for (const Mark& mark : marks)
-            CHECK(motion.gone(mark.patch).flutter - mark.flutter >=
-                  flying.flutter(mark.patch, mark.x, x) - 1e-12);
-        for (std::size_t i = 0; i < ways.size(); ++i)
-            ways[i] -= motion.gone(static_cast<Index>(i)).flutter;
-        step(motion, flying, n);
-        for (std::size_t i = 0; i < ways.size(); ++i)
-            ways[i] += motion.gone(static_cast<Index>(i)).flutter;
-    }
-    CHECK(marks.size() > 50);
-    // what swings back and forth has come to less than its way
-    for (std::size_t i = 0; i < ways.size(); ++i)
-        CHECK(motion.gone(static_cast<Index>(i)).flutter < 0.8 * ways[i]);
-}
-
-TEST_CASE("what is measured at once is what triangles have come to", "[contact]") {
-    const Flying flying;
-    PatchMotion motion(flying.cloth);
-    const Points x0 = flying.at(0.0);
-    motion.start(x0);
-    for (int n = 0; n < 30; ++n) step(motion, flying, n);
-    const Points x = flying.at(30 * DT);
-    for (std::size_t i = 0; i < motion.size(); ++i) {
-        const auto p = static_cast<Index>(i);
-        motion.measure_flutter(p, x);
-        CHECK(motion.gone(p).flutter == Approx(flying.flutter(p, x0, x)));
-    }
-}
 
 TEST_CASE("two patches' nodes move against each other by no more than their drifts", "[contact]") {
     const Flying flying;
@@ -123,15 +63,15 @@ TEST_CASE("two patches' nodes move against each other by no more than their drif
         }
         if (n % 8 == 0)
             for (std::size_t p = 0; p < motion.size(); p += 2)
-                motion.measure_drift(static_cast<Index>(p), x);
+                motion.measure(static_cast<Index>(p), x);
         for (std::size_t p = 0; p < motion.size(); ++p)
             for (std::size_t q = p + 1; q < motion.size(); ++q) {
                 double most = 0.0;
                 for (const Index i : motion.nodes(p))
                     for (const Index j : motion.nodes(q))
                         most = std::max(most, ((x[i] - x[j]) - (marked[i] - marked[j])).norm());
-                const double bound = motion.gone(static_cast<Index>(p)).drift +
-                                     motion.gone(static_cast<Index>(q)).drift;
+                const double bound =
+                    motion.gone(static_cast<Index>(p)) + motion.gone(static_cast<Index>(q));
                 CHECK(most <= bound + 1e-12);
                 if ((n == 24 || n == 48) && p % 2 == 0 && q % 2 == 0)
                     measured = std::max(measured, bound);
