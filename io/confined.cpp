@@ -28,7 +28,11 @@ namespace {
 enum Outcome : int { DONE = 0, THREW = 1, NO_MEMORY = 2 };
 
 /// Sanitizers reserve more addresses than anybody would allow.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifndef __has_feature
+#define __has_feature(what) 0
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || \
+    __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 constexpr bool CAN_LIMIT_MEMORY = false;
 #else
 constexpr bool CAN_LIMIT_MEMORY = true;

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <utility>
 
+#include "io/hdf5_walk.hpp"
 #include "solver/base/error.hpp"
 
 namespace corpuscle::io {
@@ -248,7 +249,7 @@ void Hdf5Writer::copy(const std::string& path, const std::filesystem::path& othe
 }
 
 void Hdf5Writer::take_over(const std::filesystem::path& other_file, const std::string& path) {
-    const Hdf5Reader from(other_file);
+    const Hdf5Reader from(other_file, Hdf5Reader::Origin::OWN);
     const Id other(
         checked(H5Fopen(other_file.c_str(), H5F_ACC_RDONLY, access()), "read", other_file),
         H5Fclose);
@@ -259,7 +260,9 @@ void Hdf5Writer::take_over(const std::filesystem::path& other_file, const std::s
                 "write", file_, name);
 }
 
-Hdf5Reader::Hdf5Reader(std::filesystem::path file) : file_(std::move(file)), id_(-1) {
+Hdf5Reader::Hdf5Reader(std::filesystem::path file, Origin origin)
+    : file_(std::move(file)), id_(-1) {
+    if (origin == Origin::UNKNOWN) expect_survivable(file_);
     id_ = checked(H5Fopen(file_.c_str(), H5F_ACC_RDONLY, access()), "read", file_);
 }
 
@@ -277,9 +280,12 @@ std::vector<std::string> Hdf5Reader::names(const std::string& path) const {
         static_cast<std::vector<std::string>*>(to)->emplace_back(name);
         return 0;
     };
-    checked(H5Literate_by_name(id_, path.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, keep, &found,
-                               H5P_DEFAULT),
+    // In the order of the file: for another one HDF5 1.10 makes a table, half filled where the file
+    // is damaged, and gives all of it back
+    checked(H5Literate_by_name(id_, path.c_str(), H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, keep,
+                               &found, H5P_DEFAULT),
             "read", file_, path);
+    std::sort(found.begin(), found.end());
     return found;
 }
 
@@ -309,6 +315,19 @@ std::vector<T> Hdf5Reader::read(const std::string& path) const {
     checked(H5Dread(set, type_of<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read", file_,
             path);
     return values;
+}
+
+std::vector<std::string> Hdf5Reader::attributes(const std::string& path) const {
+    std::vector<std::string> found;
+    const auto keep = [](hid_t, const char* name, const H5A_info_t*, void* to) -> herr_t {
+        static_cast<std::vector<std::string>*>(to)->emplace_back(name);
+        return 0;
+    };
+    checked(H5Aiterate_by_name(id_, path.c_str(), H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, keep,
+                               &found, H5P_DEFAULT),
+            "read", file_, path);
+    std::sort(found.begin(), found.end());
+    return found;
 }
 
 bool Hdf5Reader::has_attribute(const std::string& path, const std::string& attribute) const {

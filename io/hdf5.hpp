@@ -65,7 +65,11 @@ private:
 
 class Hdf5Reader {
 public:
-    explicit Hdf5Reader(std::filesystem::path file);
+    /// Whose file it is: libhdf5 does not survive all that can happen to one on a disk, so that what
+    /// this run has not written is first walked over by a process of its own.
+    enum class Origin { UNKNOWN, OWN };
+    /// @throws SystemError also where libhdf5 would crash
+    explicit Hdf5Reader(std::filesystem::path file, Origin origin = Origin::UNKNOWN);
     ~Hdf5Reader();
     Hdf5Reader(const Hdf5Reader&) = delete;
     Hdf5Reader& operator=(const Hdf5Reader&) = delete;
@@ -82,6 +86,7 @@ public:
     template <class T>
     [[nodiscard]] std::vector<T> read(const std::string& path) const;
 
+    [[nodiscard]] std::vector<std::string> attributes(const std::string& path) const;
     [[nodiscard]] bool has_attribute(const std::string& path, const std::string& attribute) const;
     [[nodiscard]] std::string text(const std::string& path, const std::string& attribute) const;
     template <class T>

@@ -18,6 +18,7 @@ target_sources(corpuscle_io PRIVATE
     export/lsda.cpp
     folder_lock.cpp
     hdf5.cpp
+    hdf5_walk.cpp
     history_table.cpp
     mesh_check.cpp
     mesh_file.cpp

@@ -96,6 +96,32 @@ TEST_CASE("a bit that was turned over in results is found, or was in nobody's nu
     CHECK(peak_memory() - memory < 200000);
 }
 
+TEST_CASE("results whose texts lie where no text is are an error, not a crash", "[io]") {
+    const scene::Folder folder("texts");
+    const std::string whole = whole_results(folder.path);
+    const auto file = folder.path / "damaged.h5";
+    const std::size_t heap =
+        whole.find("GCOL");  // HDF5's global heap: the only one without checksum
+    REQUIRE(heap != std::string::npos);
+    int found = 0;
+    for (std::size_t at = heap; at < heap + 400; at += 4) {
+        std::string damaged = whole;
+        for (const std::size_t i : {0, 1, 2, 3}) damaged[at + i] = '\xf0';
+        write(file, damaged);
+        CAPTURE(at - heap);
+        try {
+            const Hdf5Reader results(file);
+            for (const std::string& name : results.attributes("/")) try {
+                    static_cast<void>(results.text("/", name));
+                } catch (const SystemError&) {
+                }
+        } catch (const SystemError&) {
+            ++found;
+        }
+    }
+    CHECK(found > 0);
+}
+
 TEST_CASE("results that were cut off anywhere do not open", "[io]") {
     const scene::Folder folder("cut");
     const std::string whole = whole_results(folder.path);
