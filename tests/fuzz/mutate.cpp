@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "tests/fuzz/mutate.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <cstring>
 #include <string_view>
 #include <utility>
@@ -67,17 +70,28 @@ std::pair<std::size_t, std::size_t> field_of(const std::string& line, Random& dr
         const std::size_t begin = 10 * within(draw, (line.size() + 9) / 10);
         return {begin, std::min<std::size_t>(10, line.size() - std::min(begin, line.size()))};
     }
-    const std::size_t at = within(draw, line.size());
+    const std::size_t from = line.find('=') == std::string::npos ? 0 : line.find('=') + 1;
+    const std::size_t at = from + within(draw, line.size() - from);
     const std::size_t before = line.find_last_of(",=[ ", at);
     const std::size_t begin = before == std::string::npos || before >= at ? at : before + 1;
-    const std::size_t end = std::min(line.find_first_of(",] ", begin), line.size());
+    const std::size_t end = std::min(line.find_first_of(",] #", begin), line.size());
     return {begin, end - std::min(begin, end)};
+}
+
+/// A number near the one that is there, or that nobody expects.
+std::string instead_of(const std::string& field, Random& draw) {
+    char* end = nullptr;
+    const double number = std::strtod(field.c_str(), &end);
+    if (end == field.c_str() || draw.below(2) == 0)
+        return std::string(ODD[within(draw, ODD.size())]);
+    constexpr std::array FACTORS{0.1, 0.5, 0.9, 1.1, 2.0, 10.0, -1.0};
+    return fmt::format("{:.4g}", number * FACTORS[within(draw, FACTORS.size())]);
 }
 
 void change_field(std::string& line, Random& draw) {
     const auto [begin, size] = field_of(line, draw);
     if (begin > line.size()) return;
-    std::string with(ODD[within(draw, ODD.size())]);
+    std::string with = instead_of(line.substr(begin, size), draw);
     if (size == 10 && with.size() < 10) with.insert(0, 10 - with.size(), ' ');
     line.replace(begin, size, with);
 }
@@ -97,7 +111,7 @@ void change_lines(std::vector<std::string>& lines, const std::vector<std::string
                   Random& draw) {
     const std::size_t i = some_line(lines, draw), j = some_line(lines, draw);
     const auto at = [&](std::size_t k) { return lines.begin() + static_cast<std::ptrdiff_t>(k); };
-    switch (draw.below(8)) {
+    switch (draw.below(16)) {
         case 0:
             lines.insert(at(j), std::string(lines[i]));
             break;
@@ -131,7 +145,7 @@ void change_lines(std::vector<std::string>& lines, const std::vector<std::string
 std::string damaged_text(std::string text, const std::string& other, Random& draw) {
     std::vector<std::string> lines = lines_of(text);
     const std::vector<std::string> more = lines_of(other);
-    for (std::uint32_t k = 1 + draw.below(5); k > 0 && !lines.empty(); --k)
+    for (std::uint32_t k = 1 + draw.below(3); k > 0 && !lines.empty(); --k)
         change_lines(lines, more, draw);
     return joined(lines);
 }
