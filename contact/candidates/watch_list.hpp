@@ -72,7 +72,8 @@ private:
     [[nodiscard]] unsigned within(std::size_t i, double age, const std::vector<double>& way) const {
         const Four is_at = load(&sum[i]), rate = load(&approach_[i]);
         const Four left = is_at - (age * rate + (gather(way, &first[i]) + gather(way, &second[i])));
-        return bits_of(left <= (WITH_REACH ? load(&reach[i]) : Four{}));
+        const FourBits is_within = left <= (WITH_REACH ? load(&reach[i]) : Four{});
+        return bits_of(is_within);
     }
     static Four load(const double* a) { return Four{a[0], a[1], a[2], a[3]}; }
     static Four load(const float* a) { return Four{a[0], a[1], a[2], a[3]}; }

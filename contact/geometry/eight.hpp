@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "solver/base/shuffle.hpp"
+
 #ifdef __AVX__
 #include <immintrin.h>
 #endif
@@ -49,8 +51,8 @@ inline EightBits lanes_of(unsigned bits) {
 
 /// The least of the eight.
 inline float least_lane(const Eight& a) {
-    const Eight four = least_of(a, __builtin_shuffle(a, EightBits{4, 5, 6, 7, 0, 1, 2, 3}));
-    const Eight two = least_of(four, __builtin_shuffle(four, EightBits{2, 3, 0, 1, 6, 7, 4, 5}));
+    const Eight four = least_of(a, shuffled(a, EightBits{4, 5, 6, 7, 0, 1, 2, 3}));
+    const Eight two = least_of(four, shuffled(four, EightBits{2, 3, 0, 1, 6, 7, 4, 5}));
     return std::min(two[0], two[1]);
 }
 

@@ -98,7 +98,7 @@ LinLanes::Energy LinLanes::share(const Four& motion, const Four& thermal) const 
     const Four less = SCATTER * half_heat * C_t * (n * curvature) * scatter * scatter;
     const Four most = MOST_NOISE * least, wanted = spread * load(share_.data()) - less;
     Four more = wanted > most ? most : wanted < -most ? -most : wanted;
-    more = (C_i > 0.0) & (least > 0.0) ? more : all(0.0);
+    more = ((C_i > 0.0) & (least > 0.0)) ? more : all(0.0);
     each += more / n;
     const Four translational = left - more;
     return {each, kept, translational, (T > 0.0) & (translational > 0.0)};

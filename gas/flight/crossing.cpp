@@ -42,7 +42,7 @@ struct Corners {
     std::array<Four, 3> along;
     [[nodiscard]] Corners pick(const lanes::FourBits& from) const {
         Corners out;
-        for (int a = 0; a < 3; ++a) out.along[a] = __builtin_shuffle(along[a], from);
+        for (int a = 0; a < 3; ++a) out.along[a] = shuffled(along[a], from);
         return out;
     }
     [[nodiscard]] Vec3 operator[](int lane) const {

@@ -137,7 +137,7 @@ inline contact::Eight EightPrisms::entered(const contact::EightPoints& from,
     using contact::all_eight, contact::Eight, contact::greatest_of, contact::least_of;
     const Eight zero{}, one = all_eight(1.0F), tiny = all_eight(1e-30F);
     const Eight h_0 = normal.at(from), rise = normal.at(to) - h_0;
-    const Eight slope = (rise > tiny) | (rise < -tiny) ? rise : tiny;
+    const Eight slope = ((rise > tiny) | (rise < -tiny)) ? rise : tiny;
     const Eight low = -h_0 / slope, high = (thick - h_0) / slope;
     const Eight enters = greatest_of(least_of(low, high), zero),
                 leaves = least_of(greatest_of(low, high), one);

@@ -29,7 +29,7 @@ void write_lanes(unsigned bits, const T* from, T* to) {
     contact::EightBits lanes, numbers;
     std::memcpy(&lanes, &LANES_SET[bits], sizeof(lanes));
     std::memcpy(&numbers, from, sizeof(numbers));
-    numbers = __builtin_shuffle(numbers, lanes);
+    numbers = shuffled(numbers, lanes);
     std::memcpy(to, &numbers, sizeof(numbers));
 }
 

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <numbers>
 
+#include "solver/base/shuffle.hpp"
+
 #ifdef __AVX__
 #include <immintrin.h>
 #endif
@@ -39,18 +41,18 @@ inline Four absolute(const Four& a) {
 /// Four points x y z x, y z x y, z x y z as columns.
 inline std::array<Four, 3> columns(const Four& a, const Four& b, const Four& c) {
     constexpr FourBits ONE{0, -1, 0, 0}, TWO{0, 0, -1, 0}, OUTER{-1, 0, 0, -1};
-    return {__builtin_shuffle(TWO   ? b
-                              : ONE ? c
-                                    : a,
-                              FourBits{0, 3, 2, 1}),
-            __builtin_shuffle(ONE   ? a
-                              : TWO ? c
-                                    : b,
-                              FourBits{1, 0, 3, 2}),
-            __builtin_shuffle(OUTER ? c
-                              : ONE ? b
-                                    : a,
-                              FourBits{2, 1, 0, 3})};
+    return {shuffled(TWO   ? b
+                     : ONE ? c
+                           : a,
+                     FourBits{0, 3, 2, 1}),
+            shuffled(ONE   ? a
+                     : TWO ? c
+                           : b,
+                     FourBits{1, 0, 3, 2}),
+            shuffled(OUTER ? c
+                     : ONE ? b
+                           : a,
+                     FourBits{2, 1, 0, 3})};
 }
 
 inline Four sqrt(const Four& a) {

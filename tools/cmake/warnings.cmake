@@ -6,5 +6,11 @@ if(CORPUSCLE_SANITIZE)
     set(null_dereference)  # minutes a file, where sanitizers have put a branch before every access
 endif()
 target_compile_options(corpuscle_warnings INTERFACE
-    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual ${null_dereference}
-    -Wno-maybe-uninitialized)  # false alarms from inlined Eigen temporaries in g++ 12
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual ${null_dereference})
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    # false alarms from inlined Eigen temporaries in g++ 12
+    target_compile_options(corpuscle_warnings INTERFACE -Wno-maybe-uninitialized)
+else()
+    # comparisons joined by & have no branch: meant so
+    target_compile_options(corpuscle_warnings INTERFACE -Wno-bitwise-instead-of-logical)
+endif()
