@@ -321,6 +321,30 @@ std::string airbag(Draw& draw, Plan& plan, RandomScene& scene) {
     return nodes + text + rows + jets;
 }
 
+/// What stands in the way of cloth that moves, and is drawn apart: a plane above the bag or beside
+/// it; some of its speed at the start.
+std::string surroundings(const Plan& plan, unsigned seed, std::string& words) {
+    Draw draw(seed + 0x5000'0000U);
+    std::string text;
+    if (plan.is_rigid) return text;
+    if (draw.chance(0.3)) {
+        const int axis = draw.below(2) == 0 ? 2 : 1;
+        Vec3 at = 0.5 * plan.side, to = at;
+        at[axis] = draw.in(1.02, 1.1) * plan.side[axis];
+        to[axis] = 0.0;
+        text += fmt::format(
+            "*RIGIDWALL_PLANAR\n0\n{:.6g}, {:.6g}, {:.6g}, {:.6g}, {:.6g}, {:.6g}, {:.3g}\n", at[0],
+            at[1], at[2], to[0], to[1], to[2], draw.in(0.0, 0.5));
+        words += ", a wall";
+    }
+    if (draw.chance(0.2)) {
+        text += fmt::format("*DEFINE_CURVE\n900\n0.0, {0:.4g}\n1.0, {0:.4g}\n*LOAD_BODY_Z\n900\n",
+                            draw.in(5.0, 50.0));
+        words += ", gravity";
+    }
+    return text;
+}
+
 }  // namespace
 
 RandomScene random_scene(unsigned seed) {
@@ -335,6 +359,7 @@ RandomScene random_scene(unsigned seed) {
     if (plan.has_vent) words += ", vent";
     if (plan.is_porous) words += ", porous";
     if (plan.has_heat) words += ", HCONV";
+    const std::string beside = surroundings(plan, seed, words);
     scene.summary = fmt::format("{}, {:.2g} l, ", words, 1e3 * plan.volume());
     scene.deck = "*KEYWORD\n*TITLE\nrandom scene\n";
     scene.deck += fmt::format("*CONTROL_TERMINATION\n{:.6g}\n", plan.end);
@@ -347,7 +372,7 @@ RandomScene random_scene(unsigned seed) {
     scene.deck += chambers(plan);
     if (!plan.is_rigid)
         scene.deck += "*CONTACT_AIRBAG_SINGLE_SURFACE\n0, 0, 5, 0\n0.2, 0.2, 0.0, 0.0, 20.0\n,\n";
-    scene.deck += airbag(draw, plan, scene);
+    scene.deck += beside + airbag(draw, plan, scene);
     scene.deck += plan.curves + "*END\n";
     scene.summary += fmt::format(", TSSFAC {:.2f}, seed {}", factor, scene.seed);
     return scene;

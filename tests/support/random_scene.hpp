@@ -19,7 +19,7 @@ struct RandomScene {
 /// computing. Walls: rigid, or cloth that touches itself, one face held. By chance: 1 or 2 chambers
 /// with or without a hole between them, a vent, a porous part, heat to the walls; initial air as
 /// IAIR 0, 1, -1 or 2; 1 to 3 gases of 1 or 2 inflators with 1 to 4 nozzles; 10 to 20 000
-/// particles, TSW, TSSFAC 0.2 to 0.9.
+/// particles, TSW, TSSFAC 0.2 to 0.9. Cloth may meet a plane, and weigh something.
 [[nodiscard]] RandomScene random_scene(unsigned seed);
 
 }  // namespace corpuscle::support

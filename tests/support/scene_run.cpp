@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "io/hdf5.hpp"
+#include "tests/support/frame_crossings.hpp"
 
 namespace corpuscle::test {
 namespace {
@@ -44,6 +45,26 @@ double largest(const std::vector<double>& values) {
     return most;
 }
 
+/// FNV-1a, 64 bits.
+void add_to(std::uint64_t& digest, const void* bytes, std::size_t size) {
+    for (std::size_t i = 0; i < size; ++i)
+        digest = (digest ^ static_cast<const unsigned char*>(bytes)[i]) * 0x100000001b3ULL;
+}
+
+/// What the shell is to run.
+std::string command_of(const fs::path& directory, const std::string& options, SceneRun::How how) {
+    const bool is_broken = how == SceneRun::How::RESTARTED;
+    const std::string run = fmt::format("{} run scene.k -j {} -o out {}", CORPUSCLE_PROGRAM,
+                                        how == SceneRun::How::TWO_THREADS ? 2 : 1, options);
+    const std::string kill = fmt::format(
+        "{{ {} >log 2>&1 & while kill -0 $! 2>/dev/null && [ ! -e out/checkpoint ]; do sleep "
+        "0.002; "
+        "done; kill -9 $! 2>/dev/null; wait $!; }} 2>/dev/null; ",
+        run);
+    return fmt::format("cd '{}' && ulimit -t {} && {} exec {}{} >log 2>&1", directory.string(),
+                       MOST_SECONDS, is_broken ? kill : "", run, is_broken ? " --restart" : "");
+}
+
 bool ends_with(const std::string& text, const std::string& end) {
     return text.size() >= end.size() &&
            text.compare(text.size() - end.size(), end.size(), end) == 0;
@@ -51,7 +72,8 @@ bool ends_with(const std::string& text, const std::string& end) {
 
 }  // namespace
 
-SceneRun::SceneRun(const std::string& name, const std::string& deck, const std::string& options) {
+SceneRun::SceneRun(const std::string& name, const std::string& deck, const std::string& options,
+                   How how) {
     if (const char* kept = std::getenv("KEEP")) {
         directory_ = fs::path(kept) / name;
         fs::create_directories(directory_);
@@ -62,10 +84,7 @@ SceneRun::SceneRun(const std::string& name, const std::string& deck, const std::
     }
     std::ofstream(directory_ / "scene.k") << deck;
     const auto start = std::chrono::steady_clock::now();
-    const std::string command =
-        fmt::format("cd '{}' && ulimit -t {} && exec {} run scene.k -j 1 -o out {} >log 2>&1",
-                    directory_.string(), MOST_SECONDS, CORPUSCLE_PROGRAM, options);
-    const int ended = std::system(command.c_str());
+    const int ended = std::system(command_of(directory_, options, how).c_str());
     seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     status = WIFEXITED(ended) ? WEXITSTATUS(ended) : 128 + WTERMSIG(ended);
     read();
@@ -92,6 +111,8 @@ void SceneRun::read() {
     each_dataset(file, "/", [&](const std::string& path) {
         const auto values = file.read<double>(path);
         numbers += values.size();
+        add_to(digest, path.data(), path.size());
+        add_to(digest, values.data(), values.size() * sizeof(double));
         const bool is_finite =
             std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
         if (!is_finite && not_finite.empty()) not_finite = path;
@@ -108,6 +129,7 @@ void SceneRun::read() {
         const auto all = file.read<double>("/history/energy/" + name);
         return all.empty() ? std::vector<double>{0.0} : all;
     };
+    crossings = frame_crossings(directory_ / "out/results.h5").crossings;
     worst_residual = largest(series("residual"));
     under_way = largest(series("smoothing"));
     brought_in = series("inflow").back() + std::max(0.0, series("external").back());
@@ -120,6 +142,7 @@ std::string SceneRun::fault(double residual) const {
         text += fmt::format("status {}: {}", status, end.empty() ? "no word why\n" : end);
     if (status == 0 && numbers == 0) text += "no results\n";
     if (!not_finite.empty()) text += not_finite + " is not finite\n";
+    if (crossings != 0) text += fmt::format("{} pairs of facets cross\n", crossings);
     if (!impossible.empty()) text += impossible + " has a mass or temperature that no gas has\n";
     if (status == 0 && lost != 0) text += fmt::format("{} particles lost\n", lost);
     if (!(worst_residual <= residual))

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -13,7 +14,10 @@ class SceneRun {
 public:
     /// @param name     of the directory
     /// @param options  of `corpuscle run`, e.g. "--seed 3"
-    SceneRun(const std::string& name, const std::string& deck, const std::string& options);
+    /// @param how      with one thread; two; or one, killed at its first checkpoint and restarted
+    enum class How { ONE_THREAD, TWO_THREADS, RESTARTED };
+    SceneRun(const std::string& name, const std::string& deck, const std::string& options,
+             How how = How::ONE_THREAD);
     ~SceneRun();
     SceneRun(const SceneRun&) = delete;
     SceneRun& operator=(const SceneRun&) = delete;
@@ -22,6 +26,8 @@ public:
     double seconds = 0.0;         ///< by the clock
     std::string end;              ///< the line that says why, of a run that failed
     std::size_t numbers = 0;      ///< in results.h5
+    std::uint64_t digest = 0;     ///< of all numbers in results.h5 and their paths
+    std::size_t crossings = 0;    ///< of triangles, exactly, in all frames
     std::string not_finite;       ///< the first dataset with a number that is not; empty: all are
     std::string impossible;       ///< the same: a mass below 0, or mass without a temperature
     double worst_residual = 0.0;  ///< of the energies                                       [J]
