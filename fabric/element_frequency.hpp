@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "fabric/lanes.hpp"
 #include "fabric/materials/plane_stress.hpp"
 #include "fabric/reference_shape.hpp"
 

@@ -39,6 +39,11 @@ std::vector<double> contact_moduli(const std::vector<fabric::Material>& material
         }
         double operator()(const fabric::ElasticCard& card) const { return card.E; }
         double operator()(const fabric::NullCard&) const { return 0.0; }
+        double operator()(const fabric::OwnCard& card) const {
+            if (card.law == nullptr) return 0.0;
+            const fabric::PlaneModuli moduli = card.law->moduli();
+            return std::min(moduli.warp, moduli.weft);
+        }
         double operator()(const fabric::RigidCard& card) const { return card.E; }
     };
     constexpr double OF_NONE = 3e8;  ///< where no material has a modulus

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "fabric/elements/quad_modes.hpp"
+#include "fabric/lanes.hpp"
 #include "fabric/materials/plane_stress.hpp"
 #include "fabric/reference_shape.hpp"
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <tuple>
 
+#include "fabric/lanes.hpp"
 #include "fabric/materials/plane_stress.hpp"
 #include "fabric/reference_shape.hpp"
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "fabric/lanes.hpp"
 #include "fabric/materials/loading_loop.hpp"
 #include "fabric/materials/plane_stress.hpp"
 #include "fabric/materials/yarn_measures.hpp"

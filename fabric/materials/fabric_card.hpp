@@ -7,6 +7,7 @@
 #include <string>
 #include <variant>
 
+#include "fabric/materials/own_law.hpp"
 #include "solver/base/vec.hpp"
 
 namespace corpuscle::fabric {
@@ -100,7 +101,7 @@ struct RigidCard {
     Mat3 axes = Mat3::Identity();  ///< columns: those x, y, z; of CMO = -1 the system CON1, at rest
 };
 
-using MaterialCard = std::variant<FabricCard, ElasticCard, NullCard, RigidCard>;
+using MaterialCard = std::variant<FabricCard, ElasticCard, NullCard, RigidCard, OwnCard>;
 
 struct Material {
     int id = 0;  ///< MID

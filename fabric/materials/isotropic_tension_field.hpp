@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "fabric/lanes.hpp"
 #include "fabric/materials/plane_stress.hpp"
 
 namespace corpuscle::fabric {

@@ -39,6 +39,21 @@ void check(Faults& faults, const Material& m, const ElasticCard& c) {
     require(faults, c.nu > -1 && c.nu < 1, m, "PR", c.nu, "-1 < PR < 1");
 }
 
+void check(Faults& faults, const Material& m, const OwnCard& c) {
+    require(faults, c.density > 0, m, "density", c.density, "> 0");
+    require(faults, c.damping >= 0, m, "damping", c.damping, ">= 0");
+    if (c.law == nullptr) {
+        faults.push_back(fmt::format("material {}: it has no law", m.id));
+        return;
+    }
+    const PlaneModuli d = c.law->moduli();
+    require(faults, d.warp > 0, m, "warp modulus", d.warp, "> 0");
+    require(faults, d.weft > 0, m, "weft modulus", d.weft, "> 0");
+    require(faults, d.shear > 0, m, "shear modulus", d.shear, "> 0");
+    require(faults, d.cross * d.cross < d.warp * d.weft, m, "cross modulus", d.cross,
+            "cross² < warp·weft, or stretching would give energy");
+}
+
 template <class Fabric>
 Law maybe_lined(const Fabric& fabric, const PlaneModuli& layers) {
     if (layers.warp > 0) return Lined<Fabric>(fabric, layers);
@@ -93,6 +108,9 @@ PartLaw make_law(const Material& material, std::span<const Curve> curves, double
         if (faults.empty())
             return {
                 Linear(isotropic_moduli(elastic->E, elastic->nu)), elastic->density, 0.0, {}, {}};
+    } else if (const auto* own = std::get_if<OwnCard>(&material.card)) {
+        check(faults, material, *own);
+        if (faults.empty()) return {EachLane(own->law), own->density, own->damping, {}, {}};
     } else {
         faults.push_back(fmt::format("material {} has no stiffness to strain", material.id));
     }

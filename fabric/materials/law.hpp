@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fabric/materials/curved.hpp"
+#include "fabric/materials/each_lane.hpp"
 #include "fabric/materials/fabric_card.hpp"
 #include "fabric/materials/isotropic_tension_field.hpp"
 #include "fabric/materials/linear.hpp"
@@ -19,10 +20,10 @@
 namespace corpuscle::fabric {
 
 /// Every law that a block of elements can have: chosen once a part, never in a loop.
-using Law =
-    std::variant<Linear, IsotropicTensionField, OrthotropicTensionField, Lined<Linear>,
-                 Lined<IsotropicTensionField>, Lined<OrthotropicTensionField>, Curved<GreenMeasure>,
-                 Curved<EngineeringMeasure>, Looped<GreenMeasure>, Looped<EngineeringMeasure>>;
+using Law = std::variant<Linear, IsotropicTensionField, OrthotropicTensionField, Lined<Linear>,
+                         Lined<IsotropicTensionField>, Lined<OrthotropicTensionField>,
+                         Curved<GreenMeasure>, Curved<EngineeringMeasure>, Looped<GreenMeasure>,
+                         Looped<EngineeringMeasure>, EachLane>;
 
 struct PartLaw {
     Law law{Linear(PlaneModuli{})};

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "fabric/lanes.hpp"
-
 namespace corpuscle::fabric {
 
 /// Green-Lagrange strain on the warp and weft of the reference shape; shear is the angle's.   [-]

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fabric/lanes.hpp"
 #include "fabric/materials/plane_stress.hpp"
 
 /// What the abscissa and the ordinate of a stress-strain curve are. A measure turns Green strain
