@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace corpuscle {
@@ -14,8 +13,6 @@ class Simulation;
 
 /// The commands behind `corpuscle COMMAND`; each returns the program's exit status or throws.
 namespace corpuscle::tools {
-
-inline constexpr std::string_view VERSION = CORPUSCLE_VERSION;
 
 struct DeckArguments {
     std::string file;

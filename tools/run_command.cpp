@@ -25,6 +25,7 @@
 #include "tools/commands.hpp"
 #include "tools/run_folder.hpp"
 #include "tools/summary.hpp"
+#include "tools/version.hpp"
 
 namespace corpuscle::tools {
 namespace {
@@ -290,7 +291,7 @@ int run(const RunArguments& arguments) {
 
     const RecordLayout layout = simulation.layout();
     const io::RunInfo info =
-        run_info(model, VERSION, arguments.deck.seed, simulation.fingerprint());
+        run_info(model, version(), arguments.deck.seed, simulation.fingerprint());
     StateReader state(from ? std::span<const char>(from->state) : std::span<const char>());
     if (from) state(simulation);
     io::ResultsFile results =

@@ -1,0 +1,20 @@
+# cmake -D FROM=<source> -D TO=<header> -P commit.cmake: the commit that is built, as COMMIT in a header that is written
+# only when it changes. Of an archive of the tree, what git has put into tools/package/commit.txt.
+cmake_minimum_required(VERSION 3.25)
+execute_process(COMMAND git -C ${FROM} describe --always --dirty --abbrev=12 --exclude=*
+    OUTPUT_VARIABLE commit RESULT_VARIABLE failed OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+if(failed OR NOT commit)
+    file(READ ${FROM}/tools/package/commit.txt commit)
+    string(STRIP "${commit}" commit)
+    if(commit MATCHES "Format")
+        set(commit unknown)
+    endif()
+endif()
+set(text "#define CORPUSCLE_COMMIT \"${commit}\"\n")
+set(before "")
+if(EXISTS ${TO})
+    file(READ ${TO} before)
+endif()
+if(NOT text STREQUAL before)
+    file(WRITE ${TO} "${text}")
+endif()
