@@ -193,7 +193,7 @@ ResultsFile::ResultsFile(fs::path folder, RunInfo info, const RecordLayout& layo
     clear_away();
     write_mesh();
     flush();
-    replace_text(folder_ / "results.xdmf", xdmf_text(xdmf_));
+    list_frames();
 }
 
 ResultsFile::ResultsFile(fs::path folder, RunInfo info, const RecordLayout& layout,
@@ -207,7 +207,7 @@ ResultsFile::ResultsFile(fs::path folder, RunInfo info, const RecordLayout& layo
     checkpoint(*this);
     find_parts();
     flush();
-    replace_text(folder_ / "results.xdmf", xdmf_text(xdmf_));
+    list_frames();
 }
 
 /// Makes sure that mesh and frames lie in results.parts, also when an end has gathered them.
@@ -272,30 +272,45 @@ std::vector<BodyTable> ResultsFile::responses() const {
 
 void ResultsFile::append(const Sample& sample) {
     history_.append(layout_, sample);
-    const auto patience = std::max<Clock::duration>(PATIENCE, PATIENCE_PER_COST * cost_);
-    if (Clock::now() - written_at_ >= patience) flush();
+    if (is_due()) flush();
 }
 
-void ResultsFile::write(const Frame& frame) {
+/// Whether the last version is old enough for another one.
+bool ResultsFile::is_due() const {
+    const auto patience = std::max<Clock::duration>(PATIENCE, PATIENCE_PER_COST * cost_);
+    return Clock::now() - written_at_ >= patience;
+}
+
+void ResultsFile::write(Frame frame) {
     assert(frame.coordinates.size() == xdmf_.nodes && frame.shell_active.size() == xdmf_.shells &&
            "a frame has the mesh's sizes");
     assert(frame.shell_contact_pressure.size() == (xdmf_.has_contact ? xdmf_.shells : 0) &&
            "a frame has contact pressure where there is contact");
     expect_finite(frame, layout_);
-    write_whole(part_file(frame_name(frame_times_.size())),
-                [&](Hdf5Writer& file) { fill_frame(file, frame, info_.unit_system); });
-    frame_times_.push_back(frame.time);
-    flush();
+    settle();
+    if (is_due()) flush();
+    coming_.emplace().time = frame.time;
+    if (frame.particles) coming_->particles = frame.particles->id.size();
+    writing_ =
+        std::async(std::launch::async, [part = part_file(frame_name(frame_times_.size())),
+                                        frame = std::move(frame), units = info_.unit_system] {
+            write_whole(part, [&](Hdf5Writer& file) { fill_frame(file, frame, units); });
+        });
+}
 
-    XdmfScene::State& state = xdmf_.states.emplace_back();
-    state.time = frame.time;
-    if (frame.particles) state.particles = frame.particles->id.size();
-    replace_text(folder_ / "results.xdmf", xdmf_text(xdmf_));
+void ResultsFile::settle() {
+    if (!writing_.valid()) return;
+    const XdmfScene::State state = *std::exchange(coming_, std::nullopt);
+    writing_.get();
+    frame_times_.push_back(state.time);
+    xdmf_.states.push_back(state);
 }
 
 void ResultsFile::flush() {
+    settle();
     const auto begin = Clock::now();
     write_version(Parts::LINKED);
+    if (listed_ != frame_times_.size()) list_frames();
     std::error_code unknown;
     if (const auto size = fs::file_size(folder_ / "results.h5", unknown); !unknown)
         reserve_.hold_for(size);
@@ -303,10 +318,18 @@ void ResultsFile::flush() {
     cost_ = written_at_ - begin;
 }
 
+/// Brings results.xdmf in line with the frames.
+void ResultsFile::list_frames() {
+    replace_text(folder_ / "results.xdmf", xdmf_text(xdmf_));
+    listed_ = frame_times_.size();
+}
+
 void ResultsFile::finish(std::string_view termination) {
+    settle();
     termination_ = termination;
     reserve_.release();
     write_version(Parts::LINKED);  // should gathering fail for want of space, this version stands
+    list_frames();
     expect_room_to_gather();
     write_version(Parts::COPIED);
     fs::remove_all(folder_ / "results.parts");

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <future>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -50,7 +51,8 @@ struct FinishedRun {
 /// At any instant results.h5 is a whole HDF5 file that nobody is writing to: each version is
 /// written beside it and renamed. So it opens, whenever the run is killed, and may be looked at
 /// meanwhile. To keep versions small, mesh and frames lie in FOLDER/results.parts while the run
-/// lasts, each written once, behind external links; finish() gathers all in the one file.
+/// lasts, each written once, behind external links; finish() gathers all in the one file. Libhdf5 is
+/// used by one thread at a time: whoever writes settles the frame first.
 class ResultsFile {
 public:
     /// Creates the folder, clears away the results of an earlier run, writes the mesh.
@@ -65,6 +67,7 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
+        settle();
         archive(history_, frame_times_, xdmf_.nodes, xdmf_.shells, xdmf_.topology_size,
                 xdmf_.states);
     }
@@ -87,13 +90,18 @@ public:
 
     /// One row in every history. On the disk within a second, or 50 times what a version costs.
     void append(const Sample& sample);
-    /// One state for pictures, on the disk on return.
-    void write(const Frame& frame);
+    /// One state for pictures. A thread of its own writes it while the run goes on; it is found in
+    /// results.h5 with the next version.
+    /// @throws SystemError if the frame before could not be written
+    void write(Frame frame);
+    /// Waits until the last frame is on the disk.
+    /// @throws SystemError if it could not be written; it is left out then
+    void settle();
     /// Is the last frame one of this time?                                                    [s]
     [[nodiscard]] bool has_frame_at(double t) const {
-        return !frame_times_.empty() && frame_times_.back() == t;
+        return coming_ ? coming_->time == t : !frame_times_.empty() && frame_times_.back() == t;
     }
-    /// What was appended survives a kill from now on.
+    /// What was appended and written survives a kill from now on.
     void flush();
     /// The last version, all in one file; on a full disk, before this throws, in the room that was
     /// held for it: all histories and the reason, mesh and frames still in FOLDER/results.parts.
@@ -107,6 +115,8 @@ private:
     void find_parts() const;
     void write_mesh();
     void write_version(Parts parts);
+    void list_frames();
+    [[nodiscard]] bool is_due() const;
     void expect_room_to_gather() const;
     [[nodiscard]] std::filesystem::path part_file(std::string_view name) const;
 
@@ -118,6 +128,9 @@ private:
     RigidHistory rigid_;
     std::vector<double> frame_times_;
     XdmfScene xdmf_;
+    std::size_t listed_ = 0;                  ///< frames in results.xdmf
+    std::optional<XdmfScene::State> coming_;  ///< the frame that is being written
+    std::future<void> writing_;               ///< of it
     std::chrono::steady_clock::time_point written_at_;
     std::chrono::steady_clock::duration cost_{};  ///< of the last version
     Reserve reserve_;

@@ -228,7 +228,10 @@ void leave(Simulation& simulation, io::ResultsFile& results, const char* why) {
         }
     };
     if (!results.has_frame_at(simulation.time()))
-        attempt([&] { results.write(simulation.frame()); });
+        attempt([&] {
+            results.write(simulation.frame());
+            results.settle();
+        });
     attempt([&] { results.finish(fmt::format("error: {}", why)); });
 }
 

@@ -242,6 +242,7 @@ TEST_CASE("mesh and frames come back value by value, while running and when fini
                                     scene::frame(layout, 2, -1)};
     ResultsFile results(folder.path, scene::info(), layout);
     for (const Frame& f : frames) results.write(f);
+    results.flush();
     const bool finished = GENERATE(false, true);
     if (finished) results.finish("normal");
     CHECK(std::filesystem::exists(folder.path / "results.parts") == !finished);

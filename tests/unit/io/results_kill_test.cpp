@@ -155,8 +155,12 @@ TEST_CASE("a full disk is an error with its reason and leaves the last good vers
         ResultsFile results(folder.path, scene::info(), layout);
         results.append(scene::sample(layout, 0));
         results.write(scene::frame(layout, 0, 20));
+        results.flush();
         limit_files(limit);
-        bool fails = fails_for_size([&] { results.write(scene::frame(layout, 1, 20000)); });
+        bool fails = fails_for_size([&] {
+            results.write(scene::frame(layout, 1, 20000));
+            results.settle();
+        });
         for (std::size_t row = 1; row < 100; ++row)  // on a slow day an append flushes, and fails
             fails_for_size([&] { results.append(scene::sample(layout, row)); });
         if (limit < 100000) fails = fails && fails_for_size([&] { results.flush(); });
@@ -209,6 +213,7 @@ TEST_CASE("a disk that fills up during a run takes all histories and the reason"
         ResultsFile results(folder, scene::info(), layout);
         results.append(scene::sample(layout, 0));
         results.write(scene::frame(layout, 0, 6000));  // more than the room that is held
+        results.flush();
         fill_disk(disk.path / "of_others");
         for (std::size_t row = 1; row < 30; ++row) {
             try {
@@ -219,6 +224,7 @@ TEST_CASE("a disk that fills up during a run takes all histories and the reason"
         std::string reason;
         try {
             results.write(scene::frame(layout, 1, 2000));
+            results.settle();
         } catch (const SystemError& error) {
             reason = error.what();
         }
