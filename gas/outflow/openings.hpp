@@ -77,7 +77,7 @@ struct Opening {
 class Openings {
 public:
     /// Errors: InputError for an opening that has no facets in the bag.
-    /// @param triangles  of the walls, the closing ones turned outward
+    /// @param surface  its triangles are those of the walls, the closing ones turned outward
     Openings(const BagCard& card, const BagWalls& walls, std::span<const Curve> curves,
              std::span<const Species> species, std::span<const double> particle_mass,
              const WettedSurface& surface, WallSamples& samples, std::span<const Vec3> x,

@@ -26,7 +26,7 @@ for command in $commands; do
             source "$1"; COMP_WORDS=(corpuscle "$2" "$3"); COMP_CWORD=2; _corpuscle; [[ " ${COMPREPLY[*]} " == *" $3 "* ]]' \
             - "$work/share/bash-completion/completions/corpuscle" "$command" "$option" ||
             fail "bash does not complete $command $option"
-        grep -qF -- "'$option[" "$work/share/zsh/vendor-completions/_corpuscle" || fail "zsh does not know $option"
+        grep -qF -- "'${option}[" "$work/share/zsh/vendor-completions/_corpuscle" || fail "zsh does not know $option"
     done
 done
 if command -v man >/dev/null; then
