@@ -38,13 +38,10 @@ std::string said(std::string_view lap) {
 
 void print_phases(const Timings& timings, double wall) {
     fmt::print("\n  {:<28} wall [s]   share\n", "phase");
-    double known = 0.0;
-    for (const auto& [phase, seconds] : timings.phases()) {
-        known += seconds;
+    for (const auto& [phase, seconds] : timings.phases())
         if (seconds > 0.0005 * wall)
             fmt::print("  {:<28} {:>8.3f}  {:>5.1f} %\n", said(phase), seconds,
                        100.0 * seconds / wall);
-    }
     fmt::print("  {:<28} {:>8.3f}\n", "all", wall);
 }
 

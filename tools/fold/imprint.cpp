@@ -95,7 +95,7 @@ private:
 
     void split_edges() {
         for (const Edge& e : crossed_edges()) {
-            const auto [a, b] = e;
+            const Index a = e.first, b = e.second;
             const double share = level_[a] / (level_[a] - level_[b]);
             const auto between = [&](const Points& of) {
                 return Vec3(of[a] + share * (of[b] - of[a]));
