@@ -27,16 +27,23 @@ double reach(const Draft& draft, const Shell& facet, double thickness) {
     return std::max(0.6 * (own + thickness), 0.05 * edge);
 }
 
+/// All that it names is there; else it has a fault of its own.
+bool is_whole(const Shell& shell) {
+    return shell.part >= 0 &&
+           std::all_of(shell.nodes.begin(), shell.nodes.end(), [](Index n) { return n >= 0; });
+}
+
 std::vector<const Shell*> shells_of(const Draft& draft, const ContactSide& side) {
     std::vector<const Shell*> shells;
     std::vector<std::uint8_t> is_parted(draft.model.parts.size(), 0);
     for (const Index s : side.some_shells) {
         const Shell& shell = draft.model.shells[static_cast<std::size_t>(s)];
+        if (!is_whole(shell)) continue;
         shells.push_back(&shell);
         is_parted[static_cast<std::size_t>(shell.part)] = 1;
     }
     for (const Shell& shell : draft.model.shells)
-        if (shell.part >= 0 && is_parted[static_cast<std::size_t>(shell.part)] == 0 &&
+        if (is_whole(shell) && is_parted[static_cast<std::size_t>(shell.part)] == 0 &&
             std::find(side.parts.begin(), side.parts.end(), shell.part) != side.parts.end())
             shells.push_back(&shell);
     return shells;
