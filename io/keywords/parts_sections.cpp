@@ -11,6 +11,8 @@ namespace corpuscle::io::keywords {
 
 namespace {
 
+constexpr double MOST_POINTS = 1000.0;  ///< through the thickness
+
 /// T1 to T4; those that are blank are T1.
 double mean_thickness(Cards& cards) {
     Card c = cards.next("T1 T2 T3 T4 NLOC MAREA IDOF EDGSET");
@@ -96,7 +98,9 @@ void section_shell(Cards& cards, Draft& draft) {
             Card c = cards.next("SECID ELFORM=2 SHRF NIP=2 PROPT QR ICOMP SETYP=1");
             c.new_id("SECID", draft.sections, draft.section.size());
             section.element_form = c.integer("ELFORM", NON_NEGATIVE);
-            points = std::max(1, static_cast<int>(c.real("NIP", NON_NEGATIVE)));
+            const double asked = c.real("NIP", NON_NEGATIVE);
+            if (asked > MOST_POINTS) c.fault("NIP", "at most 1000 points through the thickness");
+            points = static_cast<int>(std::clamp(asked, 1.0, MOST_POINTS));
             has_angles = c.choice("ICOMP", {0, 1}) == 1;
             c.harmless("SHRF PROPT QR");
             const int form = section.element_form;
