@@ -31,7 +31,7 @@ void number_parts(const Model& model, gas::BagWalls& walls) {
     }
 }
 
-/// FVOPT 1, 2: an orifice of FLC · FAC of the area that there is at the time, A0 X1 rs.
+/// FVOPT 1, 2 without curves: an orifice of FLC · FAC of the area that there is at the time, A0 X1 rs.
 gas::LeakCard orifice(Index part, const fabric::FabricCard& cloth) {
     gas::LeakCard leak;
     leak.part = part;
@@ -43,15 +43,25 @@ gas::LeakCard orifice(Index part, const fabric::FabricCard& cloth) {
     return leak;
 }
 
+gas::LeakLaw law_of(int option) {
+    if (option == 1 || option == 2) return gas::LeakLaw::ORIFICE;
+    if (option == 3 || option == 4) return gas::LeakLaw::HEAD;
+    if (option == 5 || option == 6) return gas::LeakLaw::POROUS;
+    return gas::LeakLaw::VELOCITY;
+}
+
 /// What the fabric of a part says of leaking, if it does.
 std::optional<gas::LeakCard> leak_of(const Model& model, Index part) {
     const fabric::FabricCard* cloth = leakage_of(model, part);
     if (cloth == nullptr) return {};
-    if (!cloth->leak_growth && (cloth->leak_option == 1 || cloth->leak_option == 2))
+    const bool has_curves = cloth->leak_area_curve >= 0 || cloth->leak_velocity_curve >= 0;
+    const gas::LeakLaw law = law_of(cloth->leak_option);
+    if (!cloth->leak_growth && law == gas::LeakLaw::ORIFICE && !has_curves)
         return orifice(part, *cloth);
     return gas::LeakCard{part,
                          cloth->leak_area,
                          cloth->leak_area_curve,
+                         law,
                          cloth->leak_velocity,
                          cloth->leak_velocity_curve,
                          cloth->leak_by_component,

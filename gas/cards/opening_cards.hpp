@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "gas/cards/leak_law.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/vec.hpp"
 
@@ -25,14 +26,15 @@ struct VentCard {
 
 /// Fabric that leaks: FLC, FAC, X0-X3 of *MAT_FABRIC, for one part.
 struct LeakCard {
-    Index part = -1;              ///< part row
-    double area = 0.0;            ///< FLC: share of the area that leaks                     [-]
-    Index area_curve = -1;        ///< FLC < 0: over time
-    double velocity = 0.0;        ///< FAC                                                   [m/s]
-    Index velocity_curve = -1;    ///< FAC < 0: over absolute pressure
-    bool by_component = false;    ///< that pressure is the gas component's own (2007)
-    double when_blocked = 0.0;    ///< ELA: share of the leak that blocked fabric keeps      [-]
-    bool from_reference = false;  ///< A0REF = 1: area of the reference shape counts
+    Index part = -1;                  ///< part row
+    double area = 0.0;                ///< FLC: share of the area that leaks                     [-]
+    Index area_curve = -1;            ///< FLC < 0: over time
+    LeakLaw law = LeakLaw::VELOCITY;  ///< what FAC is
+    double velocity = 0.0;            ///< FAC                                 [m/s], [-] or [s/m]
+    Index velocity_curve = -1;        ///< FAC < 0: over absolute pressure
+    bool by_component = false;        ///< that pressure is the gas component's own (2007)
+    double when_blocked = 0.0;        ///< ELA: share of the leak that blocked fabric keeps      [-]
+    bool from_reference = false;      ///< A0REF = 1: area of the reference shape counts
     /// X0-X3: A_leak = A0 (X0 + X1 rs + X2 rp + X3 rs rp), with Wang-Nefske flow through it.
     std::optional<std::array<double, 4>> growth;
 };

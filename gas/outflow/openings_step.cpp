@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gas/outflow/leak_speed.hpp"
 #include "gas/outflow/openings.hpp"
 #include "gas/thermo/orifice_flow.hpp"
 
@@ -69,7 +70,8 @@ double Openings::flow_between(std::size_t row, double t, const Inside& from, dou
     const LeakCard& leak = leaks_[opening.leak];
     const double density = from.pressure * from.molar_mass / (gas_constant_ * from.temperature);
     return density * area * leak_share(opening, t) *
-           curve_or(leak.velocity_curve, from.pressure, leak.velocity);
+           curve_or(leak.velocity_curve, from.pressure, leak.velocity) *
+           leak_speed(leak.law, from.pressure, p_out, density, from.gamma);
 }
 
 void Openings::close(Index row) {
@@ -181,7 +183,8 @@ void Openings::set_intake(Index row, double t, double area, const Inside& inside
     const LeakCard& leak = leaks_[opening.leak];
     const double density = p_atm_ * ambient_->molar_mass() / (gas_constant_ * T_atm_);
     opening.intake = density * opening.area * opening.free * leak_share(opening, t) *
-                     curve_or(leak.velocity_curve, 2.0 * p_atm_ - inside.pressure, leak.velocity);
+                     curve_or(leak.velocity_curve, 2.0 * p_atm_ - inside.pressure, leak.velocity) *
+                     leak_speed(leak.law, p_atm_, inside.pressure, density, inside.gamma);
 }
 
 /// FLC, for the area that counts.
@@ -221,15 +224,20 @@ double Openings::steered(const Opening& opening, std::size_t s, double dt,
     return std::clamp(opening.share[s] + opening.due_of[s] / (memory * arriving), 0.0, 1.0);
 }
 
-/// density · area · FLC · FAC of each gas; those that arrive are density · effusion speed · area.
+/// density · area · FLC · FAC · leak_speed() of each gas; those that arrive are
+/// density · effusion speed · area.
 void Openings::set_seepage(Index row, double t, double dt, const Inside& inside) {
     Opening& opening = openings_[row];
     const LeakCard& leak = leaks_[opening.leak];
     if (!opening.is_internal && inside.pressure - 3.0 * inside.error <= p_atm_) return;
-    const double share = leak_share(opening, t);
-    const auto velocity = [&](double density, double molar_mass) {
+    double density = inside.air_density;
+    for (const double of_species : inside.density) density += of_species;
+    const double share = leak_share(opening, t) *
+                         leak_speed(leak.law, beyond_chance(inside.pressure, p_atm_, inside.error),
+                                    p_atm_, density, inside.gamma);
+    const auto velocity = [&](double own, double molar_mass) {
         const double component =
-            density * gas_constant_ * inside.temperature / molar_mass;  // its own pressure
+            own * gas_constant_ * inside.temperature / molar_mass;  // its own pressure
         return share * curve_or(leak.velocity_curve,
                                 leak.by_component ? component : inside.pressure, leak.velocity);
     };

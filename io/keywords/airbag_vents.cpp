@@ -173,20 +173,9 @@ void check_leaks(Cards& cards, const Draft& draft, const gas::BagCard& bag) {
                 fmt::format("{} with FVOPT = {}, expected 0 to 8: the area of single "
                             "yarns' gaps is not acted on yet",
                             who, option));
-        } else if (option >= 3 && option <= 6) {
-            cards.fault(
-                fmt::format("{} with FVOPT = {}, expected 1, 2, 7 or 8 in a bag of "
-                            "particles",
-                            who, option));
-        } else if ((option == 1 || option == 2) && holds(bag.internal_parts, row)) {
+        } else if (option >= 1 && option <= 6 && holds(bag.internal_parts, row)) {
             cards.fault(
                 fmt::format("{} with FVOPT = {} but is internal, expected 7 or 8", who, option));
-        } else if ((option == 1 || option == 2) &&
-                   (cloth->leak_area_curve >= 0 || cloth->leak_velocity_curve >= 0)) {
-            cards.fault(
-                fmt::format("{} with FVOPT = {} and curves, expected numbers FLC and FAC "
-                            "in a bag of particles",
-                            who, option));
         } else if (option == 0) {
             cards.warn(who + " (FLC, FAC) with FVOPT blank: 7 is taken, FAC is a velocity");
         }

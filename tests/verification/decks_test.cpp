@@ -6,7 +6,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "gas/thermo/orifice_flow.hpp"
 #include "tests/support/stepped_deck.hpp"
@@ -85,6 +87,47 @@ TEST_CASE("MAT_ADD_AIRBAG_POROSITY_LEAKAGE: by the law of FVOPT", "[io]") {
         CHECK(tells(run.scene.model().warnings, "no part of material 5 closes a bag"));
         CHECK(tells(run.scene.model().warnings, "what touches is not taken out"));
         run.steps(5);
+    }
+}
+
+TEST_CASE("particles leak by the laws of FVOPT 2 with curves, 4 and 6 as a stirred tank does",
+          "[io]") {
+    constexpr double T0 = 300.0, P0 = 201325.0, M = 0.02897, r = GAS_CONSTANT / M;
+    constexpr double cv = 29.1 / M - r, gamma = 1.0 + r / cv;
+    const auto between = [](double x, double x0, double x1, double y0, double y1) {
+        return y0 + (y1 - y0) * std::clamp((x - x0) / (x1 - x0), 0.0, 1.0);
+    };
+    struct {
+        std::string deck;
+        std::function<double(double t, double p, double rho)> speed;  ///< FLC FAC u
+    } const cases[] = {
+        {"leakage_particles_curves.k",
+         [&](double t, double p, double rho) {
+             return between(t, 0.0, 1e-3, 0.2, 0.8) * between(p, PE, 301325.0, 0.01, 0.05) *
+                    gas::orifice_flow(p, PE, p / (rho * r), gamma, r) / rho;
+         }},
+        {"leakage_particles_fvopt_4.k",
+         [](double, double p, double rho) { return 0.5 * 0.02 * std::sqrt(2.0 * (p - PE) / rho); }},
+        {"leakage_particles_fvopt_6.k",
+         [](double, double p, double rho) { return 0.5 * 2e-4 * (p - PE) / rho; }}};
+    for (const auto& [deck, speed] : cases) {
+        CAPTURE(deck);
+        Run run(deck);
+        run.to_the_end();
+        const double start = P0 * VOLUME / (r * T0);
+        double mass = start, energy = mass * cv * T0;
+        constexpr int STEPS = 20000;
+        const double dt = run.scene.time() / STEPS;
+        for (int i = 0; i < STEPS; ++i) {
+            const double T = energy / (mass * cv), p = mass * r * T / VOLUME, rho = mass / VOLUME;
+            const double lost = p > PE ? rho * AREA * speed(i * dt, p, rho) * dt : 0.0;
+            mass -= lost;
+            energy -= lost * (cv + r) * T;
+        }
+        const gas::GasState gas = run.scene.bags().at(0).state(run.scene.nodes().x);
+        CHECK(mass < 0.85 * start);
+        CHECK(start - gas.mass == Approx(start - mass).epsilon(0.01));
+        CHECK(gas.temperature == Approx(energy / (mass * cv)).epsilon(0.003));
     }
 }
 
