@@ -29,6 +29,7 @@ Sample blank(const RecordLayout& layout) {
     s.wall_impulse.resize(layout.walls.size(), Vec3::Zero());
     s.moving_walls.resize(layout.moving_walls.size());
     s.contacts.resize(layout.contacts.size());
+    s.joints.resize(layout.joints.size());
     s.sensors.resize(layout.sensors);
     s.node_coordinates.resize(layout.history_nodes.size(), Vec3::Zero());
     s.node_velocity = s.node_coordinates;
@@ -41,7 +42,8 @@ Sample blank(const RecordLayout& layout) {
                 s.rigid_bodies.size() == layout.rigid_bodies.size() &&
                 s.wall_impulse.size() == layout.walls.size() &&
                 s.moving_walls.size() == layout.moving_walls.size() &&
-                s.contacts.size() == layout.contacts.size() && s.sensors.size() == layout.sensors &&
+                s.contacts.size() == layout.contacts.size() &&
+                s.joints.size() == layout.joints.size() && s.sensors.size() == layout.sensors &&
                 s.node_coordinates.size() == layout.history_nodes.size() &&
                 s.node_velocity.size() == layout.history_nodes.size();
     for (std::size_t i = 0; same && i < s.airbags.size(); ++i)
@@ -182,6 +184,14 @@ void touching(auto&& row, const RecordLayout& layout, const Sample& s, const Sam
             s.contacts[i].pairs);
         row(of + "penetration", NONE, "greatest part of the contact thickness that is missing",
             s.contacts[i].penetration);
+    }
+    for (std::size_t i = 0; i < layout.joints.size(); ++i) {
+        const std::string of = fmt::format("/history/joint/{}/", layout.joints[i]);
+        row(of + "force", FORCE,
+            "on the body of the joint's first node, mean since the row before; 0 in the first",
+            mean_force(s.joints[i].impulse, before.joints[i].impulse, span));
+        row(of + "moment", MOMENT, "the same, about the joint's first place",
+            mean_force(s.joints[i].turning, before.joints[i].turning, span));
     }
 }
 

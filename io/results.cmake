@@ -13,6 +13,7 @@ target_sources(corpuscle_io PRIVATE
     deck_writer.cpp
     export/binout.cpp
     export/d3plot.cpp
+    export/d3plot_particles.cpp
     export/history_source.cpp
     export/iso_mme.cpp
     export/lsda.cpp

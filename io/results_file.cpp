@@ -80,6 +80,7 @@ void fill_particles(Hdf5Writer& file, const Frame::Particles& p, const std::stri
     std::iota(index.begin(), index.end(), 0);
     const std::string energy = unit_of(Quantity::ENERGY, units);
     file.dataset<std::int64_t>("/particles/id", p.id, {n}, {"-", "a particle's name for life"});
+    file.dataset<std::int32_t>("/particles/bag", p.bag, {n}, {"-", "id of its airbag"});
     file.dataset<std::int32_t>("/particles/species", p.species, {n},
                                {"-", "0 initial air, else the gas's number in the deck"});
     file.dataset("/particles/position", flat(p.position), {n, 3},

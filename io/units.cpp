@@ -34,6 +34,7 @@ constexpr std::array ROWS{
     Row{Quantity::ANGULAR_MOMENTUM, "angular momentum", "kg m2/s", "kg mm2/ms", "t mm2/s", "N m s",
         1.0, -1, 2, 1},
     Row{Quantity::FORCE, "force", "N", "kN", "N", "kN", 1e-3, -2, 1, 1},
+    Row{Quantity::MOMENT, "moment", "N m", "kN mm", "N mm", "N m", 1.0, -2, 2, 1},
     Row{Quantity::PRESSURE, "pressure", "Pa", "GPa", "MPa", "kPa", 1e-3, -2, -1, 1},
     Row{Quantity::ENERGY, "energy", "J", "J", "mJ", "J", 1.0, -2, 2, 1},
     Row{Quantity::DENSITY, "density", "kg/m^3", "kg/mm^3", "t/mm^3", "kg/m^3", 1.0, 0, -3, 1},

@@ -22,6 +22,7 @@ enum class Quantity {
     MOMENTUM,
     ANGULAR_MOMENTUM,
     FORCE,
+    MOMENT,  ///< of a force about a place
     PRESSURE,
     ENERGY,
     DENSITY,

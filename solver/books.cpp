@@ -97,13 +97,22 @@ void Simulation::check_books() const {
                                                      name));
 }
 
-/// What walls and contacts have got in this kick.
+/// What walls, contacts and joints have got in this kick.
 void Simulation::book_impulses(double span) {
     wall_impulses_.turn_page();
     for (std::size_t w = 0; w < walls_.size(); ++w) wall_impulses_.give(w, walls_[w].impulse());
     contact_impulses_.turn_page();
     for (std::size_t c = 0; c < contact_impulses_.size(); ++c)
         contact_impulses_.give(c, span * contacts_[0].force(static_cast<int>(c)));
+    joint_impulses_.turn_page();
+    joint_turnings_.turn_page();
+    for (RigidJoints& joints : joints_) {
+        const std::vector<RigidJoints::Given> given = joints.take_given();
+        for (std::size_t j = 0; j < given.size(); ++j) {
+            joint_impulses_.give(j, given[j].impulse);
+            joint_turnings_.give(j, given[j].turning);
+        }
+    }
 }
 
 EnergyBooks Simulation::books() const {

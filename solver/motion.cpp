@@ -71,7 +71,7 @@ void Simulation::stop_at_obstacles(double dt) {
     double by_joints = 0.0;
     if (!walls_.empty() || !joints_.empty())
         hold_by_walls = [&](bool is_last) {
-            for (const RigidJoints& joints : joints_) by_joints += joints.pass_on(movers_);
+            for (RigidJoints& joints : joints_) by_joints += joints.pass_on(movers_);
             for (contact::RigidWall& wall : walls_)
                 wall.hold_again(is_last, nodes_.x, met_mass(), clock_.t, dt, nodes_.v,
                                 {body_of_node_, movers_});

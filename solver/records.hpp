@@ -31,6 +31,7 @@ struct RecordLayout {
     std::vector<int> walls, contacts;  ///< ids
     Points wall_normals;               ///< of the walls, unit, 0 of one that is not plane
     std::vector<int> moving_walls;     ///< ids of those of the walls that can move
+    std::vector<int> joints;           ///< ids of the joints between rigid bodies
     std::size_t sensors = 0;           ///< numbered from 1
     std::vector<int> history_nodes;    ///< node ids
     std::vector<Index> history_node_rows;
@@ -109,6 +110,11 @@ struct Sample {
         double penetration = 0;  ///< greatest part of the thickness that is missing        [-]
     };
     std::vector<Contact> contacts;
+    struct Joint {
+        Vec3 impulse = Vec3::Zero();  ///< that the body of N1 has got so far            [N s]
+        Vec3 turning = Vec3::Zero();  ///< the same about the joint's (first) place    [N m s]
+    };
+    std::vector<Joint> joints;
     struct Sensor {
         double particles = 0, pressure = 0, temperature = 0, density = 0;
         Vec3 velocity = Vec3::Zero(), centre = Vec3::Zero();
@@ -119,7 +125,7 @@ struct Sample {
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(time, dt, step, energy, airbags, parts, rigid_bodies, wall_impulse, moving_walls,
-                contacts, sensors, node_coordinates, node_velocity);
+                contacts, joints, sensors, node_coordinates, node_velocity);
     }
 };
 
@@ -139,6 +145,7 @@ struct Frame {
     std::vector<std::uint8_t> shell_active;          ///< E, 1 alive
     struct Particles {
         std::vector<std::int64_t> id;
+        std::vector<std::int32_t> bag;  ///< id of its airbag
         std::vector<std::int32_t> species;
         Points position, velocity;
         std::vector<double> internal_energy, mass;

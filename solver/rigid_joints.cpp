@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
+#include <set>
+#include <utility>
 
 #include "solver/base/error.hpp"
 
@@ -31,6 +34,8 @@ RigidJoints::RigidJoints(const Model& model, const std::vector<RigidBody>& bodie
     for (const RigidJoint& joint : model.rigid_joints) {
         Pin pin;
         pin.name = joint.name;
+        pin.joint = given_.size();
+        given_.emplace_back();
         for (std::size_t k = 0; k < 2; ++k) pin.bodies[k] = body_of(bodies, joint.parts[k]);
         if (pin.bodies[0] < 0 || pin.bodies[1] < 0 || pin.bodies[0] == pin.bodies[1])
             throw InputError(joint.name + ": joins one body with itself, expected two");
@@ -78,17 +83,23 @@ void RigidJoints::factor(const std::vector<contact::RigidMover>& movers) {
                             S(row, column) += (a == b ? 1.0 : -1.0) * to.directions[i].dot(moved);
                         }
         }
-    S.diagonal().array() += FLOOR * S.diagonal().maxCoeff();
+    double greatest = 0.0;
+    for (Eigen::Index row = 0; row < rows_; ++row) greatest = std::max(greatest, S(row, row));
+    S.diagonal().array() += FLOOR * greatest;
     mobility_.compute(S);
 }
 
 /// give(body, impulse, place) for each body of each pin.
 template <class Give>
-void RigidJoints::share(const Eigen::VectorXd& impulse, Give&& give) const {
+void RigidJoints::share(const Eigen::VectorXd& impulse, Give&& give) {
     Eigen::Index row = 0;
+    Vec3 first = Vec3::Zero();
     for (const Pin& pin : pins_) {
         Vec3 J = Vec3::Zero();
         for (int i = 0; i < pin.rows; ++i, ++row) J += impulse[row] * pin.directions[i];
+        if (pin.rows == 3) first = pin.place;
+        given_[pin.joint].impulse += J;
+        given_[pin.joint].turning += (pin.place - first).cross(J);
         give(pin.bodies[0], J, pin.place);
         give(pin.bodies[1], Vec3(-J), pin.place);
     }
@@ -138,7 +149,7 @@ void RigidJoints::hold(double t, double dt, double span, After after,
     }
 }
 
-double RigidJoints::pass_on(std::vector<contact::RigidMover>& movers) const {
+double RigidJoints::pass_on(std::vector<contact::RigidMover>& movers) {
     if (empty()) return 0.0;
     Eigen::VectorXd apart(rows_);
     Eigen::Index row = 0;
@@ -156,6 +167,19 @@ double RigidJoints::pass_on(std::vector<contact::RigidMover>& movers) const {
     share(mobility_.solve(-apart),
           [&](Index b, const Vec3& J, const Vec3& place) { work += movers[b].push(J, place); });
     return work;
+}
+
+std::vector<int> RigidJoints::ids() const {
+    std::vector<int> numbers;
+    for (const Pin& pin : pins_)
+        if (pin.rows == 3) numbers.push_back(std::stoi(pin.name.substr(pin.name.rfind(' ') + 1)));
+    const std::set<int> distinct(numbers.begin(), numbers.end());
+    if (distinct.size() < numbers.size()) std::iota(numbers.begin(), numbers.end(), 1);
+    return numbers;
+}
+
+std::vector<RigidJoints::Given> RigidJoints::take_given() {
+    return std::exchange(given_, std::vector<Given>(given_.size()));
 }
 
 }  // namespace corpuscle

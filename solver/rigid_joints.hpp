@@ -40,12 +40,25 @@ public:
 
     /// What contact has given to a body since hold() is passed on, as far as velocities show it.
     /// @returns  work that supports and motions do thereby                                  [J]
-    double pass_on(std::vector<contact::RigidMover>& movers) const;
+    double pass_on(std::vector<contact::RigidMover>& movers);
+
+    /// By joint: the number that its name ends with; where two end with the same, the order of the
+    /// deck from 1.
+    [[nodiscard]] std::vector<int> ids() const;
+
+    /// What a joint has given to the body of its first node, about the joint's first place.
+    struct Given {
+        Vec3 impulse = Vec3::Zero();  ///< [N s]
+        Vec3 turning = Vec3::Zero();  ///< [N m s]
+    };
+    /// By joint, since this was asked for last.
+    [[nodiscard]] std::vector<Given> take_given();
 
 private:
     struct Pin {
         std::array<Index, 2> bodies{-1, -1};
         std::array<Vec3, 2> arms;   ///< in the bodies' axes                                 [m]
+        std::size_t joint = 0;      ///< that it is of
         int rows = 3;               ///< 2: across the axis through this pin and the one before
         Vec3 place = Vec3::Zero();  ///< at t                                         [m]
         std::array<Vec3, 3> directions{};  ///< unit
@@ -54,9 +67,10 @@ private:
     void look(const std::vector<RigidBody>& bodies);
     void factor(const std::vector<contact::RigidMover>& movers);
     template <class Give>
-    void share(const Eigen::VectorXd& impulse, Give&& give) const;
+    void share(const Eigen::VectorXd& impulse, Give&& give);
 
     std::vector<Pin> pins_;
+    std::vector<Given> given_;  ///< by joint
     Eigen::Index rows_ = 0;
     Eigen::LDLT<Eigen::MatrixXd> mobility_;  ///< S of the last hold()                    [1/kg]
 };

@@ -88,6 +88,7 @@ RecordLayout Simulation::layout() const {
         if (!wall.motion.direction.isZero(0.0)) layout.moving_walls.push_back(wall.id);
     }
     for (const auto& contact : model_.contacts) layout.contacts.push_back(contact.id);
+    for (const RigidJoints& joints : joints_) layout.joints = joints.ids();
     for (const Index node : model_.history_nodes) {
         layout.history_nodes.push_back(model_.node_id[node]);
         layout.history_node_rows.push_back(node);
@@ -157,6 +158,9 @@ Sample Simulation::sample() {
                                 contacts_[0].energy_of(card), static_cast<double>(depth.pairs),
                                 depth.greatest});
     }
+    for (std::size_t j = 0; j < joint_impulses_.size(); ++j)
+        row.joints.push_back({joint_impulses_.given(j, ledger_.weight),
+                              joint_turnings_.given(j, ledger_.weight)});
     row.sensors.resize(model_.sensors.size());
     parallel::for_each(
         row.sensors.size(),
@@ -220,6 +224,7 @@ Frame Simulation::frame() {
         const gas::Particles& from = bag.particles();
         for (std::size_t i = 0; i < from.size(); ++i) {
             state.particles->id.push_back(from.id[i]);
+            state.particles->bag.push_back(bag.card().id);
             const auto kind = static_cast<std::size_t>(from.species[i]);
             const bool is_air = kind == bag.card().inflow.size();
             state.particles->species.push_back(is_air ? 0 : from.species[i] + 1);

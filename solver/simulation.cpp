@@ -140,6 +140,7 @@ void Simulation::build_bodies() {
     }
     joints_[0].hold(0.0, blow, 0.0, RigidJoints::After::CONTACT, bodies_, movers_, nodes_);
     for (RigidBody& body : bodies_) body.foresee(0.0);  // they have not moved
+    joint_impulses_ = joint_turnings_ = ImpulseBook(joints_[0].take_given().size());
     if (const double taken = before - kinetic_energy(); taken > AGREE * before)
         model_.warnings.push_back(fmt::format(
             "velocities at the start pull joints of rigid parts apart: they are made to agree, "

@@ -183,6 +183,7 @@ private:
     ForceShare load_force_, damping_force_, fabric_force_;
     Ledger ledger_;
     ImpulseBook wall_impulses_, contact_impulses_;  ///< by wall; by card
+    ImpulseBook joint_impulses_, joint_turnings_;   ///< by joint                      [N s, N m s]
     double rubbed_ = 0.0;  ///< by friction in contact, so far                           [J]
     Timings timings_;
     double last_sample_ = 0.0, last_frame_ = 0.0;  ///< when they were last taken           [s]

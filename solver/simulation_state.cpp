@@ -17,7 +17,7 @@ void Simulation::visit_all(Archive& archive) {
     if (next_birth_ != next_birth)  // read: reference geometries that count by now
         for (fabric::Membranes& fabric : fabric_) fabric = membranes_at(clock_.t);
     archive(fabric_, restored_, growth_, supports_, bodies_, bags_, uniform_bags_, contacts_,
-            walls_, wall_impulses_, contact_impulses_);
+            walls_, wall_impulses_, contact_impulses_, joint_impulses_, joint_turnings_);
 }
 
 void Simulation::visit_state(StateWriter& archive) {

@@ -138,13 +138,15 @@ void add_study(CLI::App& app, StudyArguments& to) {
 void add_export(CLI::App& app, ExportArguments& to) {
     CLI::App& command = *app.add_subcommand(
         "export",
-        "write a run for other tools: CSV, binout (LSDA), d3plot of the shells, ISO-MME of the "
-        "rigid bodies");
+        "write a run for other tools: CSV, binout (LSDA), d3plot, ISO-MME of the rigid bodies");
     command.add_option("DIR", to.folder, "folder of a run's results")->required();
     command.add_option("-o,--output", to.output, "folder to write to; default: DIR");
     command.add_flag("--csv", to.csv, "history.csv and history_fast.csv");
     command.add_flag("--binout", to.binout, "binout, as LS-PrePost and others read it");
-    command.add_flag("--d3plot", to.d3plot, "d3plot, d3plot01, ...: the shells");
+    command.add_flag("--d3plot", to.d3plot, "d3plot, d3plot01, ...: shells and particles");
+    command.add_flag("--no-particles", to.no_particles,
+                     "d3plot of the shells alone, for readers that do not know the particles (VTK, "
+                     "ParaView)");
     command.add_flag(
         "--iso-mme", to.iso_mme,
         "iso_mme: what rigid bodies that can move felt, as test data come (ISO/TS 13499)");

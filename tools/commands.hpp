@@ -64,6 +64,7 @@ struct ExportArguments {
     std::string folder;
     std::string output;  ///< empty: the same folder
     bool csv = false, binout = false, d3plot = false, iso_mme = false;
+    bool no_particles = false;  ///< in d3plot
 };
 
 struct ReportArguments {

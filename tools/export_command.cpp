@@ -67,9 +67,10 @@ int export_results(const ExportArguments& arguments) {
     }
     if (arguments.binout) write(to / "binout", io::binout(results));
     if (arguments.d3plot)
-        io::write_d3plot(results, [&](const std::string& name, const std::string& bytes) {
-            write(to / name, bytes);
-        });
+        io::write_d3plot(
+            results,
+            [&](const std::string& name, const std::string& bytes) { write(to / name, bytes); },
+            !arguments.no_particles);
     if (arguments.iso_mme) export_iso_mme(results, test_name(from), to);
     return 0;
 }

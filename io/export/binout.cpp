@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <map>
 
@@ -70,6 +71,7 @@ public:
         for_ids("rigid_body", "rbdout", [&](std::size_t row) { rbdout(row); });
         for_ids("contact", "rcforc", [&](std::size_t row) { rcforc(row); });
         for_ids("rigidwall", "rwforc/forces", [&](std::size_t row) { rwforc(row); });
+        for_ids("joint", "jntforc/joints", [&](std::size_t row) { jntforc(row); });
         for_ids("node", "nodout", [&](std::size_t row) { nodout(row); });
         return lsda_.finish();
     }
@@ -88,6 +90,8 @@ private:
         lsda_.write("version", std::string_view(version_));
         lsda_.write("date", std::string_view("-"));
         if (!ids.empty()) lsda_.write("ids", std::span(ids));
+        const std::vector<std::int32_t> in_global_axes(ids.size(), 0);
+        if (name == "jntforc/joints") lsda_.write("local", std::span(in_global_axes));
         for (std::size_t row = 0; row < rows_.count(); ++row) {
             lsda_.folder(fmt::format("/{}/d{:06}", name, row + 1));
             lsda_.write("time", rows_.at("time", row));
@@ -213,6 +217,16 @@ private:
     void rwforc(std::size_t row) {
         for (std::size_t a = 0; a < 3; ++a)
             column(fmt::format("{}_force", AXES[a]), "force", row, a);
+    }
+    void jntforc(std::size_t row) {
+        for (const char* of : {"force", "moment"}) {
+            for (std::size_t a = 0; a < 3; ++a)
+                column(fmt::format("{}_{}", AXES[a], of), of, row, a);
+            column(fmt::format("resultant_{}", of), [&](std::int32_t id) {
+                return std::hypot(rows_.at(path(id, of), row, 0), rows_.at(path(id, of), row, 1),
+                                  rows_.at(path(id, of), row, 2));
+            });
+        }
     }
     void nodout(std::size_t row) {
         for (std::size_t a = 0; a < 3; ++a) {

@@ -8,9 +8,10 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <map>
+#include <optional>
 
+#include "io/export/d3plot_particles.hpp"
 #include "io/export/history_source.hpp"
 
 namespace corpuscle::io {
@@ -19,42 +20,12 @@ namespace {
 using Lines = std::vector<double>;
 
 constexpr float END_MARK = -999999.0F;
-constexpr std::size_t BLOCK = 512;                             ///< words that files are padded to
 constexpr std::size_t STRESSES = 6, EXTRAS = 1, STRAINS = 12;  ///< strains: inner, outer face
 constexpr int IS_THERE = 1000, IS_NOT_THERE = 999;
 
-/// A file in the making.
-class Words {
-public:
-    void integer(std::int64_t value) {
-        put(std::bit_cast<std::uint32_t>(static_cast<std::int32_t>(value)));
-    }
-    void real(double value) { put(std::bit_cast<std::uint32_t>(static_cast<float>(value))); }
-    void reals(const Lines& values) {
-        for (const double value : values) real(value);
-    }
-    /// Cut or filled with blanks to so many words.
-    void text(std::string value, std::size_t words) {
-        value.resize(4 * words, ' ');
-        bytes_ += value;
-    }
-    [[nodiscard]] std::string padded() && {
-        bytes_.resize((bytes_.size() + 4 * BLOCK - 1) / (4 * BLOCK) * 4 * BLOCK, '\0');
-        return std::move(bytes_);
-    }
-
-private:
-    void put(std::uint32_t word) {
-        std::array<char, 4> four{};
-        std::memcpy(four.data(), &word, 4);
-        bytes_.append(four.data(), 4);
-    }
-    std::string bytes_;
-};
-
 class Writer {
 public:
-    Writer(const Hdf5Reader& results, const D3plotFile& write)
+    Writer(const Hdf5Reader& results, const D3plotFile& write, bool has_particles)
         : results_(results),
           write_(write),
           node_id_(results.read<std::int32_t>("/mesh/node_id")),
@@ -62,22 +33,25 @@ public:
           shell_part_(results.read<std::int32_t>("/mesh/shell_part")),
           parts_(shell_part_),
           titles_(part_titles(results)) {
+        if (has_particles) particles_.emplace(results);
         std::sort(parts_.begin(), parts_.end());
         parts_.erase(std::unique(parts_.begin(), parts_.end()), parts_.end());
     }
 
     void write() {
-        Words file;
+        D3plotWords file;
         header(file);
+        if (particles_) particles_->variables(file);
         geometry(file);
         numbering(file);
+        if (particles_) particles_->bags(file);
         titles(file);
         write_("d3plot", std::move(file).padded());
         const Lines time = results_.read<double>("/frames/time");
         std::size_t frame = 0;
         for (const std::string& name : results_.names("/frames")) {
             if (name == "time") continue;
-            Words state;
+            D3plotWords state;
             this->state(state, "/frames/" + name + "/", time.at(frame));
             write_(fmt::format("d3plot{:02}", ++frame), std::move(state).padded());
         }
@@ -88,7 +62,7 @@ private:
         return 16 + node_id_.size() + shell_id_.size() + 3 * parts_.size();
     }
 
-    void header(Words& file) {
+    void header(D3plotWords& file) {
         file.text(results_.text("/", "deck"), 10);
         std::array<std::int64_t, 64> word{};
         const auto parts = static_cast<std::int64_t>(parts_.size());
@@ -107,12 +81,13 @@ private:
         word[43] = IS_THERE;                            // stresses
         word[44] = word[45] = word[46] = IS_NOT_THERE;  // plastic strain, resultants, thickness
         word[51] = parts;
+        word[54] = particles_ ? particles_->flag() : 0;
         // the release of LS-DYNA as a number: readers tell word size and byte order by it
         word[14] = std::bit_cast<std::int32_t>(960.0F);
         for (std::size_t k = 10; k < word.size(); ++k) file.integer(word[k]);
     }
 
-    void geometry(Words& file) {
+    void geometry(D3plotWords& file) {
         file.reals(results_.read<double>("/mesh/coordinates"));
         const auto nodes = results_.read<std::int32_t>("/mesh/shell_nodes");
         for (std::size_t s = 0; s < shell_id_.size(); ++s) {
@@ -124,7 +99,7 @@ private:
 
     /// The deck's own ids: 16 words of where is what, nodes, shells, parts sorted, as they are,
     /// and where the sorted ones are.
-    void numbering(Words& file) {
+    void numbering(D3plotWords& file) {
         const auto nodes = static_cast<std::int64_t>(node_id_.size());
         const auto shells = static_cast<std::int64_t>(shell_id_.size());
         const auto parts = static_cast<std::int64_t>(parts_.size());
@@ -141,7 +116,7 @@ private:
         for (std::int64_t k = 1; k <= parts; ++k) file.integer(k);
     }
 
-    void titles(Words& file) {
+    void titles(D3plotWords& file) {
         file.real(END_MARK);
         file.integer(90000);
         file.text(results_.text("/", "deck"), 18);
@@ -157,9 +132,10 @@ private:
         file.real(END_MARK);
     }
 
-    void state(Words& file, const std::string& at, double time) {
+    void state(D3plotWords& file, const std::string& at, double time) {
         file.real(time);
-        globals(file, time);
+        const std::size_t row = row_at(time);
+        globals(file, row);
         file.reals(results_.read<double>(at + "coordinates"));
         file.reals(results_.read<double>(at + "velocity"));
         const Lines stress = results_.read<double>(at + "shell_stress");
@@ -177,17 +153,25 @@ private:
         }
         for (const std::uint8_t is_alive : results_.read<std::uint8_t>(at + "shell_active"))
             file.real(is_alive);
+        if (particles_) particles_->state(file, at, row);
         file.real(END_MARK);
     }
 
-    /// Energies at the nearest row of the histories.
-    void globals(Words& file, double time) {
+    /// The nearest row of the histories.
+    [[nodiscard]] std::size_t row_at(double time) const {
         const Lines times = results_.read<double>("/history/time");
         std::size_t row = 0;
         for (std::size_t k = 1; k < times.size(); ++k)
             if (std::abs(times[k] - time) < std::abs(times[row] - time)) row = k;
+        return row;
+    }
+
+    /// Energies of a row of the histories.
+    void globals(D3plotWords& file, std::size_t row) {
         const auto value = [&](const std::string& path) {
-            return times.empty() || !results_.has(path) ? 0.0 : results_.read<double>(path).at(row);
+            if (!results_.has(path)) return 0.0;
+            const Lines values = results_.read<double>(path);
+            return row < values.size() ? values[row] : 0.0;
         };
         file.real(value("/history/energy/kinetic"));
         file.real(value("/history/energy/strain") + value("/history/energy/gas"));
@@ -203,12 +187,13 @@ private:
     const D3plotFile& write_;
     std::vector<std::int32_t> node_id_, shell_id_, shell_part_, parts_;
     std::map<int, std::string> titles_;
+    std::optional<D3plotParticles> particles_;
 };
 
 }  // namespace
 
-void write_d3plot(const Hdf5Reader& results, const D3plotFile& write) {
-    Writer(results, write).write();
+void write_d3plot(const Hdf5Reader& results, const D3plotFile& write, bool has_particles) {
+    Writer(results, write, has_particles).write();
 }
 
 }  // namespace corpuscle::io

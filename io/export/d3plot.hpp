@@ -13,7 +13,8 @@ namespace corpuscle::io {
 using D3plotFile = std::function<void(const std::string& name, const std::string& bytes)>;
 
 /// The results' shells (of fabric and rigid bodies) as a d3plot database, 4-byte words: geometry,
-/// then a file a frame. io/FORMAT.md says what a state holds. Particles are left out.
-void write_d3plot(const Hdf5Reader& results, const D3plotFile& write);
+/// then a file a frame. io/FORMAT.md says what a state holds.
+/// @param has_particles  false: without the particles, for readers that do not know them
+void write_d3plot(const Hdf5Reader& results, const D3plotFile& write, bool has_particles = true);
 
 }  // namespace corpuscle::io

@@ -227,10 +227,20 @@ std::string did_you_mean(std::string_view keyword) {
     return std::string(meant);
 }
 
+/// Why a suffix is refused, where its name does not say it.
+std::string_view reason(std::string_view base, std::string_view keyword) {
+    if (!base.starts_with("CONSTRAINED_JOINT_")) return "";
+    if (keyword.find("_FAILURE") != std::string_view::npos)
+        return ": a joint here is exact and does not break";
+    return ": the forces of joints are told in the axes of the deck";
+}
+
 /// A keyword that is skipped may have been answered elsewhere, or be a slip of the pen.
 std::string remark_on(std::string_view keyword) {
     if (keyword.starts_with("DATABASE_BINARY_INTFOR"))
         return "; contact pressure is in every frame of results.h5";
+    if (keyword.starts_with("DATABASE_JNTFORC"))
+        return "; forces of joints are in results.h5 (/history/joint) and in the export's binout";
     constexpr std::size_t SLIP = 2;
     constexpr std::size_t LONGEST = 60;
     if (keyword.size() > LONGEST) return {};
@@ -264,10 +274,11 @@ Match find(std::string_view keyword) {
                     {},
                     {},
                     false,
-                    fmt::format("is not acted on yet, expected *{}{}", base,
+                    fmt::format("is not acted on yet, expected *{}{}{}", base,
                                 entry->options.empty()
                                     ? ""
-                                    : fmt::format(" with no suffix but {}", entry->options))};
+                                    : fmt::format(" with no suffix but {}", entry->options),
+                                reason(base, keyword))};
     }
     if (begins_with_any(keyword, HARMLESS)) return {nullptr, {}, {}, true, remark_on(keyword)};
     if (const std::string meant = did_you_mean(keyword); !meant.empty())

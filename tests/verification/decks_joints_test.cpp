@@ -89,6 +89,26 @@ TEST_CASE("a plate on a hinge swings as a pendulum does", "[io]") {
     CHECK(run.x(1) == Vec3(-0.2, -0.05, 0.0));
 }
 
+TEST_CASE("what a hinge gives is what its plate's momentum lacks", "[io]") {
+    constexpr double GRAVITY = 9.81, HALF = 0.05;  // between the joint's places
+    Run run("joint_hinge.k");
+    CHECK(run.scene.layout().joints == std::vector<int>{4});
+    for (int k = 0; k < 9; ++k) {
+        run.steps(99);
+        Sample now;
+        run.scene.step([&](Simulation& at) { now = at.sample(); });
+        const auto at = static_cast<std::size_t>(
+            run.scene.model().parts[run.scene.bodies()[0].part()].id == 2 ? 0 : 1);
+        const double mass = run.scene.bodies()[at].mass();
+        const Vec3 given =
+            mass * (now.rigid_bodies[at].velocity + GRAVITY * now.time * Vec3::UnitZ());
+        REQUIRE(now.joints.size() == 1);  // its force is on the body of N1, the held one
+        CHECK((now.joints[0].impulse + given).norm() < 1e-10 * given.norm());
+        CHECK((now.joints[0].turning - HALF * Vec3::UnitY().cross(now.joints[0].impulse)).norm() <
+              1e-10 * HALF * given.norm());
+    }
+}
+
 TEST_CASE("a hit on one body is passed on through its joints", "[contact]") {
     Run run("joints_hit.k");
     run.steps(1);

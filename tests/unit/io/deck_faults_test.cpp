@@ -106,6 +106,9 @@ TEST_CASE("a keyword that is not supported is a fault, or a note when it cannot 
     CHECK(model.notes.size() == 3);
     CHECK(any_contains(folder.read(small_deck("*DATABASE_GLSTTA\n1\n")).notes,
                        "cannot change the answer (did you mean *DATABASE_GLSTAT?)"));
+    CHECK(any_contains(folder.read(small_deck("*DATABASE_JNTFORC\n1\n")).notes, "/history/joint"));
+    CHECK(any_contains(folder.faults(small_deck("*CONSTRAINED_JOINT_REVOLUTE_FAILURE\n1,2,3,4\n")),
+                       "no suffix but ID: a joint here is exact and does not break"));
     CHECK(any_contains(folder.read(small_deck("*DATABASE_BINARY_INTFOR\n1\n")).notes,
                        "contact pressure is in every frame"));
 }

@@ -144,6 +144,13 @@ TEST_CASE("a binout holds the run's numbers", "[export]") {
         CHECK(binout.reals("/rwforc/forces" + state + "x_force") ==
               std::vector<double>{scene::wall_force(run.layout, row, 0).x(),
                                   scene::wall_force(run.layout, row, 1).x()});
+        const double span = row == 0 ? 1.0 : s.time - run.samples[row - 1].time;
+        const Sample& was = run.samples[row == 0 ? 0 : row - 1];
+        CHECK(binout.reals("/jntforc/joints" + state + "z_force") ==
+              std::vector<double>{(s.joints[0].impulse - was.joints[0].impulse).z() / span,
+                                  (s.joints[1].impulse - was.joints[1].impulse).z() / span});
+        CHECK(binout.reals("/jntforc/joints" + state + "resultant_moment")[1] ==
+              Approx((s.joints[1].turning - was.joints[1].turning).norm() / span));
         CHECK(binout.reals("/nodout" + state + "y_coordinate") ==
               std::vector<double>{s.node_coordinates[0].y(), s.node_coordinates[1].y()});
         CHECK(binout.reals("/matsum" + state + "kinetic_energy")[2] == s.parts[2].kinetic_energy);

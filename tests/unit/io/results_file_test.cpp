@@ -171,6 +171,11 @@ void expect_the_rest(Histories& h) {
     h.expect("/history/contact/41/pairs", [](const Sample& s) { return s.contacts[0].pairs; });
     h.expect("/history/contact/41/penetration",
              [](const Sample& s) { return s.contacts[0].penetration; });
+    for (const std::size_t j : {std::size_t{0}, std::size_t{1}}) {
+        const std::string of = j == 0 ? "/history/joint/51" : "/history/joint/53";
+        h.expect_mean(of + "/force", [=](const Sample& s) { return s.joints[j].impulse; });
+        h.expect_mean(of + "/moment", [=](const Sample& s) { return s.joints[j].turning; });
+    }
     h.expect("/history/node/102/coordinates",
              [](const Sample& s) { return s.node_coordinates[0]; });
     h.expect("/history/node/102/velocity", [](const Sample& s) { return s.node_velocity[0]; });
@@ -199,6 +204,7 @@ void expect_frame(const Hdf5Reader& file, const std::string& at, const Frame& f)
     const Frame::Particles& p = *f.particles;
     const std::uint64_t n = p.id.size();
     CHECK(file.read<std::int64_t>(at + "/particles/id") == p.id);
+    CHECK(file.read<std::int32_t>(at + "/particles/bag") == p.bag);
     CHECK(file.read<std::int32_t>(at + "/particles/species") == p.species);
     CHECK(file.read<double>(at + "/particles/position") == flat(p.position));
     CHECK(file.shape(at + "/particles/position") == Shape{n, 3});

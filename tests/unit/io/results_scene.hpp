@@ -47,6 +47,7 @@ inline RecordLayout layout() {
     l.walls = {31, 32};
     l.moving_walls = {32};
     l.contacts = {41};
+    l.joints = {51, 53};
     l.history_nodes = {102, 105};
     l.history_node_rows = {1, 4};
     l.node_id = {101, 102, 103, 104, 105};
@@ -106,6 +107,8 @@ inline Sample sample(const RecordLayout& layout, std::size_t row) {
         s.moving_walls.push_back({c.next3(), c.next3()});
     for (std::size_t i = 0; i < layout.contacts.size(); ++i)
         s.contacts.push_back({grown * c.next3(), c.next(), c.next(), c.next()});
+    for (std::size_t i = 0; i < layout.joints.size(); ++i)
+        s.joints.push_back({grown * c.next3(), grown * c.next3()});
     for (std::size_t i = 0; i < layout.history_nodes.size(); ++i) {
         s.node_coordinates.push_back(c.next3());
         s.node_velocity.push_back(c.next3());
@@ -131,6 +134,7 @@ inline Frame::Particles particles(std::size_t count, Counter& c) {
     Frame::Particles p;
     for (std::size_t i = 0; i < count; ++i) {
         p.id.push_back((std::int64_t{1} << 40) + static_cast<std::int64_t>(i));
+        p.bag.push_back(i % 2 == 0 ? 7 : 9);
         p.species.push_back(static_cast<std::int32_t>(i % 3));
         p.position.push_back(c.next3());
         p.velocity.push_back(c.next3());
