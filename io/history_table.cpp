@@ -60,7 +60,7 @@ void energy(auto&& row, const EnergyBooks& e) {
     book("kinetic", "kinetic energy of fabric and rigid bodies", e.kinetic);
     book("strain", "strain energy of the fabric", e.strain);
     book("gas", "all energy that the gas inside the bags holds", e.gas);
-    book("contact", "energy stored in contacts", e.contact);
+    book("contact", "taken by contacts, stored there or lost", e.contact);
     book("friction", "energy spent by friction so far", e.friction);
     book("damping", "energy spent by damping so far", e.damping);
     book("smoothing", "given by particles to the wall, not yet passed on to the fabric",
@@ -68,7 +68,10 @@ void energy(auto&& row, const EnergyBooks& e) {
     book("ambient", "work done against the atmosphere, p_atm (V - V at the start)", e.ambient);
     book("inflow", "energy brought in by inflators so far", e.inflow);
     book("outflow", "energy that left with gas, and as heat to the fabric, so far", e.outflow);
-    book("external", "work of loads, supports and prescribed motion so far", e.external);
+    book("external",
+         "work of loads, supports, prescribed motion, and of contact that parts what began too "
+         "near, so far",
+         e.external);
     book("total", "what is there now and what was spent", e.total);
     book("residual", "total - (start + inflow + external): the error of the books", e.residual);
 }

@@ -11,6 +11,17 @@
 #include "solver/simulation.hpp"
 
 namespace corpuscle {
+namespace {
+
+/// Contact gives no more than it took. What goes beyond that is work that its growing gaps and
+/// areas bring into the scene: it parts surfaces that began nearer than their thickness.
+void bring_in_parting(Moved& moved) {
+    if (moved.contact >= 0.0) return;
+    moved.external -= moved.contact;
+    moved.contact = 0.0;
+}
+
+}  // namespace
 
 /// Of nodes, rigid bodies and walls of mass, at the half step that velocities live at. [J]
 double Simulation::kinetic_energy() const {
@@ -77,6 +88,7 @@ void Simulation::book_forces(double span) {
         moved.external += restored;
         growth_.give(restored);
     }
+    bring_in_parting(moved);
     book_impulses(span);
     check_books();
     if (clock_.step == 0) ledger_.open(books());

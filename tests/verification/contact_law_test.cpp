@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 
+#include "io/hdf5.hpp"
 #include "tests/support/case_report.hpp"
 #include "tests/support/frame_crossings.hpp"
 #include "tests/support/layers_deck.hpp"
@@ -142,6 +143,12 @@ TEST_CASE("layers that coincide at the start part without a kick, and cross nowh
                        is_alike ? "alike" : "not alike"),
            1e3 * exact, 1e3 * height);
     CHECK(height == Approx(exact).epsilon(0.02));  // the thickness has come back but for exp(-4.5)
+    // parting is work against the pressure, which comes from outside: contact never had it
+    const io::Hdf5Reader results(run.results());
+    for (const double energy : results.read<double>("/history/energy/contact"))
+        CHECK(energy >= 0.0);
+    const double pressed = PRESSURE * deck.layers[0].side * deck.layers[0].side * height;
+    CHECK(std::abs(results.read<double>("/history/energy/external").back()) < 0.1 * pressed);
 }
 
 namespace {
