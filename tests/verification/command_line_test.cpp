@@ -43,12 +43,6 @@ std::pair<int, std::string> program(const std::string& words) {
     return shell("timeout -s KILL 60 " CORPUSCLE_PROGRAM " " + words + " 2>&1");
 }
 
-std::string text_of(const std::filesystem::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-}
-
 /// A tetrahedron of edge 0.1 full of air particles, free to fly; of 3 shells it is open.
 std::string balloon(const std::string& material, const std::string& end_time,
                     const std::string& more = "", int shells = 4) {
@@ -148,9 +142,9 @@ TEST_CASE("run.json is JSON, and everything in it is where its name says", "[io]
     REQUIRE(status == 0);
     const std::string look =
         "node -e \"const r = JSON.parse(require('fs').readFileSync(process.argv[1]));"
-        "process.exit(Array.isArray(r.warnings) && Array.isArray(r.mended) && r.threads === 2"
+        "process.exit(Array.isArray(r.warnings) && r.mended.length === 0 && r.threads === 2"
         " && r.steps > 0 && r.wall >= r.parallel && r.contact.pairs_stopped === 0"
-        " && Object.keys(r.phases).length > 3 ? 0 : 1)\" '" +
+        " && r.phases['cloth: strains and stresses'] >= 0 ? 0 : 1)\" '" +
         deck.string() + ".out/run.json'";
     CHECK(std::system(look.c_str()) == 0);
 }
@@ -263,19 +257,6 @@ TEST_CASE("motion at the start counts as brought in", "[io]") {
     const std::size_t at = told.rfind('(', told.find("of what was brought in"));
     REQUIRE(at != std::string::npos);
     CHECK(std::stod(told.substr(at + 1)) < 1.0);
-}
-
-TEST_CASE("run.json of a run with contact has its lists where they belong", "[io]") {
-    const test::DeckFolder folder;
-    const auto deck = folder.write(
-        "deck.k", balloon(CLOTH, "1e-4", "*CONTACT_AIRBAG_SINGLE_SURFACE\n0,0,5\n\n\n"));
-    REQUIRE(run(deck, "").first == 0);
-    const std::string text = text_of(deck.string() + ".out/run.json");
-    CHECK_THAT(text, Contains("\n\"contact\": {\"pairs_stopped\": 0,"));
-    CHECK((text.find("\"warnings\": [\"") != std::string::npos ||
-           text.find("\"warnings\": []") != std::string::npos));
-    CHECK_THAT(text, Contains("\n\"mended\": []}"));
-    CHECK_THAT(text, Contains("\"cloth: strains and stresses\": "));
 }
 
 TEST_CASE("an export that a run has nothing for is skipped, old ones are removed", "[export]") {
