@@ -145,6 +145,35 @@ Vec3 middle_of_inflator(const fold::Recipe& recipe, const fold::Bag& bag) {
            Vec3(0.0, 0.0, inward * recipe.pattern.gap);
 }
 
+/// The middle of a cell, X or x.
+Vec3 middle(const fold::Cell& cell, const Points& x) {
+    const int corners = fold::corner_count(cell);
+    Vec3 sum = Vec3::Zero();
+    for (int c = 0; c < corners; ++c) sum += x[cell[c]];
+    return sum / corners;
+}
+
+/// Of a recipe without an inflator: between the panels, over the middle of the flat back. The
+/// cells' normals point inward.
+Vec3 middle_of_back(const fold::Recipe& recipe, const fold::Bag& bag) {
+    const fold::Sheet& sheet = bag.sheet;
+    Eigen::AlignedBox3d flat;
+    for (const Vec3& X : sheet.X) flat.extend(X);
+    std::size_t nearest = 0;
+    double least = INF;
+    for (std::size_t c = 0; c < sheet.cells.size(); ++c) {
+        const fold::BagPart& part = bag.parts[sheet.part[c]];
+        if (part.is_front || part.title == "tethers") continue;
+        const double away = (middle(sheet.cells[c], sheet.X) - flat.center()).norm();
+        if (away < least) nearest = c;
+        least = std::min(least, away);
+    }
+    const fold::Cell& cell = sheet.cells[nearest];
+    const Points& x = sheet.x;
+    const Vec3 normal = (x[cell[1]] - x[cell[0]]).cross(x[cell[2]] - x[cell[0]]).normalized();
+    return middle(cell, x) + 0.5 * recipe.pattern.gap * normal;
+}
+
 }  // namespace
 
 int new_deck(const NewArguments& arguments) {
@@ -155,6 +184,7 @@ int new_deck(const NewArguments& arguments) {
         throw InputError(fmt::format("--from {}: expected a file that can be read", from.string()));
     fs::path mesh = fs::path(deck).replace_extension("mesh.k");
     std::optional<Vec3> inflator;
+    int tethers = 0;
     bool is_folded = false, has_vents = false, has_module = false, has_clamps = false;
     if (from.extension() == ".toml") {
         const fold::Recipe recipe = fold::read_recipe(from.string());
@@ -162,9 +192,10 @@ int new_deck(const NewArguments& arguments) {
         const fold::Inspection found = fold::inspect(bag, recipe.pattern.gap);
         fold::refuse_crossings(recipe, bag, found, mesh);
         io::replace_text(mesh, fold::bag_deck(bag, recipe, found));
-        if (recipe.inflator) inflator = middle_of_inflator(recipe, bag);
+        inflator = recipe.inflator ? middle_of_inflator(recipe, bag) : middle_of_back(recipe, bag);
         is_folded = true;
         has_vents = bag.has_vents;
+        if (!recipe.tethers.empty()) tethers = recipe.parts.tether;
         has_module = !bag.module.empty();
         has_clamps = !bag.clamped.empty();
         fmt::print("{}\n", fold::text(found));
@@ -188,6 +219,7 @@ int new_deck(const NewArguments& arguments) {
     bag.has_vents = has_vents;
     bag.has_module = has_module;
     bag.has_clamps = has_clamps;
+    bag.tethers = tethers;
     if (arguments.head) bag.head = std::max(900, *bag.parts.rbegin() + 1);
     io::replace_text(deck, new_deck(bag));
     const fs::path study = fs::path(deck).replace_extension("study.toml");

@@ -82,15 +82,25 @@ std::string parts_and_cloth(const NewDeck& bag, const Units& units) {
     return text;
 }
 
-std::string part_set(const NewDeck& bag) {
-    if (bag.has_part_set) return {};
-    std::string text = "*SET_PART_LIST_TITLE\nthe whole bag\n         1\n";
+std::string part_set(int id, const char* title, const std::set<int>& parts) {
+    std::string text = fmt::format("*SET_PART_LIST_TITLE\n{}\n{:10d}\n", title, id);
     int column = 0;
-    for (const int part : bag.parts) {
+    for (const int part : parts) {
         text += fmt::format("{:10d}", part);
         if (++column % 8 == 0) text += "\n";
     }
     return text + (column % 8 == 0 ? "" : "\n");
+}
+
+constexpr int WHOLE = 1, CLOSING = 4;  ///< part sets
+
+std::string part_sets(const NewDeck& bag) {
+    std::string text;
+    if (!bag.has_part_set) text += part_set(WHOLE, "the whole bag", bag.parts);
+    if (bag.tethers == 0) return text;
+    std::set<int> closing = bag.parts;
+    closing.erase(bag.tethers);
+    return text + part_set(CLOSING, "what closes the bag", closing);
 }
 
 /// A rigid ball of 165 mm and 4.5 kg above the bag, that flies along -z. Its nodes are written with
@@ -196,7 +206,7 @@ std::string new_deck(const NewDeck& bag) {
         bag.title.substr(0, 70), length, time, time, units.t(0.04), particles, 1e3 * full, mass,
         T_GAS, length, pressure, thickness, units.p(3.5e8), bag.mesh, units.t(1e-4), units.t(1e-4),
         units.t(1e-3));
-    text += parts_and_cloth(bag, units) + part_set(bag);
+    text += parts_and_cloth(bag, units) + part_sets(bag);
     const auto stands = [&](bool is_there, const char* what, int set) {
         if (!is_there) return std::string();
         return fmt::format(
@@ -220,14 +230,14 @@ std::string new_deck(const NewDeck& bag) {
         "*NODE\n{:8d}{}{}{}\n"
         "*AIRBAG_PARTICLE_ID\n$#      id     title\n         1bag\n"
         "$#    sid1    stype1      sid2    stype2     block\n"
-        "         1         1         0         0         0\n"
+        "{:10d}         1{:10d}         0         0\n"
         "$#      np      unit    visflg      tatm      patm     nvent      tend       tsw\n"
         "       &NP{:>10}         1     293.0{:>10}{:>10}   1.0E+10   1.0E+10\n"
         "$ Initial air, one gas, one orifice\n$#    iair      ngas     norif\n"
         "         1         1         1\n",
         bag.free_node, io::in_16_columns(bag.inflator.x()), io::in_16_columns(bag.inflator.y()),
-        io::in_16_columns(bag.inflator.z()), bag.is_mm ? 0 : 1, units.p(ATMOSPHERE),
-        bag.has_vents ? 1 : 0);
+        io::in_16_columns(bag.inflator.z()), bag.tethers != 0 ? CLOSING : WHOLE, bag.tethers,
+        bag.is_mm ? 0 : 1, units.p(ATMOSPHERE), bag.has_vents ? 1 : 0);
     if (bag.has_vents)
         text +=
             "$ Vents: part set 2\n$#    sid3    stype3       c23    lctc23    lcpc23     enh_v\n"

@@ -18,6 +18,7 @@ struct NewDeck {
                                    ///< material; the others get a *PART here
     bool has_part_set = false;     ///< the mesh has part set 1, the bag
     bool has_vents = false;        ///< and part set 2, its vents
+    int tethers = 0;               ///< part that lies inside, open to both sides; 0: none
     bool has_module = false;       ///< and node set 1, what holds it
     bool has_clamps = false;       ///< node set 3 is clamped
     int free_node = 1;             ///< a number that no node has, nor one above it

@@ -90,3 +90,14 @@ TEST_CASE("from an STL to a table of a study in four commands", "[new]") {
     while (std::getline(table, line)) ++rows;
     CHECK(rows == 3);  // the head and two speeds
 }
+
+TEST_CASE("folded bags and meshes become decks that are accepted", "[new]") {
+    const test::DeckFolder folder;
+    const fs::path models = CORPUSCLE_MODELS;
+    const std::string deck = (folder.write("note", "").parent_path() / "bag.k").string();
+    for (const char* from : {"recipes/zigzag.toml", "recipes/half.toml", "recipes/rectangle.toml",
+                             "driver_bag_flat/mesh.k"}) {
+        said("new --from '" + (models / from).string() + "' -o '" + deck + "'");
+        CHECK_THAT(said("check '" + deck + "'"), Catch::Contains("units: kg-mm-ms-K"));
+    }
+}
