@@ -11,6 +11,26 @@
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {
+namespace {
+
+/// Share of what a room's gas holds that it pays in one step at most.
+constexpr double MOST_PAID = 0.25;
+
+/// What the accounts at a room's wall give to its gas in dt, as fast as impulse is released; what
+/// would be more than the gas can pay stays there.                                      [J]
+double settled_account(WallLoad& load, std::size_t room, const ControlVolume& gas, double dt) {
+    const double settled = load.drain(room, -std::expm1(-dt / load.time()));
+    const double most = gas.moles() > 0.0 ? MOST_PAID * std::max(0.0, gas.energy()) : 0.0;
+    if (settled >= -most) return settled;
+    std::vector<Index> wall;
+    for (std::size_t p = 0; p < load.surface().points(); ++p)
+        if (load.surface().room_of_point(p) == static_cast<Index>(room))
+            wall.push_back(static_cast<Index>(p));
+    load.charge(wall, -settled - most);
+    return -most;
+}
+
+}  // namespace
 
 bool BagGas::switches(double t) const {
     constexpr double ROUNDING = 1e-12;  // t is a sum of many steps
@@ -91,9 +111,9 @@ void BagGas::flow_uniform(double t, double dt, const Points& x, const Points& x_
         mass_in_ += mass;
         thrust(s, mass, t + 0.5 * dt, dt, x, x_1);
     }
-    const double share = -std::expm1(-dt / load_.time());
     for (std::size_t r = 0; r < uniform_->size(); ++r)
-        (*uniform_)[r].add_heat(load_.drain(r, share) + (r == 0 ? load_.pay_jets() : 0.0));
+        (*uniform_)[r].add_heat(settled_account(load_, r, (*uniform_)[r], dt) +
+                                (r == 0 ? load_.pay_jets() : 0.0));
     if (!openings_.empty() || !heat_loss_.empty()) let_out_uniform(t, dt, x);
 }
 

@@ -22,6 +22,11 @@ constexpr double ANSWER = 4.0;
 /// next. More: single particles take on debts that their group can hardly share.
 constexpr double MOST_PAID = 0.25;
 
+/// Internal energy below nothing that a particle takes on, in its energy of motion: a monatomic gas
+/// has no other, and its group shares the debt at the next collision. More: the next wall may take
+/// the motion that is to pay for it.
+constexpr double MOST_DEBT = 0.1;
+
 /// Share of a room's free wall that must be wet to bear the correction of momentum alone.
 constexpr double LEAST_WET = 0.25;
 
@@ -147,9 +152,10 @@ void WallLoad::take_in(const Hit& hit, std::size_t side, std::span<const double>
     taken_ += hit.energy;
     if (due == 0.0 || hit.has_left()) return;
     double& internal = particles.e[row];
-    const double most =
-        MOST_PAID * std::max(0.0, 0.5 * m * particles.v[row].squaredNorm() + internal);
-    const double paid = std::clamp(due, -most, most);
+    const double motion = 0.5 * m * particles.v[row].squaredNorm();
+    const double most = MOST_PAID * std::max(0.0, motion + internal),
+                 bearable = std::max(0.0, internal + MOST_DEBT * motion);
+    const double paid = std::clamp(due, -std::min(most, bearable), most);
     internal += paid;
     taken_ -= paid;
     for (int c = 0; c < 3; ++c) {
@@ -389,7 +395,21 @@ double WallLoad::book(std::span<const Vec3> v_mid, double span) {
         jet_account_ -= own;
         work += own;
     }
+    pass_on_accounts();
     return work;
+}
+
+/// Accounts of points that gas has left go to those of their room where it is, by area: a few
+/// particles would leave gains at one place, pay losses at another, and owe more than they hold.
+void WallLoad::pass_on_accounts() {
+    std::vector<double> left(owed_.size(), 0.0), wet(owed_.size(), 0.0);
+    for (std::size_t p = 0; p < account_.size(); ++p)
+        (is_wet(p) ? wet : left)[surface_->room_of_point(p)] += is_wet(p) ? size_[p] : account_[p];
+    for (std::size_t p = 0; p < account_.size(); ++p) {
+        const Index room = surface_->room_of_point(p);
+        if (wet[room] > 0.0)
+            account_[p] = is_wet(p) ? account_[p] + left[room] * size_[p] / wet[room] : 0.0;
+    }
 }
 
 double WallLoad::drain(std::size_t room, double share) {

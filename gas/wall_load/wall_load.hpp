@@ -63,7 +63,8 @@ struct Wrench {
 ///   field of force over the room's wetted wall makes it good within `time`.
 /// - *Energy.* The work of F differs from what hits took. Each point keeps the difference in an
 ///   account; hits at the point pay it with the particle's internal energy. Other debts of the gas
-///   to the wall or past it (heat, enthalpy of what left) go through the same account.
+///   to the wall or past it (heat, enthalpy of what left) go through the same account. A point
+///   that gas has left passes its account on to the points of its room where gas is.
 /// - *Recoil.* A free wall takes from a hit what a body of the mass that bears it does.
 /// - A point on a node that supports, motions or bodies carry passes impulse on at once: there
 ///   it does no harm, and work is done where it arises.
@@ -144,6 +145,7 @@ private:
     void release_points(double share, double span, std::span<const Vec3> v,
                         std::span<const double> mass);
     void release_jets(double share, double span, std::span<const Vec3> x);
+    void pass_on_accounts();
     void balance_momentum(double share, double span, std::span<const Vec3> x);
     [[nodiscard]] Vec3 normal(std::size_t p) const {
         return size_[p] > 0.0 ? Vec3(area_[p] / size_[p]) : Vec3(Vec3::Zero());

@@ -240,3 +240,34 @@ TEST_CASE("flutter is answered by the gas at once; what all of the wall gets is 
     CHECK(answer < 1.0);
     CHECK(alone.second == Approx(still.second).epsilon(1e-6));
 }
+
+TEST_CASE("what is charged to wall that gas has left is paid where gas is", "[gas]") {
+    const shapes::Shape shape = shapes::sphere(1.0, 2);
+    const auto surface =
+        std::make_shared<WettedSurface>(shape.triangles, shape.triangles.size(), shape.x);
+    const std::size_t nodes = shape.x.size();
+    const std::vector<std::uint8_t> held(nodes, 0);
+    const std::vector<double> particle_mass{1e-9}, mass(nodes, 1.0);
+    WallLoad load(surface, held, {}, TIME, 0.0);
+    Particles gas;
+    gas.add(Vec3::Zero(), Vec3::Zero(), 1.0, 0, 0);
+    const Points v(nodes, Vec3::Zero());
+    const auto& [a, b, c] = shape.triangles[0];
+    const Vec3 area = vector_area(shape.x[a], shape.x[b], shape.x[c]),
+               centre = (shape.x[a] + shape.x[b] + shape.x[c]) / 3.0;
+    FlightResult flight;
+    const auto step = [&] {
+        flight.hits = {{{0, 0, {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0}, 1e-9 * area, 0.0, centre}}};
+        load.find_sides(flight, shape.x, shape.x);
+        load.receive(flight, particle_mass, gas);
+        Points f(nodes, Vec3::Zero());
+        load.release(STEP, shape.x, v, mass, f);
+        load.book(v, STEP);
+    };
+    step();
+    const std::size_t far = surface->side(shape.triangles.size() - 1, false);
+    load.charge(surface->points(far), 0.01);
+    for (int i = 0; i < 100; ++i) step();
+    CHECK(gas.e[0] == Approx(0.99).epsilon(1e-9));
+    CHECK(std::abs(load.drain(0, 1.0)) < 1e-12);
+}
