@@ -53,6 +53,7 @@ TEST_CASE("10 000 nodes, 20 000 particles and 40 frames make a page of 12 MB or 
         for (int p = 0; p < PARTICLES; ++p) {
             gas.id.push_back(p);
             gas.species.push_back(1);
+            gas.bag.push_back(1);
             gas.position.emplace_back(100.0 * in(random), 100.0 * in(random), k * in(random));
             gas.velocity.emplace_back(in(random), in(random), in(random));
             gas.internal_energy.push_back(1.0);

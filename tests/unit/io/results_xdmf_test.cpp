@@ -75,7 +75,7 @@ std::size_t count(const std::string& text, const std::string& word) {
 
 }  // namespace
 
-TEST_CASE("after each frame the XDMF file is well-formed and fits results.h5", "[io]") {
+TEST_CASE("after each version the XDMF file is well-formed and fits results.h5", "[io]") {
     const scene::Folder folder("xdmf");
     const RecordLayout layout = scene::layout();
     io::ResultsFile results(folder.path, scene::info(), layout);
@@ -84,6 +84,7 @@ TEST_CASE("after each frame the XDMF file is well-formed and fits results.h5", "
     std::size_t gas = 0;
     for (std::size_t i = 0; i < particles.size(); ++i) {
         results.write(scene::frame(layout, i, particles[i]));
+        results.flush();
         if (i + 1 == particles.size()) results.finish("normal");
         if (particles[i] > 0) ++gas;
 
