@@ -136,6 +136,38 @@ NewDeck bag_of(const fs::path& mesh_file) {
     return bag;
 }
 
+/// Holds the cloth round the inflator of a bag that nothing else holds, and brings the inflator
+/// close to it, where no cloth may come between; not where it is far from all cloth.
+void hold_round_inflator(const io::DeckMesh& mesh, NewDeck& bag) {
+    constexpr double RADIUS = 0.15, NEAR = 0.1;  ///< of a panel's side; of the way to the cloth
+    const double radius = RADIUS * std::sqrt(0.5 * bag.area);
+    const auto middle = [&](const auto& n) -> Vec3 {
+        return 0.25 * (mesh.x[n[0]] + mesh.x[n[1]] + mesh.x[n[2]] + mesh.x[n[3]]);
+    };
+    double least = radius;
+    std::size_t back = mesh.shells.size();
+    for (std::size_t s = 0; s < mesh.shells.size(); ++s) {  // of two panels as near, the lower
+        const Vec3 at = middle(mesh.shells[s]);
+        const double away = (at - bag.inflator).norm();
+        const bool is_lower = back < mesh.shells.size() && away < 1.001 * least &&
+                              at.z() < middle(mesh.shells[back]).z();
+        if (away >= 0.999 * least && !is_lower) continue;
+        back = s;
+        least = away;
+    }
+    if (back == mesh.shells.size()) return;
+    const auto& n = mesh.shells[back];
+    Vec3 towards = (mesh.x[n[2]] - mesh.x[n[0]]).cross(mesh.x[n[3]] - mesh.x[n[1]]).normalized();
+    const double off = (middle(n) - bag.inflator).dot(towards);
+    if (off < 0.0) towards = -towards;
+    for (std::size_t k = 0; k < mesh.x.size(); ++k) {
+        const Vec3 from = mesh.x[k] - bag.inflator;
+        if (from.norm() < radius && from.dot(towards) > 0.5 * std::abs(off))
+            bag.held.push_back(mesh.node_id[k]);
+    }
+    bag.inflator += (1.0 - NEAR) * std::abs(off) * towards;
+}
+
 /// Between the panels, over the cloth about the recipe's inflator.
 Vec3 middle_of_inflator(const fold::Recipe& recipe, const fold::Bag& bag) {
     Vec3 sum = Vec3::Zero();
@@ -212,6 +244,7 @@ int new_deck(const NewArguments& arguments) {
                         mesh.string()));
     NewDeck bag = bag_of(mesh);
     if (inflator) bag.inflator = *inflator;
+    if (!is_folded) hold_round_inflator(io::read_deck_mesh(mesh), bag);
     bag.title = fmt::format("bag of {}", from.filename().string());
     if (mesh == from) bag.mesh = fs::relative(mesh, fs::absolute(deck).parent_path()).string();
     if (text.find("\n*PART\n") != std::string::npos) bag.numbered_parts = bag.parts;

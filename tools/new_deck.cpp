@@ -217,7 +217,15 @@ std::string new_deck(const NewDeck& bag) {
     };
     text += stands(bag.has_module, "The inflator's place stands still", 1);
     text += stands(bag.has_clamps, "What is clamped stands still", 3);
-    if (!bag.has_module && !bag.has_clamps)
+    if (!bag.held.empty()) {
+        text += "*SET_NODE_LIST_TITLE\nround the inflator\n         4\n";
+        for (std::size_t k = 0; k < bag.held.size(); ++k)
+            text += fmt::format("{:10d}{}", bag.held[k],
+                                k % 8 == 7 || k + 1 == bag.held.size() ? "\n" : "");
+        text += "$ THINK: what holds the bag\n" +
+                stands(true, "The cloth round the inflator stands still", 4);
+    }
+    if (!bag.has_module && !bag.has_clamps && bag.held.empty())
         text += "$ THINK: nothing holds this bag. *SET_NODE_LIST and *BOUNDARY_SPC_SET do.\n";
     text += fmt::format(
         "*CONTACT_AIRBAG_SINGLE_SURFACE_ID\n$#     cid     title\n         1fabric on fabric\n"

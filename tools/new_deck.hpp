@@ -4,6 +4,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include "solver/base/vec.hpp"
 
@@ -21,6 +22,7 @@ struct NewDeck {
     int tethers = 0;               ///< part that lies inside, open to both sides; 0: none
     bool has_module = false;       ///< and node set 1, what holds it
     bool has_clamps = false;       ///< node set 3 is clamped
+    std::vector<int> held;         ///< nodes that this deck holds, as node set 4
     int free_node = 1;             ///< a number that no node has, nor one above it
     int free_shell = 1;            ///< likewise of shells
     Vec3 inflator = Vec3::Zero();  ///< where gas comes in
