@@ -24,14 +24,6 @@ double total(const Four& a) {
     return (a[0] + a[1]) + (a[2] + a[3]);
 }
 
-/// What is kept of deviations from the mean such that nobody holds less than nothing: `memory`, or
-/// less where the poorest, at `least`, would.
-double bearable(double least, double own, double mean, double memory) {
-    const double debt = mean - least;
-    if (memory * debt <= own) return memory;
-    return own > 0.0 ? own / debt : 0.0;  // a monatomic gas has nothing to keep
-}
-
 }  // namespace
 
 void Swarm::gather(std::span<const Index> rows, const Mixture& mixture,
@@ -115,10 +107,6 @@ double Swarm::internal() const {
     return std::accumulate(e.begin(), e.begin() + static_cast<std::ptrdiff_t>(n_), 0.0);
 }
 
-double Swarm::least_internal() const {
-    return *std::min_element(e.begin(), e.begin() + static_cast<std::ptrdiff_t>(n_));
-}
-
 Mat3 Swarm::moment(const Columns& a, const Columns& b) const {
     std::array<std::array<Four, 3>, 3> sum{};
     for (std::size_t i = 0; i < padded_; i += 4) {
@@ -139,25 +127,21 @@ Mat3 Swarm::moment(const Columns& a, const Columns& b) const {
 double Swarm::set_internal(double T, const Mixture& mixture, double memory) {
     if (!is_mixed_) {
         const auto n = static_cast<double>(n_);
-        const double own = internal_at_(T) / n, mean = internal() / n;
-        const double kept = bearable(least_internal(), own, mean, memory);
-        for (std::size_t i = 0; i < n_; ++i) e[i] = own + kept * (e[i] - mean);
+        const double each = internal_at_(T) / n - memory * internal() / n;
+        for (std::size_t i = 0; i < n_; ++i) e[i] = each + memory * e[i];
         return internal();
     }
     mean_internal_.assign(mixture.species().size(), 0.0);
-    least_internal_.assign(mixture.species().size(), INF);
     count_.assign(mixture.species().size(), 0.0);
     for (std::size_t i = 0; i < n_; ++i) {
         mean_internal_[species_[i]] += e[i];
-        least_internal_[species_[i]] = std::min(least_internal_[species_[i]], e[i]);
         count_[species_[i]] += 1.0;
     }
     for (std::size_t s = 0; s < count_.size(); ++s)
         if (count_[s] > 0.0) mean_internal_[s] /= count_[s];
     for (std::size_t i = 0; i < n_; ++i) {
         const std::int32_t s = species_[i];
-        const double own = mixture.particle_internal(s)(T), mean = mean_internal_[s];
-        e[i] = own + bearable(least_internal_[s], own, mean, memory) * (e[i] - mean);
+        e[i] = mixture.particle_internal(s)(T) + memory * (e[i] - mean_internal_[s]);
     }
     return internal();
 }

@@ -57,7 +57,6 @@ public:
     [[nodiscard]] const EnergyPolynomial& internal_at() const { return internal_at_; }
     /// Sets the sum of e to its equilibrium at T, and returns it. Each e comes closer to its own:
     ///     e_i' = e(T) + memory (e_i - mean e),   e(T) and mean e: of its kind of gas       [J]
-    /// with less memory where somebody would have to hold less than nothing.
     double set_internal(double T, const Mixture& mixture, double memory = 0.0);
 
     /// Adds to e as a rise of temperature from T does, by heat capacities.                  [J]
@@ -93,7 +92,6 @@ public:
 
 private:
     void centre(Columns& a, Vec3& mean) const;
-    [[nodiscard]] double least_internal() const;  ///< of a particle                     [J]
     [[nodiscard]] std::size_t nearest_unlike(std::size_t p) const;
 
     std::size_t n_ = 0, padded_ = 0;
@@ -103,7 +101,7 @@ private:
     EnergyPolynomial internal_at_;
     std::vector<Index> shuffled_;
     std::vector<std::uint8_t> is_paired_;
-    std::vector<double> mean_internal_, least_internal_, count_;  ///< by kind      [J], [J], [-]
+    std::vector<double> mean_internal_, count_;  ///< by kind                             [J], [-]
 };
 
 }  // namespace corpuscle::gas

@@ -267,25 +267,6 @@ TEST_CASE("energy that no temperature holds stays where it is and is counted", "
     CHECK(Invariants(gas, mixture).energy == Approx(before.energy).epsilon(1e-13));
 }
 
-TEST_CASE("debts that hits have left to a monatomic gas are its group's after a collision",
-          "[gas]") {
-    const Mixture mixture = mixture_of({HELIUM, CARBON_DIOXIDE});
-    const auto n = GENERATE(4, 12);  // few, and enough for a stress
-    Particles gas =
-        random_gas(static_cast<std::size_t>(n), Vec3::Constant(0.1), mixture, {300.0, 300.0});
-    const double kT = 2.0 * mixture.half_heat() * 300.0;
-    for (std::size_t i = 0; i < gas.size(); ++i)
-        if (gas.species[i] == 0) gas.e[i] -= (i % 4 == 0 ? 0.8 : -0.3) * kT;
-    const Invariants before(gas, mixture);
-    Collider collider(mixture.species(), mixture.moles_each(), 5, CollisionModel::LIN);
-    collider.find_groups(CELLS, {}, gas);
-    REQUIRE(collider.groups().lists().size() == 1);
-    collider.collide(0, DT, 1.0, gas);
-    CHECK(Invariants(gas, mixture).energy == Approx(before.energy).epsilon(1e-12));
-    for (std::size_t i = 0; i < gas.size(); ++i)
-        if (gas.species[i] == 0) CHECK(std::abs(gas.e[i]) < 1e-3 * kT);
-}
-
 TEST_CASE("one pairing sweep halves the stress, LIN turns it round", "[gas]") {
     const Mixture mixture = mixture_of({HELIUM});
     const auto anisotropy = [&](const Particles& gas) {
