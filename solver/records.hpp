@@ -77,7 +77,8 @@ struct AirbagSample {
     void visit_state(Archive& archive) {
         archive(volume, pressure, temperature, mass, mass_in, mass_out_vent, mass_out_fabric,
                 particles, particles_out, energy, translational_energy, owed_momentum,
-                owed_angular_momentum, mass_rate_in, mass_rate_out, surface_area, species, parts, chambers);
+                owed_angular_momentum, mass_rate_in, mass_rate_out, surface_area, species, parts,
+                chambers);
     }
 };
 

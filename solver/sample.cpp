@@ -159,8 +159,8 @@ Sample Simulation::sample() {
                                 depth.greatest});
     }
     for (std::size_t j = 0; j < joint_impulses_.size(); ++j)
-        row.joints.push_back({joint_impulses_.given(j, ledger_.weight),
-                              joint_turnings_.given(j, ledger_.weight)});
+        row.joints.push_back(
+            {joint_impulses_.given(j, ledger_.weight), joint_turnings_.given(j, ledger_.weight)});
     row.sensors.resize(model_.sensors.size());
     parallel::for_each(
         row.sensors.size(),

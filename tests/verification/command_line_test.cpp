@@ -15,23 +15,14 @@
 
 #include "io/folder_lock.hpp"
 #include "io/hdf5.hpp"
+#include "tests/support/shell.hpp"
 #include "tests/unit/io/deck_scene.hpp"
 
 using namespace corpuscle;
 using Catch::Contains;
+using test::shell;
 
 namespace {
-
-/// Exit status of a line of the shell and all that it printed.
-std::pair<int, std::string> shell(const std::string& command) {
-    FILE* const pipe = popen(command.c_str(), "r");
-    REQUIRE(pipe != nullptr);
-    std::string text;
-    std::array<char, 4096> part;
-    while (std::fgets(part.data(), part.size(), pipe) != nullptr) text += part.data();
-    const int status = pclose(pipe);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text};
-}
 
 /// Of a run, into the folder DECK.out; 137 where it took more than a minute.
 std::pair<int, std::string> run(const std::filesystem::path& deck, const std::string& options) {

@@ -14,21 +14,13 @@
 #include <sstream>
 
 #include "io/hdf5.hpp"
+#include "tests/support/shell.hpp"
 #include "tests/unit/io/deck_scene.hpp"
 
 using namespace corpuscle;
+using test::shell;
 
 namespace {
-
-/// Output and exit status of a command.
-std::pair<int, std::string> shell(const std::string& command) {
-    FILE* const pipe = popen(command.c_str(), "r");
-    REQUIRE(pipe != nullptr);
-    std::string text;
-    std::array<char, 4096> part;
-    while (std::fgets(part.data(), part.size(), pipe) != nullptr) text += part.data();
-    return {WEXITSTATUS(pclose(pipe)), text};
-}
 
 double sum(const std::vector<double>& values, std::size_t step) {
     double all = 0.0;
@@ -42,14 +34,14 @@ TEST_CASE("VTK reads our d3plot: shells, places, stress and pressure", "[export]
     const test::DeckFolder folder;
     const std::string out = (folder.write("note", "").parent_path() / "out").string();
     const std::string program = CORPUSCLE_PROGRAM;
-    const auto [ran, told] = shell(program + " run '" CORPUSCLE_DECKS
-                                             "/wang_nefske_inflator_card.k' -q -o '" +
-                                   out + "' 2>&1");
+    const auto [ran, told] =
+        shell(program + " run '" CORPUSCLE_DECKS "/wang_nefske_inflator_card.k' -q -o '" + out +
+              "' 2>&1");
     CAPTURE(told);
     REQUIRE(ran == 0);
     REQUIRE(shell(program + " export '" + out + "' --d3plot --no-particles").first == 0);
-    const auto [status, text] = shell("/usr/bin/python3 " CORPUSCLE_READERS "/vtk_d3plot.py '" +
-                                      out + "' 2>/dev/null");
+    const auto [status, text] =
+        shell("/usr/bin/python3 " CORPUSCLE_READERS "/vtk_d3plot.py '" + out + "' 2>/dev/null");
     if (status == 77 || status == 127) {
         WARN("skipped: needs VTK for Python (Debian's python3-vtk9)");
         return;
