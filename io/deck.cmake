@@ -1,43 +1,42 @@
 # keyword decks -> Model
 target_sources(corpuscle_io PRIVATE
-    deck.cpp keyword_table.cpp deck_fingerprint.cpp deck_mesh.cpp deck_places.cpp rigid_start.cpp solid_skin.cpp loose_ends.cpp
+    deck.cpp deck_mesh.cpp
     # text -> cards
-    faults.cpp text.cpp lines.cpp keyword_reader.cpp
-    expression.cpp parameters.cpp parameter_cards.cpp
-    card.cpp cards.cpp
+    deck/card.cpp deck/cards.cpp deck/deck_fingerprint.cpp deck/deck_places.cpp deck/expression.cpp deck/faults.cpp
+    deck/keyword_reader.cpp deck/lines.cpp deck/parameter_cards.cpp deck/parameters.cpp
     # cards -> scene, a file a family
+    keywords/control_output.cpp keywords/curves.cpp keywords/database_sensor.cpp keywords/keyword_table.cpp
     keywords/table.cpp
-    keywords/nodes_elements.cpp
-    keywords/parts_sections.cpp
-    keywords/materials.cpp
-    keywords/mat_fabric.cpp
-    keywords/curves.cpp
-    keywords/coordinates.cpp
-    keywords/transformation.cpp
-    keywords/sets.cpp
-    keywords/sets_general.cpp
-    keywords/airbag_particle.cpp
-    keywords/airbag_chambers.cpp
-    keywords/airbag_gas.cpp
-    keywords/mole_fraction.cpp
-    keywords/airbag_uniform.cpp
-    keywords/airbag_hybrid.cpp
-    keywords/airbag_vents.cpp
-    keywords/reference_geometry.cpp
-    keywords/rigid_parts.cpp
-    keywords/rigid_merges.cpp
-    keywords/joined_nodes.cpp
-    keywords/joints.cpp
-    keywords/leakage.cpp
-    keywords/links.cpp
-    keywords/boundary.cpp
-    keywords/motion.cpp
-    keywords/initial_velocity.cpp
-    keywords/loads.cpp
-    keywords/contact.cpp
-    keywords/contact_surface.cpp
-    keywords/contact_tied.cpp
-    keywords/walls.cpp
-    keywords/walls_geometric.cpp
-    keywords/database_sensor.cpp
-    keywords/control_output.cpp)
+    keywords/airbag/airbag_chambers.cpp
+    keywords/airbag/airbag_gas.cpp
+    keywords/airbag/airbag_hybrid.cpp
+    keywords/airbag/airbag_particle.cpp
+    keywords/airbag/airbag_uniform.cpp
+    keywords/airbag/airbag_vents.cpp
+    keywords/airbag/leakage.cpp
+    keywords/airbag/mole_fraction.cpp
+    keywords/bodies/joined_nodes.cpp
+    keywords/bodies/joints.cpp
+    keywords/bodies/links.cpp
+    keywords/bodies/rigid_merges.cpp
+    keywords/bodies/rigid_parts.cpp
+    keywords/contact/contact.cpp
+    keywords/contact/contact_surface.cpp
+    keywords/contact/contact_tied.cpp
+    keywords/contact/walls.cpp
+    keywords/contact/walls_geometric.cpp
+    keywords/materials/mat_fabric.cpp
+    keywords/materials/materials.cpp
+    keywords/materials/parts_sections.cpp
+    keywords/mesh/coordinates.cpp
+    keywords/mesh/nodes_elements.cpp
+    keywords/mesh/reference_geometry.cpp
+    keywords/mesh/sets.cpp
+    keywords/mesh/sets_general.cpp
+    keywords/mesh/transformation.cpp
+    keywords/motion/boundary.cpp
+    keywords/motion/initial_velocity.cpp
+    keywords/motion/loads.cpp
+    keywords/motion/motion.cpp
+    # what no single keyword sees
+    model/loose_ends.cpp model/rigid_start.cpp model/solid_skin.cpp)

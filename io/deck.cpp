@@ -8,17 +8,17 @@
 #include <cmath>
 
 #include "gas/cards/collision_model.hpp"
-#include "io/deck_places.hpp"
-#include "io/draft.hpp"
-#include "io/faults.hpp"
-#include "io/keyword_reader.hpp"
-#include "io/keywords/coordinates.hpp"
+#include "io/deck/deck_places.hpp"
+#include "io/deck/faults.hpp"
+#include "io/deck/keyword_reader.hpp"
+#include "io/deck/parameters.hpp"
 #include "io/keywords/keywords.hpp"
-#include "io/loose_ends.hpp"
-#include "io/parameters.hpp"
-#include "io/rigid_start.hpp"
-#include "io/solid_skin.hpp"
-#include "io/text.hpp"
+#include "io/keywords/mesh/coordinates.hpp"
+#include "io/model/draft.hpp"
+#include "io/model/loose_ends.hpp"
+#include "io/model/rigid_start.hpp"
+#include "io/model/solid_skin.hpp"
+#include "io/text/text.hpp"
 #include "solver/base/error.hpp"
 
 namespace corpuscle::io {

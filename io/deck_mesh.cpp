@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/deck_mesh.hpp"
 
-#include "io/draft.hpp"
-#include "io/keyword_reader.hpp"
+#include "io/deck/keyword_reader.hpp"
 #include "io/keywords/keywords.hpp"
+#include "io/model/draft.hpp"
 #include "solver/base/error.hpp"
 
 namespace corpuscle::io {

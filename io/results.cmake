@@ -1,31 +1,32 @@
 # Sample and Frame -> files; mesh import
 target_sources(corpuscle_io PRIVATE
-    ascii_files.cpp
-    ascii_tables.cpp
-    rigid_history.cpp
-    responses/body_responses.cpp
-    responses/channel_filter.cpp
-    responses/criteria.cpp
-    responses/response_tables.cpp
-    atomic_file.cpp
-    checkpoint.cpp
-    confined.cpp
-    deck_writer.cpp
     export/binout.cpp
     export/d3plot.cpp
     export/d3plot_particles.cpp
     export/history_source.cpp
     export/iso_mme.cpp
     export/lsda.cpp
-    folder_lock.cpp
-    hdf5.cpp
-    hdf5_walk.cpp
-    history_table.cpp
-    mesh_check.cpp
-    mesh_file.cpp
-    mesh_weld.cpp
-    progress.cpp
-    reserve.cpp
-    results_file.cpp
-    units.cpp
-    xdmf.cpp)
+    mesh/deck_writer.cpp
+    mesh/mesh_check.cpp
+    mesh/mesh_file.cpp
+    mesh/mesh_weld.cpp
+    responses/body_responses.cpp
+    responses/channel_filter.cpp
+    responses/criteria.cpp
+    responses/response_tables.cpp
+    results/ascii_files.cpp
+    results/ascii_tables.cpp
+    results/checkpoint.cpp
+    results/hdf5.cpp
+    results/hdf5_walk.cpp
+    results/history_table.cpp
+    results/results_file.cpp
+    results/rigid_history.cpp
+    results/xdmf.cpp
+    system/atomic_file.cpp
+    system/confined.cpp
+    system/folder_lock.cpp
+    system/reserve.cpp
+    text/progress.cpp
+    text/text.cpp
+    text/units.cpp)

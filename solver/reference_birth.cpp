@@ -3,7 +3,7 @@
 //
 // Membranes on the reference geometry that counts at a time.
 
-#include "solver/reference_geometry.hpp"
+#include "solver/scene/reference_geometry.hpp"
 #include "solver/simulation.hpp"
 
 namespace corpuscle {

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/bag_walls.hpp"
 #include "solver/base/error.hpp"
-#include "solver/reference_geometry.hpp"
+#include "solver/scene/bag_walls.hpp"
+#include "solver/scene/reference_geometry.hpp"
 
 namespace corpuscle {
 namespace {

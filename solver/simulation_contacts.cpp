@@ -10,7 +10,7 @@
 
 #include "contact/broad_phase/coinciding.hpp"
 #include "fabric/materials/law.hpp"
-#include "solver/scene_surface.hpp"
+#include "solver/scene/scene_surface.hpp"
 #include "solver/simulation.hpp"
 
 namespace corpuscle {

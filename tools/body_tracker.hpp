@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "io/results_file.hpp"
+#include "io/results/results_file.hpp"
 #include "solver/simulation.hpp"
 
 namespace corpuscle::tools {

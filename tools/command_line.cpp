@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cstdint>
 
-#include "io/text.hpp"
+#include "io/text/text.hpp"
 #include "tools/version.hpp"
 
 namespace corpuscle::tools {

@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "tools/commands.hpp"
+#include "tools/commands/commands.hpp"
 
 namespace corpuscle::tools {
 

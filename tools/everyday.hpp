@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/units.hpp"
+#include "io/text/units.hpp"
 
 namespace corpuscle::tools {
 

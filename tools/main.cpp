@@ -14,10 +14,10 @@
 #include <iostream>
 #include <new>
 
-#include "io/text.hpp"
+#include "io/text/text.hpp"
 #include "solver/base/error.hpp"
 #include "tools/command_line.hpp"
-#include "tools/commands.hpp"
+#include "tools/commands/commands.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "io/deck_writer.hpp"
+#include "io/mesh/deck_writer.hpp"
 
 namespace corpuscle::tools {
 namespace {

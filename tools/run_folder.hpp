@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "io/results_file.hpp"
+#include "io/results/results_file.hpp"
 #include "solver/model.hpp"
 
 namespace corpuscle::tools {

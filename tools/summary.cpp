@@ -10,8 +10,8 @@
 #include <numeric>
 #include <string_view>
 
-#include "io/atomic_file.hpp"
-#include "io/json.hpp"
+#include "io/system/atomic_file.hpp"
+#include "io/text/json.hpp"
 #include "tools/everyday.hpp"
 
 namespace corpuscle::tools {

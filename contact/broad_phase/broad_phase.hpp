@@ -17,7 +17,7 @@ namespace corpuscle::contact {
 /// Which boxes overlap, found by FCL's dynamic AABB tree.
 ///
 /// Objects are made once and reused; the tree is built anew by every update(), because refitting an
-/// old one to a bag that has moved costs up to 45 times the query. `tests/support/brute_force.hpp` is the oracle.
+/// old one to a bag that has moved costs up to 45 times the query. `tests/support/geometry/brute_force.hpp` is the oracle.
 class BroadPhase {
 public:
     explicit BroadPhase(std::size_t capacity_hint = 0);

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "io/hdf5.hpp"
+#include "io/results/hdf5.hpp"
 
 namespace corpuscle::io {
 

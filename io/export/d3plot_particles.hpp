@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "io/export/d3plot_words.hpp"
-#include "io/hdf5.hpp"
+#include "io/results/hdf5.hpp"
 #include "solver/base/vec.hpp"
 
 namespace corpuscle::io {

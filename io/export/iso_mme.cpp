@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "io/responses/body_responses.hpp"
-#include "io/units.hpp"
+#include "io/text/units.hpp"
 #include "solver/base/error.hpp"
 
 namespace corpuscle::io {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "io/hdf5.hpp"
+#include "io/results/hdf5.hpp"
 
 namespace corpuscle::io {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "io/expression.hpp"
+#include "io/deck/expression.hpp"
 #include "io/keywords/keywords.hpp"
-#include "io/text.hpp"
+#include "io/text/text.hpp"
 
 namespace corpuscle::io::keywords {
 

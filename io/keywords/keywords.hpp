@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/card.hpp"
-#include "io/draft.hpp"
+#include "io/deck/card.hpp"
+#include "io/model/draft.hpp"
 
 /// One reader a keyword, and the table that finds it.
 namespace corpuscle::io::keywords {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "io/keywords/keywords.hpp"
-#include "io/text.hpp"
+#include "io/text/text.hpp"
 
 namespace corpuscle::io::keywords {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/hdf5.hpp"
-#include "io/units.hpp"
+#include "io/results/hdf5.hpp"
+#include "io/text/units.hpp"
 #include "solver/base/vec.hpp"
 
 /// What an impact test would report of a rigid form: and nothing that a rigid form cannot give

@@ -7,8 +7,8 @@
 
 #include <cmath>
 
-#include "io/json.hpp"
 #include "io/responses/body_responses.hpp"
+#include "io/text/json.hpp"
 
 namespace corpuscle::io {
 

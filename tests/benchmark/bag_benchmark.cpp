@@ -17,7 +17,7 @@
 #include "gas/bag_gas.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/base/random.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/geometry/shapes.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::gas;

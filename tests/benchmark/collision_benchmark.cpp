@@ -16,7 +16,7 @@
 #include "gas/cards/collision_model.hpp"
 #include "solver/base/parallel.hpp"
 #include "tests/benchmark/collision_cases.hpp"
-#include "tests/support/sod.hpp"
+#include "tests/support/gas/sod.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::gas;

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "tests/support/fast_piston.hpp"
-#include "tests/support/piston_box.hpp"
+#include "tests/support/gas/piston_box.hpp"
 
 namespace corpuscle::benchmark {
 

@@ -13,8 +13,8 @@
 #include "contact/surface_contact.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/simulation.hpp"
-#include "tests/support/scenes.hpp"
-#include "tests/support/spring_cloth.hpp"
+#include "tests/support/scenes/scenes.hpp"
+#include "tests/support/scenes/spring_cloth.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::contact;

@@ -14,7 +14,7 @@
 
 #include "io/deck.hpp"
 #include "solver/base/parallel.hpp"
-#include "solver/closing.hpp"
+#include "solver/scene/closing.hpp"
 #include "solver/simulation.hpp"
 #include "tests/benchmark/loop_meter.hpp"
 

@@ -10,7 +10,7 @@
 
 #include <fstream>
 
-#include "io/confined.hpp"
+#include "io/system/confined.hpp"
 #include "solver/base/error.hpp"
 #include "tests/fuzz/mutate.hpp"
 #include "tests/fuzz/targets.hpp"

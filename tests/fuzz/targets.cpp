@@ -6,14 +6,14 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/checkpoint.hpp"
 #include "io/deck.hpp"
-#include "io/hdf5.hpp"
-#include "io/mesh_file.hpp"
-#include "io/results_file.hpp"
+#include "io/mesh/mesh_file.hpp"
+#include "io/results/checkpoint.hpp"
+#include "io/results/hdf5.hpp"
+#include "io/results/results_file.hpp"
 #include "solver/simulation.hpp"
-#include "tests/support/random_recipe.hpp"
-#include "tests/unit/io/results_scene.hpp"
+#include "tests/support/decks/random_recipe.hpp"
+#include "tests/unit/io/results/results_scene.hpp"
 #include "tools/fold/fold.hpp"
 #include "tools/study/study.hpp"
 

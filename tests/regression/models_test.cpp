@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/regression/baseline.hpp"
-#include "tests/support/model_run.hpp"
+#include "tests/support/runs/model_run.hpp"
 
 using namespace corpuscle::test;
 

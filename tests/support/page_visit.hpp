@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/unit/io/results_scene.hpp"
+#include "tests/unit/io/results/results_scene.hpp"
 #include "tools/report/pictures.hpp"
 
 /// Pages of small runs, and what a person with a browser sees of them.

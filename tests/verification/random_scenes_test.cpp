@@ -22,8 +22,8 @@
 #include <sstream>
 #include <utility>
 
-#include "tests/support/random_scene.hpp"
-#include "tests/support/scene_run.hpp"
+#include "tests/support/decks/random_scene.hpp"
+#include "tests/support/runs/scene_run.hpp"
 
 using namespace corpuscle;
 using corpuscle::test::SceneRun;

@@ -12,7 +12,7 @@ set(doors
     contact/surface_contact.hpp contact/rigid_walls/rigid_wall.hpp
     gas/bag_gas.hpp gas/sensor.hpp gas/uniform_bag.hpp gas/thermo/control_volume.hpp gas/thermo/species.hpp
     solver/simulation.hpp
-    io/checkpoint.hpp io/deck.hpp io/mesh_file.hpp io/results_file.hpp)
+    io/results/checkpoint.hpp io/deck.hpp io/mesh/mesh_file.hpp io/results/results_file.hpp)
 
 function(install_header header)
     get_property(seen GLOBAL PROPERTY seen)

@@ -6,7 +6,7 @@
 
 #include <map>
 
-#include "io/deck_writer.hpp"
+#include "io/mesh/deck_writer.hpp"
 
 namespace corpuscle::fold {
 namespace {

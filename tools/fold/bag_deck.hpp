@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "tools/fold/inspect.hpp"
+#include "tools/fold/inspect/inspect.hpp"
 
 namespace corpuscle::fold {
 

@@ -10,9 +10,9 @@
 #include <set>
 
 #include "solver/base/error.hpp"
-#include "tools/fold/imprint.hpp"
-#include "tools/fold/improve.hpp"
-#include "tools/fold/inspect.hpp"
+#include "tools/fold/inspect/inspect.hpp"
+#include "tools/fold/mesh/imprint.hpp"
+#include "tools/fold/mesh/improve.hpp"
 
 namespace corpuscle::fold {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "tools/fold/bag.hpp"
+#include "tools/fold/pattern/bag.hpp"
 
 namespace corpuscle::fold {
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "io/atomic_file.hpp"
+#include "io/system/atomic_file.hpp"
 #include "solver/base/error.hpp"
 #include "tools/fold/bag_deck.hpp"
 #include "tools/fold/fold.hpp"

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "tools/fold/inspect.hpp"
+#include "tools/fold/inspect/inspect.hpp"
 
 namespace corpuscle::fold {
 

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/json.hpp"
+#include "io/text/json.hpp"
 #include "solver/base/error.hpp"
 #include "tools/report/pack.hpp"
 #include "tools/report/run_data.hpp"

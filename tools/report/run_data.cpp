@@ -11,9 +11,9 @@
 #include <sstream>
 
 #include "io/export/history_source.hpp"
-#include "io/hdf5.hpp"
-#include "io/json.hpp"
 #include "io/responses/body_responses.hpp"
+#include "io/results/hdf5.hpp"
+#include "io/text/json.hpp"
 #include "tools/report/labels.hpp"
 #include "tools/report/pack.hpp"
 

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <fstream>
 
-#include "io/atomic_file.hpp"
-#include "io/hdf5.hpp"
 #include "io/responses/body_responses.hpp"
-#include "io/text.hpp"
-#include "io/units.hpp"
+#include "io/results/hdf5.hpp"
+#include "io/system/atomic_file.hpp"
+#include "io/text/text.hpp"
+#include "io/text/units.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/vec.hpp"
 

@@ -9,11 +9,11 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/deck_fingerprint.hpp"
-#include "io/text.hpp"
+#include "io/deck/deck_fingerprint.hpp"
+#include "io/text/text.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
-#include "tools/fold/toml_reader.hpp"
+#include "tools/fold/recipe/toml_reader.hpp"
 #include "tools/study/study.hpp"
 
 namespace corpuscle::study {

@@ -11,8 +11,8 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "io/atomic_file.hpp"
-#include "io/text.hpp"
+#include "io/system/atomic_file.hpp"
+#include "io/text/text.hpp"
 #include "solver/base/error.hpp"
 
 namespace corpuscle::study {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <map>
 
-#include "io/atomic_file.hpp"
-#include "io/hdf5.hpp"
+#include "io/results/hdf5.hpp"
+#include "io/system/atomic_file.hpp"
 
 namespace corpuscle::study {
 namespace {

@@ -14,8 +14,8 @@
 #include <fstream>
 #include <map>
 
-#include "io/atomic_file.hpp"
-#include "io/text.hpp"
+#include "io/system/atomic_file.hpp"
+#include "io/text/text.hpp"
 #include "solver/base/error.hpp"
 #include "tools/study/outcome.hpp"
 

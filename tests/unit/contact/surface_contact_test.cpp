@@ -4,7 +4,7 @@
 
 #include "contact/broad_phase/intersections.hpp"
 #include "solver/base/error.hpp"
-#include "tests/support/spring_cloth.hpp"
+#include "tests/support/scenes/spring_cloth.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::contact;

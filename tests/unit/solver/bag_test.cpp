@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "solver/simulation.hpp"
-#include "tests/support/flying_bag.hpp"
+#include "tests/support/scenes/flying_bag.hpp"
 
 using namespace corpuscle;
 using scenes::flying_bag;

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "solver/simulation.hpp"
-#include "tests/support/scenes.hpp"
+#include "tests/support/scenes/scenes.hpp"
 
 using namespace corpuscle;
 

@@ -11,7 +11,7 @@
 #include "solver/base/archive.hpp"
 #include "solver/base/error.hpp"
 #include "solver/simulation.hpp"
-#include "tests/support/flying_bag.hpp"
+#include "tests/support/scenes/flying_bag.hpp"
 
 using namespace corpuscle;
 using Catch::Contains;

@@ -10,7 +10,7 @@
 #include "gas/thermo/orifice_flow.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/simulation.hpp"
-#include "tests/support/scenes.hpp"
+#include "tests/support/scenes/scenes.hpp"
 
 using namespace corpuscle;
 

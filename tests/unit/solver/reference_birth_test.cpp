@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 
 #include "solver/base/error.hpp"
-#include "solver/reference_geometry.hpp"
+#include "solver/scene/reference_geometry.hpp"
 #include "solver/simulation.hpp"
-#include "tests/support/scenes.hpp"
+#include "tests/support/scenes/scenes.hpp"
 
 using namespace corpuscle;
 

@@ -1,10 +1,10 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "solver/rigid_body.hpp"
+#include "solver/bodies/rigid_body.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "tests/support/touching_bodies.hpp"
+#include "tests/support/scenes/touching_bodies.hpp"
 
 using namespace corpuscle;
 

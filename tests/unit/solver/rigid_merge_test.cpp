@@ -7,8 +7,8 @@
 
 #include <numbers>
 
-#include "solver/rigid_body.hpp"
-#include "solver/rigid_parts.hpp"
+#include "solver/bodies/rigid_body.hpp"
+#include "solver/bodies/rigid_parts.hpp"
 
 using namespace corpuscle;
 

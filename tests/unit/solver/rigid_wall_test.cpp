@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "solver/simulation.hpp"
-#include "tests/support/scenes.hpp"
+#include "tests/support/scenes/scenes.hpp"
 
 using namespace corpuscle;
 

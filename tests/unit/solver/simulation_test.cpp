@@ -8,8 +8,8 @@
 
 #include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
-#include "tests/support/flying_bag.hpp"
-#include "tests/support/scenes.hpp"
+#include "tests/support/scenes/flying_bag.hpp"
+#include "tests/support/scenes/scenes.hpp"
 
 using namespace corpuscle;
 using scenes::flying_bag;

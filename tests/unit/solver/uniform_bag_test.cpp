@@ -8,7 +8,7 @@
 #include "gas/thermo/orifice_flow.hpp"
 #include "solver/base/error.hpp"
 #include "solver/simulation.hpp"
-#include "tests/support/scenes.hpp"
+#include "tests/support/scenes/scenes.hpp"
 
 using namespace corpuscle;
 

@@ -1,6 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "tools/fold/accordion.hpp"
+#include "tools/fold/moves/accordion.hpp"
 
 #include <catch2/catch.hpp>
 

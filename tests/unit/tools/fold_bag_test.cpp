@@ -1,6 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "tools/fold/bag.hpp"
+#include "tools/fold/pattern/bag.hpp"
 
 #include <unistd.h>
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@
 #include "solver/base/error.hpp"
 #include "tools/fold/bag_deck.hpp"
 #include "tools/fold/fold.hpp"
-#include "tools/fold/inspect.hpp"
+#include "tools/fold/inspect/inspect.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::fold;

@@ -1,6 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "tools/fold/deck_pattern.hpp"
+#include "tools/fold/pattern/deck_pattern.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -13,7 +13,7 @@
 
 #include "solver/base/error.hpp"
 #include "tools/fold/fold.hpp"
-#include "tools/fold/inspect.hpp"
+#include "tools/fold/inspect/inspect.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::fold;

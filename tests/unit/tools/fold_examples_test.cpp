@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "tools/fold/fold.hpp"
-#include "tools/fold/improve.hpp"
-#include "tools/fold/inspect.hpp"
+#include "tools/fold/inspect/inspect.hpp"
+#include "tools/fold/mesh/improve.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::fold;

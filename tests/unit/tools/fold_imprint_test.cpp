@@ -1,7 +1,7 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "tools/fold/imprint.hpp"
-#include "tools/fold/improve.hpp"
+#include "tools/fold/mesh/imprint.hpp"
+#include "tools/fold/mesh/improve.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "tools/fold/recipe.hpp"
+#include "tools/fold/recipe/recipe.hpp"
 
 #include <catch2/catch.hpp>
 

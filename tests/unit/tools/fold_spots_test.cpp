@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "solver/base/error.hpp"
-#include "tests/unit/io/results_scene.hpp"
+#include "tests/unit/io/results/results_scene.hpp"
 #include "tools/fold/bag_deck.hpp"
 #include "tools/fold/fold.hpp"
 #include "tools/fold/refusal.hpp"

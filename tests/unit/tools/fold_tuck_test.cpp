@@ -1,6 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "tools/fold/tuck.hpp"
+#include "tools/fold/moves/tuck.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -8,7 +8,7 @@
 
 #include "solver/base/error.hpp"
 #include "tools/fold/fold.hpp"
-#include "tools/fold/inspect.hpp"
+#include "tools/fold/inspect/inspect.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::fold;

@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "solver/base/error.hpp"
-#include "tests/unit/io/results_scene.hpp"
+#include "tests/unit/io/results/results_scene.hpp"
 #include "tools/report/pack.hpp"
 #include "tools/report/page.hpp"
 #include "tools/report/pictures.hpp"

@@ -13,7 +13,7 @@
 #include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/base/vec.hpp"
-#include "tests/unit/io/results_scene.hpp"
+#include "tests/unit/io/results/results_scene.hpp"
 #include "tools/study/slurm.hpp"
 #include "tools/study/table.hpp"
 #include "tools/study/workers.hpp"

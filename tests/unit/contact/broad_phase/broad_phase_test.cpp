@@ -6,7 +6,7 @@
 #include <random>
 
 #include "contact/broad_phase/broad_phase.hpp"
-#include "tests/support/brute_force.hpp"
+#include "tests/support/geometry/brute_force.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::contact;

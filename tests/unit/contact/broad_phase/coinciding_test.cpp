@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/support/cloth.hpp"
+#include "tests/support/geometry/cloth.hpp"
 
 using namespace corpuscle;
 using support::Sheet;

@@ -7,8 +7,8 @@
 
 #include "contact/broad_phase/intersections.hpp"
 #include "contact/geometry/orientation.hpp"
-#include "tests/support/brute_force.hpp"
-#include "tests/support/cloth.hpp"
+#include "tests/support/geometry/brute_force.hpp"
+#include "tests/support/geometry/cloth.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::contact;

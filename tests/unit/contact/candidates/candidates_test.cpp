@@ -8,8 +8,8 @@
 #include <set>
 
 #include "contact/candidates/candidates.hpp"
-#include "tests/support/brute_force.hpp"
-#include "tests/support/spring_cloth.hpp"
+#include "tests/support/geometry/brute_force.hpp"
+#include "tests/support/scenes/spring_cloth.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::contact;

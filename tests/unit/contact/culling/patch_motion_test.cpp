@@ -6,7 +6,7 @@
 #include <random>
 
 #include "contact/culling/patch_motion.hpp"
-#include "tests/support/spring_cloth.hpp"
+#include "tests/support/scenes/spring_cloth.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::contact;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
-#include "tests/support/spring_cloth.hpp"
+#include "tests/support/scenes/spring_cloth.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::contact;

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "contact/response/columns.hpp"
-#include "tests/support/spring_cloth.hpp"
+#include "tests/support/scenes/spring_cloth.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::contact;

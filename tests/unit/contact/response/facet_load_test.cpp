@@ -6,8 +6,8 @@
 
 #include <numeric>
 
-#include "tests/support/shapes.hpp"
-#include "tests/support/spring_cloth.hpp"
+#include "tests/support/geometry/shapes.hpp"
+#include "tests/support/scenes/spring_cloth.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::contact;

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "contact/surface/patches.hpp"
-#include "tests/support/cloth.hpp"
+#include "tests/support/geometry/cloth.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::contact;

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "tests/support/shapes.hpp"
+#include "tests/support/geometry/shapes.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::gas;

@@ -9,7 +9,7 @@
 #include "gas/flight/crossing.hpp"
 #include "gas/flight/free_ways.hpp"
 #include "solver/base/random.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/geometry/shapes.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::gas;

@@ -11,7 +11,7 @@
 #include "gas/flight/crossing.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/base/random.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/geometry/shapes.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::gas;

@@ -9,7 +9,7 @@
 #include "gas/flight/flight.hpp"
 #include "gas/thermo/orifice_flow.hpp"
 #include "solver/base/constants.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/geometry/shapes.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::gas;

@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "gas/wall_load/wall_load.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/geometry/shapes.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::gas;

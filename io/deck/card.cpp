@@ -1,0 +1,367 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "io/deck/card.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "io/text/text.hpp"
+
+namespace corpuscle::io {
+
+namespace {
+constexpr std::size_t CARD_END = 80, LONG_CARD_END = 160;  ///< columns beyond are remarks
+constexpr std::size_t LONGEST_SHOWN = 60;                  ///< characters of a field in a message
+constexpr double LARGEST = 1e100;                          ///< squares and cubes must not overflow
+constexpr int WIDEST_NUMBER = 20;                          ///< columns; a wider field is a title
+constexpr Range IDS{1.0};
+}  // namespace
+
+bool Range::holds(double value) const {
+    return (low_is_out ? value > low : value >= low) &&
+           (high_is_out ? value < high : value <= high);
+}
+
+std::string Range::text() const {
+    const std::string above = fmt::format("{} {}", low_is_out ? ">" : ">=", low);
+    const std::string below = fmt::format("{} {}", high_is_out ? "<" : "<=", high);
+    if (low == -INF) return high == INF ? "a number" : below;
+    if (high == INF) return above;
+    if (!low_is_out && !high_is_out) return fmt::format("{} to {}", low, high);
+    return above + " and " + below;
+}
+
+Layout::Layout(const char* text) {
+    for_each_word(text, [&](std::string_view word) {
+        assert(size_ < MOST_FIELDS);
+        Field& field = fields_[size_++];
+        if (const auto at = word.find('='); at != std::string_view::npos) {
+            field.fallback = parse_real(word.substr(at + 1)).value();
+            word = word.substr(0, at);
+        }
+        if (const auto at = word.find(':'); at != std::string_view::npos) {
+            field.width = parse_integer(word.substr(at + 1)).value();
+            word = word.substr(0, at);
+        }
+        field.name = word;
+    });
+}
+
+Card::Card(Cards& cards, const Layout& layout, const Line& line, bool is_missing, bool plus)
+    : cards_(cards),
+      layout_(layout),
+      line_(line),
+      card_number_(cards.card_number()),
+      is_missing_(is_missing) {
+    cut(line.text, cards.block().columns, plus);
+}
+
+Card::~Card() {
+    write_log();
+    if (is_missing_) return;
+    complain_of_unread();
+    warn_of_rest();
+}
+
+namespace {
+
+std::size_t width_of(const Layout::Field& field, Columns columns) {
+    const auto width = static_cast<std::size_t>(field.width);
+    if (columns == Columns::LONG) return std::max<std::size_t>(width, 20);
+    return columns == Columns::I10 ? std::max<std::size_t>(width, 10) : width;
+}
+
+/// A comma anywhere makes a line free format; one in the title behind an id does not.
+bool is_free_format(std::string_view line, std::span<const Layout::Field> fields, Columns columns) {
+    const std::size_t comma = line.find(',');
+    const bool has_title = fields.size() > 1 && fields.back().width > WIDEST_NUMBER;
+    return comma != std::string_view::npos &&
+           !(has_title && comma >= width_of(fields.front(), columns));
+}
+
+}  // namespace
+
+namespace {
+
+/// The words at the beginning that are numbers: columns beyond a card's last may hold remarks.
+std::string_view numbers_at_start(std::string_view text) {
+    std::size_t end = 0;
+    bool is_number = true;
+    for_each_word(text, [&](std::string_view word) {
+        is_number = is_number && parse_real(word).has_value();
+        if (is_number) end = static_cast<std::size_t>(word.data() - text.data()) + word.size();
+    });
+    return text.substr(0, end);
+}
+
+}  // namespace
+
+/// Commas inside <expressions> do not part fields.
+void Card::cut(std::string_view line, Columns columns, bool plus) {
+    if (plus) line.remove_prefix(1);
+    const auto fields = layout_.fields();
+    if (is_free_format(line, fields, columns)) {
+        for (std::size_t i = 0; i < fields.size() && !line.empty(); ++i) {
+            std::size_t end = 0;
+            for (int depth = 0; end < line.size() && (depth > 0 || line[end] != ','); ++end)
+                depth += line[end] == '<' ? 1 : line[end] == '>' ? -1 : 0;
+            if (fields[i].width > WIDEST_NUMBER) end = line.size();
+            field_[i] = trim(line.substr(0, end));
+            line.remove_prefix(std::min(line.size(), end + 1));
+        }
+        rest_ = trim(line);
+        return;
+    }
+    std::size_t from = 0;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const std::size_t width = width_of(fields[i], columns) - (plus && i == 0 ? 1 : 0);
+        if (from < line.size()) field_[i] = trim(line.substr(from, width));
+        from += width;
+    }
+    const std::size_t end = columns == Columns::LONG ? LONG_CARD_END : CARD_END;
+    if (from < end && from < line.size()) rest_ = trim(line.substr(from, end - from));
+    const bool is_title = !fields.empty() && fields.back().width > WIDEST_NUMBER;
+    if (end < line.size() && !is_title) beyond_ = numbers_at_start(trim(line.substr(end)));
+}
+
+std::size_t Card::at(std::string_view name) const {
+    const auto fields = layout_.fields();
+    for (std::size_t i = 0; i < fields.size(); ++i)
+        if (fields[i].name == name) return i;
+    assert(false && "a handler asks for a field that its layout has");
+    return 0;
+}
+
+/// &name, -&name, <expression>, -<expression>.
+Card::Number Card::named_number(std::size_t i, std::string_view text) {
+    const double sign = text.front() == '-' ? -1.0 : 1.0;
+    if (sign < 0) text = trim(text.substr(1));
+    const Parameters& parameters = cards_.parameters();
+    const std::uint32_t file = cards_.block().place.file;
+    const auto lookup = [&](std::string_view name) { return parameters.value(name, file); };
+    try {
+        if (text.front() == '<') {
+            if (text.back() != '>') throw ExpressionError("> at the end of the expression");
+            return {sign * evaluate(text.substr(1, text.size() - 2), lookup).number, true};
+        }
+        const std::string_view name = trim(text.substr(1));
+        if (const auto value = lookup(name)) return {sign * value->number, true};
+        const std::string meant = parameters.nearest_name(name);
+        fault(i, "a *PARAMETER of that name with a number" +
+                     (meant.empty() ? meant : fmt::format("; did you mean &{}?", meant)));
+    } catch (const ExpressionError& error) {
+        fault(i, error.what());
+    }
+    return {};
+}
+
+Card::Number Card::number(std::size_t i, bool whole) {
+    read_ |= 1U << i;
+    acted_ |= 1U << i;
+    const std::string_view text = field_[i];
+    if (text.empty()) return {};
+    const bool is_named =
+        text.front() == '&' || text.front() == '<' ||
+        (text.size() > 1 && text.front() == '-' && (text[1] == '&' || text[1] == '<'));
+    Number result;
+    if (is_named) {
+        result = named_number(i, text);
+        if (!result.is_good) return {};
+        result.is_good = !whole || parse_integer(fmt::format("{}", result.value));
+    } else if (whole) {
+        if (const auto value = parse_integer(text)) result = {static_cast<double>(*value), true};
+    } else if (const auto value = parse_real(text)) {
+        result = {*value, true};
+    }
+    if (result.is_good && std::abs(result.value) <= LARGEST) return result;
+    if (result.is_good)
+        fault(i, fmt::format("a number of at most {:g}", LARGEST));
+    else
+        fault(i, whole ? "a whole number" : "a number");
+    return {};
+}
+
+double Card::in_range(std::size_t i, Number number, const Range& range) {
+    const double fallback = layout_.fields()[i].fallback;
+    if (!number.is_good && !field_[i].empty()) return fallback;
+    const double value = number.is_good && number.value != 0.0 ? number.value : fallback;
+    if (range.holds(value)) return value;
+    fault(i, range.text());
+    return fallback;
+}
+
+double Card::real(std::size_t i, const Range& range) {
+    return in_range(i, number(i, false), range);
+}
+
+int Card::integer(std::size_t i, const Range& range) {
+    return static_cast<int>(in_range(i, number(i, true), range));
+}
+
+int Card::choice(std::string_view name, std::initializer_list<int> known,
+                 std::initializer_list<int> later) {
+    const int value = integer(name);
+    const auto is_in = [&](auto& list) {
+        return std::find(list.begin(), list.end(), value) != list.end();
+    };
+    if (is_in(known)) return value;
+    const std::string expected = fmt::format("{}", fmt::join(known, " or "));
+    fault(name,
+          is_in(later) ? fmt::format("{}: this choice is not acted on yet", expected) : expected);
+    return *known.begin();
+}
+
+Vec3 Card::vector(std::string_view x, std::string_view y, std::string_view z) {
+    const double a = real(x), b = real(y), c = real(z);
+    return {a, b, c};
+}
+
+std::string_view Card::raw(std::size_t i) {
+    read_ |= 1U << i;
+    acted_ |= 1U << i;
+    return field_[i];
+}
+
+std::string Card::text(std::string_view name) {
+    const std::string_view written = raw(at(name));
+    if (written.empty() || written.front() != '&') return std::string(written);
+    const Parameter* parameter =
+        cards_.parameters().find(trim(written.substr(1)), cards_.block().place.file);
+    return parameter != nullptr && parameter->type == 'C' ? parameter->text : std::string(written);
+}
+
+int Card::new_id(std::size_t i, Registry& registry, std::size_t row) {
+    const int id = integer(i, IDS);
+    if (id > 0 && !registry.add(id, static_cast<Index>(row), place()))
+        fault(i, fmt::format("an id that no other {} has, but {} has it", registry.kind(),
+                             cards_.faults().where(registry.find(id)->place)));
+    return id;
+}
+
+Index Card::row(std::size_t i, const Registry& registry) {
+    const Number id = number(i, true);
+    if (!id.is_good && given(i)) return -1;
+    if (const Registry::Entry* entry = registry.find(static_cast<int>(id.value))) return entry->row;
+    good_ = false;
+    if (!registry.is_spoilt(static_cast<int>(id.value)))
+        fault(i, fmt::format("the id of a {} of the deck", registry.kind()));
+    return -1;
+}
+
+Index Card::row_or_none(std::string_view name, const Registry& registry) {
+    const std::size_t i = at(name);
+    const Number id = number(i, true);
+    return id.value == 0.0 ? -1 : row(i, registry);
+}
+
+void Card::harmless(std::string_view names) {
+    for_each_word(names, [&](std::string_view name) { read_ |= 1U << at(name); });
+}
+
+void Card::noted(std::string_view names, std::string_view why) {
+    for_each_word(names, [&](std::string_view name) {
+        const std::size_t i = at(name);
+        const std::uint32_t acted = acted_;
+        const Number value = number(i, false);
+        acted_ = acted;
+        warned_ |= 1U << i;
+        if (value.is_good && value.value != 0.0 && value.value != layout_.fields()[i].fallback)
+            warn(name, std::string(why));
+    });
+}
+
+Place Card::place() const {
+    return {cards_.block().place.file, line_.number};
+}
+
+std::string Card::label(std::size_t i) const {
+    const std::string_view value = field_[i];
+    return fmt::format("*{} card {}, field {} ({}) = {}", cards_.block().keyword, card_number_,
+                       i + 1, layout_.fields()[i].name,
+                       value.empty() ? "blank" : value.substr(0, LONGEST_SHOWN));
+}
+
+/// What messages of one field, value and remark have in common, on whatever card.
+std::string Card::cause(std::size_t i, const std::string& remark) const {
+    return fmt::format("*{} {} = {}: {}", cards_.block().keyword, layout_.fields()[i].name,
+                       field_[i], remark);
+}
+
+void Card::fault(std::size_t i, const std::string& expected) {
+    good_ = false;
+    if (!is_missing_)
+        cards_.faults().fault(place(), fmt::format("{}, expected {}", label(i), expected),
+                              cause(i, expected));
+}
+
+void Card::warn(std::string_view name, const std::string& remark) {
+    cards_.faults().warn(place(), fmt::format("{}: {}", label(at(name)), remark),
+                         cause(at(name), remark));
+}
+
+void Card::note(std::string_view name, const std::string& remark) {
+    cards_.faults().note(place(), fmt::format("{}: {}", label(at(name)), remark),
+                         cause(at(name), remark));
+}
+
+std::vector<std::string_view> Card::set_fields() const {
+    std::vector<std::string_view> names;
+    const auto fields = layout_.fields();
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const auto value = parse_real(field_[i]);
+        if (fields[i].name != "-" && value && *value != 0.0 && *value != fields[i].fallback)
+            names.push_back(fields[i].name);
+    }
+    return names;
+}
+
+bool Card::is_blank() const {
+    return std::all_of(field_.begin(), field_.end(), [](std::string_view field) {
+        return field.empty() || parse_real(field) == 0.0;
+    });
+}
+
+void Card::write_log() const {
+    FieldLog* const log = cards_.faults().log();
+    if (log == nullptr) return;
+    const auto fields = layout_.fields();
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        if (fields[i].name == "-") continue;
+        const auto has = [&](std::uint32_t mask) { return (mask >> i & 1U) != 0; };
+        log->add(fields[i].name, has(acted_)    ? FieldUse::ACTED_ON
+                                 : has(warned_) ? FieldUse::WARNED
+                                 : has(read_)   ? FieldUse::HARMLESS
+                                                : FieldUse::REFUSED);
+    }
+}
+
+void Card::complain_of_unread() {
+    const auto fields = layout_.fields();
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        if ((read_ >> i & 1U) != 0 || fields[i].name == "-" || field_[i].empty()) continue;
+        const Number value = number(i, false);
+        const double fallback = fields[i].fallback;
+        if (value.is_good && value.value != 0.0 && value.value != fallback)
+            fault(i, fmt::format("{}: this field is not acted on yet",
+                                 fallback == 0.0 ? "0 or blank" : fmt::format("{}", fallback)));
+    }
+}
+
+void Card::warn_of_rest() {
+    if (beyond_.find_first_not_of(" 0.") != std::string_view::npos)
+        cards_.faults().warn(
+            place(),
+            fmt::format("*{} card {}: \"{}\" beyond column {} is ignored; a row of a "
+                        "table that is longer goes on in the next line",
+                        cards_.block().keyword, card_number_, beyond_.substr(0, LONGEST_SHOWN),
+                        cards_.block().columns == Columns::LONG ? LONG_CARD_END : CARD_END));
+    if (rest_.find_first_not_of(" ,0.\t") == std::string_view::npos) return;
+    cards_.faults().warn(
+        place(), fmt::format("*{} card {}: \"{}\" behind the last field is ignored",
+                             cards_.block().keyword, card_number_, rest_.substr(0, LONGEST_SHOWN)));
+}
+
+}  // namespace corpuscle::io

@@ -1,0 +1,52 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "io/deck/deck_places.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <vector>
+
+#include "io/text/text.hpp"
+
+namespace corpuscle::io {
+
+void DeckPlaces::add(std::string_view kind, int id, Place at, const std::string& keyword) {
+    things_.insert_or_assign({std::string(kind), id}, Found{at, "*" + keyword});
+}
+
+void DeckPlaces::add(std::string_view kind, Registry registry) {
+    registries_.insert_or_assign(std::string(kind), std::move(registry));
+}
+
+bool DeckPlaces::find(std::string_view kind, int id, Found& found) const {
+    if (kind.starts_with("*AIRBAG_")) kind = "bag";
+    if (const auto at = things_.find({std::string(kind), id}); at != things_.end()) {
+        found = at->second;
+        return true;
+    }
+    const auto registry = registries_.find(kind);
+    if (registry == registries_.end()) return false;
+    const Registry::Entry* entry = registry->second.find(id);
+    if (entry == nullptr) return false;
+    found = {entry->place, std::string(registry->second.kind())};
+    return true;
+}
+
+std::string DeckPlaces::told(const std::string& fault) const {
+    std::vector<std::string_view> words;
+    for_each_word(fault, [&](std::string_view word) { words.push_back(word); });
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        std::string_view number = words[i + 1];
+        while (number.ends_with(':') || number.ends_with(',')) number.remove_suffix(1);
+        const std::optional<int> id = parse_integer(number);
+        if (Found found; id && find(words[i], *id, found)) {
+            const std::string where = faults_.where(found.place);
+            return fault.starts_with('*') ? fmt::format("{}: {}", where, fault)
+                                          : fmt::format("{}: {}: {}", where, found.keyword, fault);
+        }
+    }
+    return fault;
+}
+
+}  // namespace corpuscle::io

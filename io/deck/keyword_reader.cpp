@@ -1,0 +1,232 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "io/deck/keyword_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <system_error>
+
+#include "io/deck/parameter_cards.hpp"
+#include "io/text/text.hpp"
+
+namespace corpuscle::io {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t MOST_FILES = 10000;               ///< includes may double at every level
+constexpr std::uintmax_t MOST_TEXT = 2'000'000'000ULL;  ///< bytes, of all files together
+
+/// "*NODE +" -> NODE, and the columns that its sign asks for.
+struct Head {
+    std::string name, rest;
+    std::optional<Columns> columns;
+};
+
+Head parse_head(std::string_view line) {
+    line = trim(line.substr(1));
+    const std::size_t end = line.find(' ');
+    Head head{upper(line.substr(0, end)),
+              end == std::string_view::npos ? "" : upper(trim(line.substr(end))),
+              {}};
+    char sign = head.rest.size() == 1 ? head.rest.front() : ' ';
+    if (!head.name.empty() &&
+        std::string_view("+-%").find(head.name.back()) != std::string_view::npos) {
+        sign = head.name.back();
+        head.name.pop_back();
+    }
+    if (sign == '+') head.columns = Columns::LONG;
+    if (sign == '-') head.columns = Columns::STANDARD;
+    if (sign == '%') head.columns = Columns::I10;
+    return head;
+}
+
+/// Options of *KEYWORD: LONG=Y or K reads 20 columns; LONG=S is about files that LS-DYNA writes.
+Columns keyword_columns(std::string_view options, Columns now) {
+    for_each_word(options, [&](std::string_view word) {
+        if (word == "LONG=Y" || word == "LONG=K") now = Columns::LONG;
+        if (word == "LONG=S" || word == "LONG=N") now = Columns::STANDARD;
+        if (word == "I10=Y") now = Columns::I10;
+    });
+    return now;
+}
+
+class Reader {
+public:
+    Reader(const fs::path& deck, Parameters& parameters, Faults& faults)
+        : deck_(deck), parameters_(parameters), faults_(faults) {}
+
+    DeckText read() {
+        const std::uint32_t file = open(deck_, {});
+        text_.end = {file, 1};
+        if (const std::string why = load(deck_); !why.empty())
+            faults_.fault(text_.end, why);
+        else
+            read_file(file, deck_, Columns::STANDARD);
+        return std::move(text_);
+    }
+
+private:
+    std::uint32_t open(const fs::path& path, std::optional<std::uint32_t> parent) {
+        const std::uint32_t file = faults_.add_file(path.string());
+        parameters_.add_file(file, parent);
+        return file;
+    }
+
+    /// Appends the file's text; says why when that does not work.
+    std::string load(const fs::path& path) {
+        std::error_code error;
+        if (!fs::is_regular_file(path, error)) return "expected a file that can be read";
+        const std::uintmax_t size = fs::file_size(path, error);
+        if (error) return "expected a file that can be read";
+        if (text_.files.size() >= MOST_FILES || (total_ += size) > MOST_TEXT)
+            return "expected less text: the includes of this deck grow without end";
+        std::ifstream in(path, std::ios::binary);
+        DeckText::File& file = text_.files.emplace_back();
+        file.text.resize(size);
+        in.read(file.text.data(), static_cast<std::streamsize>(size));
+        if (!in) return "expected a file that can be read";
+        file.lines = split_lines(file.text);
+        return {};
+    }
+
+    /// Every keyword of the file loaded last. *END ends this file: one that includes it goes on.
+    void read_file(std::uint32_t file, const fs::path& path, Columns columns) {
+        open_files_.push_back(canonical(path));
+        const std::span<const Line> lines = text_.files.back().lines;
+        std::size_t i = skip_to_keyword(lines, 0);
+        if (i > 0 && !trim(lines[0].text).empty())
+            faults_.fault({file, lines[0].number}, fmt::format("expected a *KEYWORD before \"{}\"",
+                                                               trim(lines[0].text).substr(0, 60)));
+        while (i < lines.size()) {
+            const std::size_t end = skip_to_keyword(lines, i + 1);
+            const Head head = parse_head(lines[i].text);
+            if (file == 0) text_.end.line = lines[i].number;
+            if (head.name == "END") break;
+            if (head.name.starts_with("KEYWORD")) columns = keyword_columns(head.rest, columns);
+            const Block block{head.name,
+                              {file, lines[i].number},
+                              head.columns.value_or(columns),
+                              lines.subspan(i + 1, end - i - 1)};
+            take(block, path, columns);
+            i = end;
+        }
+        open_files_.pop_back();
+    }
+
+    static std::size_t skip_to_keyword(std::span<const Line> lines, std::size_t i) {
+        while (i < lines.size() && !lines[i].text.starts_with('*')) ++i;
+        return i;
+    }
+
+    void take(const Block& block, const fs::path& path, Columns columns) {
+        const std::string& name = block.keyword;
+        if (name.empty())
+            faults_.fault(block.place, "*, expected the name of a keyword behind it");
+        else if (name == "INCLUDE")
+            include(block, path, columns);
+        else if (name == "INCLUDE_PATH" || name == "INCLUDE_PATH_RELATIVE")
+            add_path(block, path);
+        else if (is_parameter_keyword(name))
+            read_parameters(block, parameters_, faults_);
+        else if (!name.starts_with("KEYWORD"))
+            text_.blocks.push_back(block);
+    }
+
+    /// A name may go on over lines that end in " +"; every further line is a further file.
+    static std::vector<std::pair<std::string, Line>> file_names(const Block& block) {
+        std::vector<std::pair<std::string, Line>> names;
+        bool goes_on = false;
+        for (const Line& line : block.lines) {
+            std::string_view text = trim(line.text);
+            const bool more = text.ends_with(" +");
+            if (more) text = trim(text.substr(0, text.size() - 2));
+            if (text.size() > 1 && text.front() == '"' && text.back() == '"')
+                text = text.substr(1, text.size() - 2);
+            if (goes_on)
+                names.back().first += text;
+            else if (!text.empty())
+                names.emplace_back(text, line);
+            goes_on = more && !names.empty();
+        }
+        for (auto& [name, line] : names) std::replace(name.begin(), name.end(), '\\', '/');
+        return names;
+    }
+
+    void include(const Block& block, const fs::path& path, Columns columns) {
+        const auto names = file_names(block);
+        if (names.empty()) faults_.fault(block.place, "*INCLUDE, expected the name of a file");
+        for (std::size_t i = 0; i < names.size(); ++i)
+            include_one(names[i].first, i + 1, {block.place.file, names[i].second.number}, path,
+                        columns);
+    }
+
+    void include_one(const std::string& name, std::size_t card, Place at, const fs::path& path,
+                     Columns columns) {
+        const auto complain = [&](const std::string& expected) {
+            faults_.fault(at, fmt::format("*INCLUDE card {}, field 1 (FILENAME) = {}, {}", card,
+                                          name, expected));
+        };
+        const fs::path found = look_for(name, path);
+        const fs::path real = canonical(found);
+        if (std::find(open_files_.begin(), open_files_.end(), real) != open_files_.end())
+            return complain("expected no file that includes itself: " + cycle(real));
+        if (const std::string why = load(found); !why.empty()) return complain(why);
+        read_file(open(found, at.file), found, columns);
+    }
+
+    static fs::path canonical(const fs::path& path) {
+        std::error_code error;
+        const fs::path real = fs::weakly_canonical(path, error);
+        return error ? path : real;
+    }
+
+    fs::path look_for(const std::string& name, const fs::path& including) const {
+        std::vector<fs::path> places = {including.parent_path(),
+                                        canonical(including).parent_path(),  // behind a link
+                                        deck_.parent_path(), canonical(deck_).parent_path()};
+        places.insert(places.end(), paths_.begin(), paths_.end());
+        std::error_code error;
+        for (const fs::path& place : places)
+            if (fs::is_regular_file(place / name, error)) return (place / name).lexically_normal();
+        return (including.parent_path() / name).lexically_normal();
+    }
+
+    [[nodiscard]] std::string cycle(const fs::path& back_to) const {
+        std::string chain;
+        bool in_cycle = false;
+        for (const fs::path& file : open_files_) {
+            in_cycle |= file == back_to;
+            if (in_cycle) chain += file.filename().string() + " -> ";
+        }
+        return chain + back_to.filename().string();
+    }
+
+    void add_path(const Block& block, const fs::path& path) {
+        const bool relative = block.keyword == "INCLUDE_PATH_RELATIVE";
+        const fs::path& from = relative ? path : deck_;
+        for (const auto& [name, line] : file_names(block))
+            for (const fs::path& folder : {from.parent_path(), canonical(from).parent_path()})
+                paths_.push_back(folder / name);
+    }
+
+    fs::path deck_;
+    Parameters& parameters_;
+    Faults& faults_;
+    DeckText text_;
+    std::vector<fs::path> open_files_;  ///< canonical, the deck first
+    std::vector<fs::path> paths_;
+    std::uintmax_t total_ = 0;
+};
+
+}  // namespace
+
+DeckText read_keywords(const fs::path& deck, Parameters& parameters, Faults& faults) {
+    return Reader(deck, parameters, faults).read();
+}
+
+}  // namespace corpuscle::io

@@ -1,0 +1,40 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/deck/card.hpp"
+#include "io/deck/faults.hpp"
+#include "io/deck/parameters.hpp"
+
+namespace corpuscle::io {
+
+/// The text of a deck as keywords in the order in which they are met: includes unfolded, comments
+/// out.
+struct DeckText {
+    struct File {
+        std::string text;
+        std::vector<Line> lines;
+    };
+    std::deque<File> files;     ///< what the blocks' views point into; moves, never copies
+    std::vector<Block> blocks;  ///< all but *KEYWORD, *INCLUDE, *PARAMETER and *END, which are done
+    Place end;                  ///< where reading stopped, in the deck itself
+};
+
+/// Reads a deck with its includes, and its parameters into `parameters`.
+///
+/// *INCLUDE names are looked for beside the including file, beside the deck, then along
+/// *INCLUDE_PATH.
+DeckText read_keywords(const std::filesystem::path& deck, Parameters& parameters, Faults& faults);
+
+/// Lines of a file: comments left out, tabs of fixed cards turned into blanks up to each 8th
+/// column.
+///
+/// @param text  the file; rewritten when it holds tabs
+std::vector<Line> split_lines(std::string& text);
+
+}  // namespace corpuscle::io

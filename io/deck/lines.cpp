@@ -1,0 +1,51 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "io/deck/keyword_reader.hpp"
+
+namespace corpuscle::io {
+
+namespace {
+
+constexpr std::size_t TAB_STOP = 8;
+constexpr std::string_view BYTE_ORDER_MARK = "\xEF\xBB\xBF";
+
+/// Fixed cards mean what they look like in an editor.
+std::string expand_tabs(const std::string& text) {
+    std::string plain;
+    plain.reserve(text.size() + text.size() / 4);
+    std::size_t column = 0;
+    for (const char c : text) {
+        if (c == '\t') {
+            const std::size_t blanks = TAB_STOP - column % TAB_STOP;
+            plain.append(blanks, ' ');
+            column += blanks;
+        } else {
+            plain += c;
+            column = c == '\n' ? 0 : column + 1;
+        }
+    }
+    return plain;
+}
+
+}  // namespace
+
+std::vector<Line> split_lines(std::string& text) {
+    if (text.find('\t') != std::string::npos) text = expand_tabs(text);
+    std::vector<Line> lines;
+    lines.reserve(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1);
+    std::string_view rest = text;
+    if (rest.starts_with(BYTE_ORDER_MARK)) rest.remove_prefix(BYTE_ORDER_MARK.size());
+    for (std::uint32_t number = 1; !rest.empty(); ++number) {
+        const std::size_t end = rest.find('\n');
+        std::string_view line = rest.substr(0, end);
+        rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
+        while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
+        const std::size_t first = line.find_first_not_of(' ');
+        if (first == std::string_view::npos || line[first] != '$') lines.push_back({line, number});
+    }
+    return lines;
+}
+
+}  // namespace corpuscle::io

@@ -1,0 +1,182 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "io/deck/parameter_cards.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "io/text/text.hpp"
+
+namespace corpuscle::io {
+
+namespace {
+
+bool has_option(std::string_view keyword, std::string_view option) {
+    return keyword.find(option) != std::string_view::npos;
+}
+
+struct Name {
+    char type = ' ';  ///< R, I, C
+    std::string name;
+    [[nodiscard]] bool is_good() const {
+        return (type == 'R' || type == 'I' || type == 'C') && !name.empty() &&
+               name.find_first_of(" ,<>&()+-*/") == std::string::npos;
+    }
+};
+
+/// "R  end_time": the type, then the name, with or without blanks between.
+Name parse_name(std::string_view text) {
+    if (text.empty()) return {};
+    return {upper(text.substr(0, 1)).front(), upper(trim(text.substr(1)))};
+}
+
+/// The number of a -D, or none with a fault in it.
+std::optional<Parameter> overridden(const Name& name, const std::string& text) {
+    Parameter p{name.type, {0.0, name.type == 'I'}, text, {}};
+    if (name.type == 'C') return p;
+    if (name.type == 'I') {
+        const auto value = parse_integer(text);
+        if (value) p.value.number = *value;
+        return value ? std::optional(p) : std::nullopt;
+    }
+    const auto value = parse_real(text);
+    if (value) p.value.number = *value;
+    return value ? std::optional(p) : std::nullopt;
+}
+
+class Definitions {
+public:
+    Definitions(const Block& block, Parameters& parameters, Faults& faults)
+        : cards_(block, faults, parameters),
+          parameters_(parameters),
+          is_local_(has_option(block.keyword, "_LOCAL")) {}
+
+    void values() {
+        static const Layout layout("PRMR1 VAL1 PRMR2 VAL2 PRMR3 VAL3 PRMR4 VAL4");
+        while (cards_.rows()) {
+            Card card = cards_.next(layout);
+            for (std::size_t i = 0; i < 8; i += 2)
+                if (card.given(i)) value(card, i);
+        }
+    }
+
+    void expressions(const Block& block) {
+        for (std::size_t i = 0; i < block.lines.size(); ++i) {
+            std::string text(block.lines[i].text);
+            while (i + 1 < block.lines.size() && continues(block.lines[i + 1].text, block.columns))
+                text.append(1, ' ').append(trim(block.lines[++i].text));
+            if (!trim(text).empty())
+                expression(text, {block.place.file, block.lines[i].number}, block);
+        }
+    }
+
+private:
+    void value(Card& card, std::size_t i) {
+        const Name name = parse_name(card.raw(i));
+        const std::string_view text = card.raw(i + 1);
+        if (!name.is_good())
+            return card.fault(i, "R, I or C and a name, in 10 columns or before a comma");
+        Parameter p{name.type, {0.0, name.type == 'I'}, {}, card.place()};
+        if (name.type == 'C')
+            p.text = text;
+        else if (!card.given(i + 1))
+            return card.fault(i + 1, "a value");
+        else
+            p.value.number = name.type == 'I' ? card.integer(i + 1) : card.real(i + 1);
+        define(name, p);
+    }
+
+    /// A line of which the first field is blank continues the expression above it.
+    static bool continues(std::string_view line, Columns columns) {
+        const std::size_t width = columns == Columns::LONG ? 20 : 10;
+        return !trim(line).empty() && trim(line.substr(0, width)).empty();
+    }
+
+    /// "R  area, max(a, b)" is free format, "R     area  max(a, b)" is not.
+    void expression(std::string_view line, Place at, const Block& block) {
+        const std::size_t comma = line.find(',');
+        const std::size_t width = block.columns == Columns::LONG ? 20 : 10;
+        Name name = parse_name(trim(line.substr(0, comma)));
+        std::string_view formula;
+        if (comma != std::string_view::npos && name.is_good()) {
+            formula = line.substr(comma + 1);
+        } else {
+            name = parse_name(trim(line.substr(0, width)));
+            formula = line.size() > width ? line.substr(width) : std::string_view{};
+        }
+        const auto complain = [&](const std::string& expected) {
+            cards_.faults().fault(at, fmt::format("*{} {} = {}, expected {}", block.keyword,
+                                                  name.name, trim(formula), expected));
+        };
+        if (!name.is_good()) return complain("R, I or C and a name");
+        if (trim(formula).empty()) return complain("an expression");
+        define_expression(name, trim(formula), at, complain);
+    }
+
+    template <class Complain>
+    void define_expression(const Name& name, std::string_view formula, Place at,
+                           const Complain& complain) {
+        Parameter p{name.type, {}, std::string(formula), at};
+        try {
+            if (name.type != 'C')
+                p.value = evaluate(formula, [&](std::string_view word) {
+                    return parameters_.value(word, at.file);
+                });
+        } catch (const ExpressionError& error) {
+            return complain(error.what());
+        }
+        p.value.is_integer = name.type == 'I';
+        if (name.type == 'I') p.value.number = std::round(p.value.number);
+        define(name, p);
+    }
+
+    void define(const Name& name, Parameter p) {
+        if (const auto text = parameters_.take_override(name.name)) {
+            if (const auto by_user = overridden(name, *text)) {
+                p.value = by_user->value;
+                p.text = by_user->text;
+            } else {
+                cards_.faults().fault(
+                    p.place, fmt::format("*{} {}: -D {}={}, expected {}", cards_.block().keyword,
+                                         name.name, name.name, *text,
+                                         name.type == 'I' ? "a whole number" : "a number"));
+            }
+        }
+        if (const Parameter* first = parameters_.define(name.name, p, is_local_))
+            cards_.faults().warn(
+                p.place, fmt::format("*{} {} is ignored: {} has it already", cards_.block().keyword,
+                                     name.name, cards_.faults().where(first->place)));
+    }
+
+    Cards cards_;
+    Parameters& parameters_;
+    bool is_local_;
+};
+
+}  // namespace
+
+bool is_parameter_keyword(std::string_view keyword) {
+    constexpr std::string_view BASE = "PARAMETER";
+    if (!keyword.starts_with(BASE)) return false;
+    std::string_view rest = keyword.substr(BASE.size());
+    while (!rest.empty()) {
+        const auto end = std::min(rest.find('_', 1), rest.size());
+        const std::string_view option = rest.substr(0, end);
+        if (option != "_LOCAL" && option != "_EXPRESSION" && option != "_NOECHO") return false;
+        rest.remove_prefix(end);
+    }
+    return true;
+}
+
+void read_parameters(const Block& block, Parameters& parameters, Faults& faults) {
+    faults.begin_block();
+    Definitions definitions(block, parameters, faults);
+    if (has_option(block.keyword, "_EXPRESSION"))
+        definitions.expressions(block);
+    else
+        definitions.values();
+    faults.end_block(block.place, block.keyword);
+}
+
+}  // namespace corpuscle::io

@@ -1,0 +1,68 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "io/deck/faults.hpp"
+#include "solver/base/vec.hpp"
+
+namespace corpuscle::io {
+
+/// Deck ids of one kind of thing -> its rows, and where each was defined.
+class Registry {
+public:
+    struct Entry {
+        Index row = -1;
+        Place place;
+    };
+
+    explicit Registry(std::string_view kind) : kind_(kind) {}
+
+    /// In the user's words: "*PART".
+    [[nodiscard]] std::string_view kind() const { return kind_; }
+
+    [[nodiscard]] const Entry* find(int id) const {
+        const auto at = entries_.find(id);
+        return at == entries_.end() ? nullptr : &at->second;
+    }
+
+    /// False when the id is taken; the first definition stays.
+    bool add(int id, Index row, Place place) {
+        return entries_.try_emplace(id, Entry{row, place}).second;
+    }
+
+    void reserve(std::size_t n) { entries_.reserve(n); }
+
+    /// An id that the deck defines by a keyword that is refused: what refers to it is no further
+    /// fault.
+    void spoil(int id) { spoilt_.insert(id); }
+    [[nodiscard]] bool is_spoilt(int id) const { return spoilt_.contains(id); }
+
+    /// Rows of the ids first, first + step, ... up to last that exist, by ascending id.
+    [[nodiscard]] std::vector<Index> between(int first, int last, int step = 1) const {
+        if (by_id_.size() != entries_.size()) {
+            by_id_.clear();
+            for (const auto& [id, entry] : entries_) by_id_.emplace_back(id, entry.row);
+            std::sort(by_id_.begin(), by_id_.end());
+        }
+        std::vector<Index> rows;
+        for (auto at = std::lower_bound(by_id_.begin(), by_id_.end(), std::pair(first, Index{-1}));
+             at != by_id_.end() && at->first <= last; ++at)
+            if ((at->first - first) % step == 0) rows.push_back(at->second);
+        return rows;
+    }
+
+private:
+    std::string_view kind_;
+    std::unordered_map<int, Entry> entries_;
+    std::unordered_set<int> spoilt_;
+    mutable std::vector<std::pair<int, Index>> by_id_;
+};
+
+}  // namespace corpuscle::io

@@ -1,0 +1,64 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include <array>
+
+#include "io/keywords/bodies/held.hpp"
+#include "io/keywords/keywords.hpp"
+
+namespace corpuscle::io::keywords {
+
+void node(Cards& cards, Draft& draft) {
+    static const Layout layout("NID:8 X:16 Y:16 Z:16 TC:8 RC:8");
+    Model& model = draft.model;
+    const std::size_t n = model.x.size() + cards.block().lines.size();
+    draft.nodes.reserve(n);
+    model.node_id.reserve(n);
+    model.x.reserve(n);
+    while (cards.rows()) {
+        Card c = cards.next(layout);
+        const auto row = static_cast<Index>(model.x.size());
+        const int id = c.new_id(std::size_t{0}, draft.nodes, model.x.size());
+        const Vec3 at(c.real(std::size_t{1}), c.real(std::size_t{2}), c.real(std::size_t{3}));
+        const int moves = c.integer(std::size_t{4}, within(0, 7));
+        const int turns = c.integer(std::size_t{5}, within(0, 7));
+        const unsigned fixed = HELD.at(static_cast<std::size_t>(moves)) |
+                               HELD.at(static_cast<std::size_t>(turns)) << 3U;
+        if (fixed != 0) model.supports.push_back({row, fixed});
+        model.node_id.push_back(id);
+        model.x.push_back(at);
+    }
+}
+
+namespace {
+
+/// A triangle is written with its third node twice, or with none in fourth place.
+bool is_sound(const std::array<Index, 4>& n) {
+    return n[0] != n[1] && n[1] != n[2] && n[2] != n[0] && n[3] != n[0] && n[3] != n[1];
+}
+
+}  // namespace
+
+void element_shell(Cards& cards, Draft& draft) {
+    static const Layout layout("EID:8 PID:8 N1:8 N2:8 N3:8 N4:8 N5:8 N6:8 N7:8 N8:8");
+    std::vector<Shell>& shells = draft.model.shells;
+    const std::size_t n = shells.size() + cards.block().lines.size();
+    draft.shells.reserve(n);
+    shells.reserve(n);
+    while (cards.rows()) {
+        Card c = cards.next(layout);
+        Shell shell;
+        shell.id = c.new_id(std::size_t{0}, draft.shells, shells.size());
+        shell.part = c.row(std::size_t{1}, draft.parts);
+        if (shell.part >= 0 && draft.part_has_solids[static_cast<std::size_t>(shell.part)] != 0)
+            c.fault(std::size_t{1}, "a part with *SECTION_SHELL");
+        for (std::size_t k = 0; k < 3; ++k) shell.nodes[k] = c.row(k + 2, draft.nodes);
+        const bool is_triangle = c.raw(4) == c.raw(5);
+        const Index fourth = is_triangle ? -1 : c.row_or_none("N4", draft.nodes);
+        shell.nodes[3] = fourth < 0 ? shell.nodes[2] : fourth;
+        if (c.good() && !is_sound(shell.nodes))
+            c.fault("N1", "no node twice, but for N4 = N3 of a triangle");
+        shells.push_back(shell);
+    }
+}
+
+}  // namespace corpuscle::io::keywords

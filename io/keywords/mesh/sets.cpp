@@ -1,0 +1,176 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "io/keywords/mesh/sets.hpp"
+
+#include <array>
+#include <map>
+
+#include "io/keywords/keywords.hpp"
+
+namespace corpuscle::io::keywords {
+
+void set_header(Cards& cards, Registry& sets, std::size_t row) {
+    if (cards.has("TITLE")) cards.title();
+    Card c = cards.next("SID DA1 DA2 DA3 DA4 SOLVER ITS -");
+    c.new_id("SID", sets, row);
+    c.harmless("DA1 DA2 DA3 DA4 SOLVER ITS");
+}
+
+namespace {
+
+using Rows = std::vector<Index>;
+
+/// Eight ids a line.
+Rows listed(Cards& cards, const Registry& things) {
+    static const Layout layout("ID1 ID2 ID3 ID4 ID5 ID6 ID7 ID8");
+    Rows rows;
+    while (cards.rows()) {
+        Card c = cards.next(layout);
+        for (std::size_t i = 0; i < 8; ++i)
+            if (c.given(i) && c.integer(i) != 0)
+                if (const Index row = c.row(i, things); row >= 0) rows.push_back(row);
+    }
+    return rows;
+}
+
+/// One id a line, with attributes.
+Rows column(Cards& cards, const Registry& things) {
+    static const Layout layout("ID A1 A2 A3 A4");
+    Rows rows;
+    while (cards.rows()) {
+        Card c = cards.next(layout);
+        c.harmless("A1 A2 A3 A4");
+        if (const Index row = c.row("ID", things); row >= 0) rows.push_back(row);
+    }
+    return rows;
+}
+
+void append(Rows& rows, const Rows& more) {
+    rows.insert(rows.end(), more.begin(), more.end());
+}
+
+/// Ids from BBEG to BEND that exist, up to four ranges a line.
+Rows generated(Cards& cards, const Registry& things) {
+    static const Layout layout("B1BEG B1END B2BEG B2END B3BEG B3END B4BEG B4END");
+    Rows rows;
+    while (cards.rows()) {
+        Card c = cards.next(layout);
+        for (std::size_t i = 0; i < 8; i += 2) {
+            const int first = c.integer(i, NON_NEGATIVE), last = c.integer(i + 1, NON_NEGATIVE);
+            if (c.good() && last < first)
+                c.fault(i + 1, "an id that is not below the one before it");
+            else if (c.good() && last > 0)
+                append(rows, things.between(first, last));
+        }
+    }
+    return rows;
+}
+
+/// The same with a step, one range a line.
+Rows stepped(Cards& cards, const Registry& things) {
+    static const Layout layout("BBEG BEND INCR=1");
+    Rows rows;
+    while (cards.rows()) {
+        Card c = cards.next(layout);
+        const int first = c.integer("BBEG", {1.0});
+        const int last = c.integer("BEND", {static_cast<double>(first)});
+        const int step = c.integer("INCR", {1.0});
+        if (c.good()) append(rows, things.between(first, last, step));
+    }
+    return rows;
+}
+
+void list_set(Cards& cards, Registry& sets, std::vector<Rows>& store, const Registry& things) {
+    set_header(cards, sets, store.size());
+    Rows rows = cards.has("COLUMN")      ? column(cards, things)
+                : cards.has("INCREMENT") ? stepped(cards, things)
+                : cards.has("GENERATE")  ? generated(cards, things)
+                                         : listed(cards, things);
+    Collection<Index> set;
+    set.add(rows);
+    store.push_back(set.close(cards));
+}
+
+/// The sum of other sets of the kind.
+template <class Item>
+void sum_set(Cards& cards, Registry& sets, std::vector<std::vector<Item>>& store) {
+    const Registry others = sets;  // a set does not contain itself
+    set_header(cards, sets, store.size());
+    Collection<Index> parts;
+    parts.add(listed(cards, others));
+    Collection<Item> sum;
+    for (const Index part : parts.close(cards)) sum.add(store[static_cast<std::size_t>(part)]);
+    store.push_back(sum.close(cards));
+}
+
+/// What all of some other sets of the kind have.
+template <class Item>
+void common_set(Cards& cards, Registry& sets, std::vector<std::vector<Item>>& store) {
+    const Registry others = sets;
+    set_header(cards, sets, store.size());
+    Collection<Index> rows;
+    rows.add(listed(cards, others));
+    const std::vector<Index> of = rows.close(cards);
+    std::map<Item, std::size_t> count;
+    for (const Index row : of)
+        for (const Item& item : store[static_cast<std::size_t>(row)]) ++count[item];
+    Collection<Item> common;
+    for (const Index row : of)
+        for (const Item& item : store[static_cast<std::size_t>(row)])
+            if (count[item] == of.size()) common.add({item});
+    store.push_back(common.close(cards));
+}
+
+}  // namespace
+
+void set_node(Cards& cards, Draft& d) {
+    list_set(cards, d.node_sets, d.node_set, d.nodes);
+}
+void set_part(Cards& cards, Draft& d) {
+    list_set(cards, d.part_sets, d.part_set, d.parts);
+}
+void set_shell(Cards& cards, Draft& d) {
+    list_set(cards, d.shell_sets, d.shell_set, d.shells);
+}
+
+void set_segment(Cards& cards, Draft& draft) {
+    static const Layout layout("N1 N2 N3 N4 A1 A2 A3 A4");
+    set_header(cards, draft.segment_sets, draft.segment_set.size());
+    Segments segments;
+    while (cards.rows()) {
+        Card c = cards.next(layout);
+        c.harmless("A1 A2 A3 A4");
+        std::array<Index, 4> nodes{};
+        for (std::size_t k = 0; k < 3; ++k) nodes[k] = c.row(k, draft.nodes);
+        const Index fourth = c.row_or_none("N4", draft.nodes);
+        nodes[3] = fourth < 0 ? nodes[2] : fourth;
+        segments.push_back(nodes);
+    }
+    Collection<std::array<Index, 4>> set;
+    set.add(segments);
+    draft.segment_set.push_back(set.close(cards));
+}
+
+void set_node_add(Cards& cards, Draft& d) {
+    sum_set(cards, d.node_sets, d.node_set);
+}
+void set_part_add(Cards& cards, Draft& d) {
+    sum_set(cards, d.part_sets, d.part_set);
+}
+void set_shell_add(Cards& cards, Draft& d) {
+    sum_set(cards, d.shell_sets, d.shell_set);
+}
+void set_segment_add(Cards& cards, Draft& d) {
+    sum_set(cards, d.segment_sets, d.segment_set);
+}
+void set_node_intersect(Cards& cards, Draft& d) {
+    common_set(cards, d.node_sets, d.node_set);
+}
+void set_shell_intersect(Cards& cards, Draft& d) {
+    common_set(cards, d.shell_sets, d.shell_set);
+}
+void set_segment_intersect(Cards& cards, Draft& d) {
+    common_set(cards, d.segment_sets, d.segment_set);
+}
+
+}  // namespace corpuscle::io::keywords

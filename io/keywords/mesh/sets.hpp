@@ -1,0 +1,45 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "io/deck/card.hpp"
+#include "io/model/draft.hpp"
+
+/// What all *SET_ keywords have in common.
+namespace corpuscle::io::keywords {
+
+/// The header card, its id taken for `row`.
+void set_header(Cards& cards, Registry& sets, std::size_t row);
+
+using Segments = std::vector<std::array<Index, 4>>;
+
+/// Each item once, in the order of first mention.
+template <class Item>
+class Collection {
+public:
+    void add(const std::vector<Item>& items) {
+        for (const Item& item : items)
+            if (members_.insert(item).second) items_.push_back(item);
+    }
+    void remove(const std::vector<Item>& items) {
+        for (const Item& item : items) members_.erase(item);
+        std::erase_if(items_, [&](const Item& item) { return !members_.contains(item); });
+    }
+    [[nodiscard]] const std::vector<Item>& items() const { return items_; }
+    /// The finished set; one without anything in it is a fault, unless another one explains it.
+    std::vector<Item> close(Cards& cards) {
+        if (items_.empty() && cards.good()) cards.fault("is empty, expected something in the set");
+        return std::move(items_);
+    }
+
+private:
+    std::vector<Item> items_;
+    std::set<Item> members_;
+};
+
+}  // namespace corpuscle::io::keywords

@@ -1,0 +1,110 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/deck/registry.hpp"
+#include "solver/model.hpp"
+
+namespace corpuscle::io {
+
+struct Section {
+    double thickness = NaN;
+    int element_form = 0;
+    bool is_solid = false;  ///< *SECTION_SOLID
+    bool is_tube = false;   ///< *SECTION_BEAM, CST = 1
+    double area = NaN;      ///< of *SECTION_BEAM                                      [m^2]
+    std::string other;      ///< the keyword of one that is no shell's and no solid's
+};
+
+/// A keyword that is in the deck and that nothing acts on, as long as no element needs it.
+struct Unread {
+    std::string keyword;
+    Place place;
+    double density = NaN;  ///< of a material                                       [kg/m^3]
+};
+
+/// *ELEMENT_BEAM, _DISCRETE, _SEATBELT: joins two nodes.
+struct Link {
+    std::string keyword;
+    Place place;
+    Index part = -1;
+    std::array<Index, 2> nodes{-1, -1};
+};
+
+/// *ELEMENT_SOLID; fewer than eight corners repeat some.
+struct Solid {
+    int id = 0;
+    Index part = -1;
+    std::array<Index, 8> nodes{};
+};
+
+/// *DEFINE_COORDINATE_...
+struct LocalAxes {
+    Mat3 axes = Mat3::Identity();            ///< columns: local x, y, z
+    std::array<Index, 3> nodes{-1, -1, -1};  ///< _NODES: rows; they give the axes
+};
+
+/// Which meaning of the cards the deck wants: today's, or that of the 2007 course notes.
+enum class Dialect { TODAY, NOTES_2007 };
+
+/// A model under construction: what keywords refer to each other by, and what the model itself does
+/// not keep.
+struct Draft {
+    explicit Draft(Model& under_construction) : model(under_construction) {}
+
+    Model& model;
+    Dialect dialect = Dialect::TODAY;
+    std::optional<gas::CollisionModel> collision;  ///< of all bags; none: the default
+    double mean_free_path = NaN;                   ///< of that model; NaN: its default      [m]
+    double force_decay = 1.0;  ///< SFFDC of *CONTROL_CPM, for bags that have none of their own  [-]
+
+    Registry nodes{"*NODE"}, shells{"*ELEMENT_SHELL"}, parts{"*PART"}, materials{"*MAT"},
+        sections{"*SECTION_SHELL"}, curves{"*DEFINE_CURVE"}, vectors{"*DEFINE_VECTOR"},
+        coordinates{"*DEFINE_COORDINATE"};
+    Registry node_sets{"*SET_NODE"}, part_sets{"*SET_PART"}, shell_sets{"*SET_SHELL"},
+        segment_sets{"*SET_SEGMENT"}, solid_sets{"*SET_SOLID"};
+    Registry solids{"*ELEMENT_SOLID"};
+    Registry boxes{"*DEFINE_BOX"};
+    Registry transformations{"*DEFINE_TRANSFORMATION"};
+    Registry cpm_vents{"*DEFINE_CPM_VENT"}, cpm_chambers{"*DEFINE_CPM_CHAMBER"};
+
+    std::vector<Section> section;
+    std::vector<std::uint8_t> part_has_solids;  ///< by part row
+    std::vector<Index> part_section;            ///< by part row; -1: none
+    std::vector<Solid> solid;
+    std::vector<Link> links;
+    std::map<Index, Unread> unread_materials;  ///< by material row
+    std::map<Index, Unread> bare_parts;        ///< without section or material, by part row
+    std::vector<Index> stiffened_parts;        ///< of solids that deform, taken as rigid
+    std::vector<Index> inertia_nodes;          ///< NODEID of *PART_INERTIA, node rows
+    std::vector<Eigen::AlignedBox3d> box;
+    std::vector<Eigen::Affine3d> transformation;
+    std::vector<RigidVelocity> inertia_start;  ///< of *PART_INERTIA, where nothing else says it
+    std::vector<Index> rigid_owner;  ///< by node row: rigid part or -1; empty until it is asked for
+    std::vector<LocalAxes> coordinate;
+    std::vector<std::pair<Index, Index>> local_constraints;      ///< rigid material, its axes: rows
+    Points vector;                                               ///< head - tail
+    std::vector<std::vector<Index>> node_set;                    ///< node rows
+    std::vector<std::vector<Index>> part_set;                    ///< part rows
+    std::vector<std::vector<Index>> shell_set;                   ///< shell rows
+    std::vector<std::vector<std::array<Index, 4>>> segment_set;  ///< node rows
+
+    std::vector<std::pair<Index, Place>> added_leaks;  ///< *MAT_ADD_AIRBAG_POROSITY_LEAKAGE
+    std::vector<Index> body_load_parts;                ///< *LOAD_BODY_PARTS; none: all
+
+    std::vector<gas::VentCard> cpm_vent;                     ///< without parts
+    std::vector<std::vector<gas::ChamberCard>> cpm_chamber;  ///< of one bag each
+
+    int frame_count = 0;  ///< NPLTC of *DATABASE_BINARY_D3PLOT, which needs the end time
+};
+
+}  // namespace corpuscle::io

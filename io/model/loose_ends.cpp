@@ -1,0 +1,308 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "io/model/loose_ends.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/keywords/bodies/rigid_parts.hpp"
+
+namespace corpuscle::io {
+namespace {
+
+using keywords::is_rigid;
+
+bool holds(const std::vector<Index>& rows, Index row) {
+    return std::find(rows.begin(), rows.end(), row) != rows.end();
+}
+
+std::string name_of(const Draft& draft, Index part) {
+    const Part& p = draft.model.parts[static_cast<std::size_t>(part)];
+    return p.title.empty() ? fmt::format("part {}", p.id)
+                           : fmt::format("part {} \"{}\"", p.id, p.title);
+}
+
+Place place_of(const Draft& draft, Index part) {
+    const Registry::Entry* entry =
+        draft.parts.find(draft.model.parts[static_cast<std::size_t>(part)].id);
+    return entry != nullptr ? entry->place : Place{};
+}
+
+/// Shells and solids of each part.
+std::vector<std::size_t> elements_of_parts(const Draft& draft) {
+    std::vector<std::size_t> count(draft.model.parts.size(), 0);
+    for (const Shell& shell : draft.model.shells)
+        if (shell.part >= 0) ++count[static_cast<std::size_t>(shell.part)];
+    for (const Solid& solid : draft.solid)
+        if (solid.part >= 0) ++count[static_cast<std::size_t>(solid.part)];
+    return count;
+}
+
+/// The material of parts that nothing is of.
+Index no_material(Model& model) {
+    model.materials.push_back({0, "none", fabric::NullCard{1.0}});
+    return static_cast<Index>(model.materials.size()) - 1;
+}
+
+}  // namespace
+
+void check_parts(Draft& draft, Faults& faults) {
+    Model& model = draft.model;
+    const std::vector<std::size_t> elements = elements_of_parts(draft);
+    Index none = -1;
+    for (std::size_t p = 0; p < model.parts.size(); ++p) {
+        const auto row = static_cast<Index>(p);
+        Part& part = model.parts[p];
+        const auto bare = draft.bare_parts.find(row);
+        if (elements[p] > 0 && bare != draft.bare_parts.end()) {
+            faults.fault(bare->second.place,
+                         fmt::format("*PART {} has {} = 0 and {} elements, expected the id of a "
+                                     "*{} of the deck",
+                                     part.id, bare->second.keyword, elements[p],
+                                     bare->second.keyword == "MID" ? "MAT" : "SECTION"));
+            continue;
+        }
+        const auto unread = draft.unread_materials.find(part.material);
+        if (elements[p] > 0 && unread != draft.unread_materials.end())
+            faults.fault(unread->second.place,
+                         fmt::format("*{} is not supported yet, and {} elements of {} are of it",
+                                     unread->second.keyword, elements[p], name_of(draft, row)));
+        if (elements[p] > 0 && draft.part_section[p] >= 0) {
+            const Section& section = draft.section[static_cast<std::size_t>(draft.part_section[p])];
+            if (!section.other.empty())
+                faults.fault(place_of(draft, row),
+                             fmt::format("*PART {} has a *{} and {} shells or solids, expected a "
+                                         "*SECTION_SHELL or *SECTION_SOLID",
+                                         part.id, section.other, elements[p]));
+        }
+        if (bare == draft.bare_parts.end() || part.material >= 0) continue;
+        if (none < 0) none = no_material(model);
+        part.material = none;
+    }
+}
+
+namespace {
+
+/// Mass and inertia of thin rods.
+RigidInertia inertia_of_rods(const Draft& draft, const std::vector<const Link*>& rods,
+                             double line_density) {
+    RigidInertia all;
+    all.mass = 0.0;
+    const auto end = [&](const Link& rod, std::size_t k) -> const Vec3& {
+        return draft.model.x[static_cast<std::size_t>(rod.nodes[k])];
+    };
+    for (const Link* rod : rods) {
+        const double m = line_density * (end(*rod, 1) - end(*rod, 0)).norm();
+        all.mass += m;
+        all.centre += 0.5 * m * (end(*rod, 0) + end(*rod, 1));
+    }
+    all.centre /= all.mass;
+    for (const Link* rod : rods) {
+        const Vec3 along = end(*rod, 1) - end(*rod, 0),
+                   r = 0.5 * (end(*rod, 0) + end(*rod, 1)) - all.centre;
+        const double m = line_density * along.norm();
+        const auto moment = [](const Vec3& d) {
+            return Mat3(d.squaredNorm() * Mat3::Identity() - d * d.transpose());
+        };
+        all.inertia += m / 12.0 * moment(along) + m * moment(r);
+    }
+    return all;
+}
+
+void make_beam_body(Draft& draft, Faults& faults, Index part,
+                    const std::vector<const Link*>& beams) {
+    Model& model = draft.model;
+    std::vector<Index> nodes;
+    for (const Link* beam : beams)
+        nodes.insert(nodes.end(), beam->nodes.begin(), beam->nodes.end());
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    for (const Index node : nodes) model.rigid_extra_nodes.push_back({part, node});
+    const bool is_given = std::any_of(model.rigid_inertia.begin(), model.rigid_inertia.end(),
+                                      [&](const RigidInertia& body) { return body.part == part; });
+    if (is_given) return;
+    const Part& p = model.parts[static_cast<std::size_t>(part)];
+    const Index section = draft.part_section[static_cast<std::size_t>(part)];
+    const double area = section >= 0 ? draft.section[static_cast<std::size_t>(section)].area : NaN;
+    const double density =
+        std::get<fabric::RigidCard>(model.materials[static_cast<std::size_t>(p.material)].card)
+            .density;
+    if (!(area * density > 0.0))
+        return faults.fault(place_of(draft, part),
+                            fmt::format("*PART {} has {} rigid beams, expected a *SECTION_BEAM "
+                                        "with a cross section > 0, or _INERTIA",
+                                        p.id, beams.size()));
+    RigidInertia body = inertia_of_rods(draft, beams, density * area);
+    body.part = part;
+    model.rigid_inertia.push_back(body);
+}
+
+}  // namespace
+
+void make_beam_bodies(Draft& draft, Faults& faults) {
+    std::map<Index, std::vector<const Link*>> rigid;
+    for (const Link& link : draft.links)
+        if (is_rigid(draft, link.part)) rigid[link.part].push_back(&link);
+    for (const auto& [part, beams] : rigid) make_beam_body(draft, faults, part, beams);
+    std::erase_if(draft.links, [&](const Link& link) { return rigid.contains(link.part); });
+}
+
+namespace {
+
+/// 1 for nodes of shells that deform, or have mass alone.
+std::vector<std::uint8_t> cloth_nodes(const Draft& draft) {
+    std::vector<std::uint8_t> is_cloth(draft.model.x.size(), 0);
+    for (const Shell& shell : draft.model.shells)
+        if (shell.part >= 0 && !is_rigid(draft, shell.part))
+            for (const Index node : shell.nodes)
+                if (node >= 0) is_cloth[static_cast<std::size_t>(node)] = 1;
+    return is_cloth;
+}
+
+void leave_out_links(Draft& draft, Faults& faults) {
+    const std::vector<std::uint8_t> is_cloth = cloth_nodes(draft);
+    struct Group {
+        const Link* first = nullptr;  ///< of those that hold cloth, else of all
+        std::size_t count = 0, holding = 0;
+        Index held = -1;  ///< node of cloth
+    };
+    std::map<std::pair<std::string, Index>, Group> groups;
+    for (const Link& link : draft.links) {
+        Group& group = groups[{link.keyword, link.part}];
+        if (group.first == nullptr) group.first = &link;
+        ++group.count;
+        for (const Index node : link.nodes)
+            if (is_cloth[static_cast<std::size_t>(node)] != 0) {
+                if (group.held < 0) {
+                    group.first = &link;
+                    group.held = node;
+                }
+                ++group.holding;
+                break;
+            }
+    }
+    for (const auto& [of, group] : groups) {
+        const std::string what =
+            fmt::format("*{}: {} elements of {}", of.first, group.count, name_of(draft, of.second));
+        if (group.held >= 0)
+            faults.fault(
+                group.first->place,
+                fmt::format("{}, {} of which hold cloth (first at node {}), are not acted on, "
+                            "expected rigid ones, or none at the cloth",
+                            what, group.holding,
+                            draft.model.node_id[static_cast<std::size_t>(group.held)]));
+        else
+            faults.warn(group.first->place,
+                        fmt::format("{} are left out: they deform, and hold no cloth; what they "
+                                    "join moves without them",
+                                    what));
+    }
+}
+
+/// Bodies of nodes that nothing with mass is at hold nothing.
+void leave_out_empty_bodies(Draft& draft, Faults& faults) {
+    Model& model = draft.model;
+    std::vector<std::uint8_t> has_mass(model.x.size(), 0);
+    for (const Shell& shell : model.shells)
+        for (const Index node : shell.nodes)
+            if (node >= 0) has_mass[static_cast<std::size_t>(node)] = 1;
+    std::map<Index, bool> has;  // part -> some node has mass
+    for (const RigidExtraNode& extra : model.rigid_extra_nodes)
+        has[extra.part] |= has_mass[static_cast<std::size_t>(extra.node)] != 0;
+    for (const RigidInertia& body : model.rigid_inertia) has[body.part] = true;
+    for (const Shell& shell : model.shells)
+        if (shell.part >= 0) has[shell.part] = true;
+    for (const RigidMerge& merge : model.rigid_merges) has[merge.part] = has[merge.lead] = true;
+    for (const auto& [part, is_there] : has) {
+        if (is_there) continue;
+        faults.warn(place_of(draft, part),
+                    fmt::format("{} is left out: nothing that has mass is at its nodes",
+                                name_of(draft, part)));
+        std::erase_if(model.rigid_extra_nodes,
+                      [&, p = part](const RigidExtraNode& extra) { return extra.part == p; });
+    }
+}
+
+/// Supports of a node of solids that are taken as rigid hold the body.
+void hold_stiffened(Draft& draft, Faults& faults) {
+    Model& model = draft.model;
+    const std::vector<std::uint8_t> is_cloth = cloth_nodes(draft);
+    for (const Index part : draft.stiffened_parts) {
+        std::vector<std::uint8_t> is_own(model.x.size(), 0);
+        for (const Solid& solid : draft.solid)
+            if (solid.part == part)
+                for (const Index node : solid.nodes) is_own[static_cast<std::size_t>(node)] = 1;
+        for (std::size_t n = 0; n < is_own.size(); ++n)
+            if (is_own[n] != 0 && is_cloth[n] != 0) {
+                faults.fault(
+                    place_of(draft, part),
+                    fmt::format("*PART {}: its solids deform and hold cloth at node {}, "
+                                "expected *MAT_RIGID for solids at cloth",
+                                model.parts[static_cast<std::size_t>(part)].id, model.node_id[n]));
+                break;
+            }
+        DofMask held = 0;
+        std::size_t nodes = 0;
+        for (const Support& support : model.supports)
+            if (support.node >= 0 && is_own[static_cast<std::size_t>(support.node)] != 0 &&
+                (support.fixed & 7U) != 0) {
+                held |= support.fixed & 7U;
+                ++nodes;
+            }
+        std::erase_if(model.supports, [&](const Support& support) {
+            return support.node >= 0 && is_own[static_cast<std::size_t>(support.node)] != 0;
+        });
+        const Index material = model.parts[static_cast<std::size_t>(part)].material;
+        auto& rigid =
+            std::get<fabric::RigidCard>(model.materials[static_cast<std::size_t>(material)].card);
+        rigid.fixed_moves = held;
+        rigid.fixed_turns = nodes > 1 ? 7U : 0U;
+    }
+}
+
+void check_leaks_count(const Draft& draft, Faults& faults) {
+    std::vector<std::uint8_t> closes(draft.model.parts.size(), 0);
+    for (const gas::BagCard& bag : draft.model.bags)
+        for (const auto* parts : {&bag.external_parts, &bag.internal_parts})
+            for (const Index part : *parts) closes[static_cast<std::size_t>(part)] = 1;
+    for (const gas::UniformBagCard& bag : draft.model.uniform_bags)
+        for (const Index shell : bag.shells) {
+            const Index part = draft.model.shells[static_cast<std::size_t>(shell)].part;
+            if (part >= 0) closes[static_cast<std::size_t>(part)] = 1;
+        }
+    for (const auto& [material, place] : draft.added_leaks) {
+        bool counts = false;
+        for (std::size_t p = 0; p < closes.size(); ++p)
+            counts |= closes[p] != 0 && draft.model.parts[p].material == material;
+        if (!counts)
+            faults.warn(place,
+                        fmt::format("*MAT_ADD_AIRBAG_POROSITY_LEAKAGE does not count: no "
+                                    "part of material {} closes a bag",
+                                    draft.model.materials[static_cast<std::size_t>(material)].id));
+    }
+}
+
+/// A merged body falls as a whole.
+void check_gravity(const Draft& draft, Faults& faults) {
+    for (const BodyLoad& load : draft.model.body_loads)
+        for (const RigidMerge& merge : draft.model.rigid_merges)
+            if (!load.parts.empty() && holds(load.parts, merge.part) !=
+                                           holds(load.parts, keywords::lead_of(draft, merge.part)))
+                faults.fault(place_of(draft, merge.part),
+                             fmt::format("{} is merged with others, expected a *LOAD_ on all of "
+                                         "them or on none",
+                                         name_of(draft, merge.part)));
+}
+
+}  // namespace
+
+void settle_loose_ends(Draft& draft, Faults& faults) {
+    leave_out_links(draft, faults);
+    leave_out_empty_bodies(draft, faults);
+    hold_stiffened(draft, faults);
+    check_leaks_count(draft, faults);
+    check_gravity(draft, faults);
+}
+
+}  // namespace corpuscle::io

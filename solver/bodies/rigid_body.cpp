@@ -1,0 +1,278 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "solver/bodies/rigid_body.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/base/error.hpp"
+#include "solver/bodies/rigid_parts.hpp"
+
+namespace corpuscle {
+namespace {
+
+/// b, less what it has along the axes.
+Vec3 without(const std::vector<Vec3>& axes, Vec3 b) {
+    for (const Vec3& axis : axes) b -= axis.dot(b) * axis;
+    return b;
+}
+
+/// Axes made orthonormal; those that add nothing are left out.
+void add_axis(std::vector<Vec3>& axes, const Vec3& axis) {
+    const Vec3 rest = without(axes, axis);
+    if (rest.norm() > 1e-9) axes.push_back(rest.normalized());
+}
+
+/// Up to three axes as columns.
+using Axes = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3>;
+
+Axes columns(const std::vector<Vec3>& axes) {
+    Axes out(3, static_cast<Eigen::Index>(axes.size()));
+    for (std::size_t k = 0; k < axes.size(); ++k) out.col(static_cast<Eigen::Index>(k)) = axes[k];
+    return out;
+}
+
+Eigen::Map<const Eigen::VectorXd> wanted(const std::vector<double>& target) {
+    return {target.data(), static_cast<Eigen::Index>(target.size())};
+}
+
+}  // namespace
+
+RigidBody::RigidBody(const Model& model, Index part, const std::vector<double>& node_mass)
+    : part_(part), parts_(merged_parts(model, part)), nodes_(nodes_of_rigid_parts(model, parts_)) {
+    const auto& card =
+        std::get<fabric::RigidCard>(model.materials[model.parts[part].material].card);
+    fixed_moves_ = card.fixed_moves;
+    fixed_turns_ = card.fixed_turns;
+    fixed_axes_ = card.axes;
+    set_inertia(model, inertia_of_parts(model, parts_, node_mass));
+    for (const Index n : nodes_) arm_.push_back(turn_.conjugate() * (model.x[n] - centre_));
+    next_centre_ = centre_;
+    next_turn_ = turn_;
+
+    for (const RigidVelocity& start : model.rigid_velocity)
+        if (start.part == part) {
+            velocity_ = start.velocity;
+            const Vec3 local = turn_.conjugate() * start.spin;
+            angular_momentum_ = turn_ * inertia_.cwiseProduct(local);
+        }
+    for (const PrescribedMotion& motion : model.motions)
+        if (motion.rigid_part == part) {
+            const double start =
+                motion.rotation ? spin().dot(motion.axis) : velocity_.dot(motion.axis);
+            motions_.push_back(
+                {motion.rotation, motion.axis,
+                 MotionCurve(motion, model.curves[motion.curve], start, model.end_time)});
+        }
+}
+
+/// Principal moments and their axes.
+void RigidBody::set_inertia(const Model& model, const RigidInertia& all) {
+    mass_ = all.mass;
+    centre_ = all.centre;
+    if (!(mass_ > 0.0))
+        throw InputError(fmt::format("rigid part {} has no mass", model.parts[part_].id));
+    const Eigen::SelfAdjointEigenSolver<Mat3> principal(all.inertia);
+    Mat3 axes = principal.eigenvectors();
+    if (axes.determinant() < 0.0) axes.col(2) = -axes.col(2);
+    turn_ = Eigen::Quaterniond(axes).normalized();
+    // A straight row of nodes has no moment about itself; then nothing can turn it, nor does it
+    // matter.
+    inertia_ = principal.eigenvalues().cwiseMax(1e-12 * principal.eigenvalues().maxCoeff());
+    if (!(inertia_.minCoeff() > 0.0))
+        throw InputError(
+            fmt::format("rigid part {} has no moment of inertia", model.parts[part_].id));
+}
+
+Vec3 RigidBody::spin_of(const Eigen::Quaterniond& turn, const Vec3& momentum) const {
+    const Vec3 local = turn.conjugate() * momentum;
+    return turn * local.cwiseQuotient(inertia_);
+}
+
+void RigidBody::advance(double t, double dt, double span, const Field& field,
+                        fabric::Nodes& nodes) {
+    arrive();
+    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+    for (const Index n : nodes_) {
+        force += nodes.f[n];
+        torque += (nodes.x[n] - centre_).cross(nodes.f[n]);
+    }
+    const Vec3 zero = Vec3::Zero();
+    kick_ = {span,
+             force,
+             torque,
+             mass_ * field.acceleration,
+             -field.damping * mass_ * velocity_,
+             -field.damping * angular_momentum_,
+             spin(),
+             kinetic_energy(),
+             zero,
+             zero};
+    velocity_before_ = velocity_;
+    momentum_before_ = angular_momentum_;
+    velocity_ += span / mass_ * (force + kick_.weight + kick_.drag);
+    angular_momentum_ += span * (torque + kick_.turning_drag);
+    hold_translation(t, dt, span);
+    hold_rotation(t, dt, span);
+    if (span > 0.0) acceleration_ = (velocity_ - velocity_before_) / span;
+    impulse_force_.setZero();
+    book_kick();
+    carry(dt, nodes);
+}
+
+void RigidBody::book_kick() {
+    const Kick& k = kick_;
+    mid_velocity_ = 0.5 * (velocity_before_ + velocity_);
+    mid_spin_ = 0.5 * (k.spin + spin());
+    field_work_ = k.span * k.weight.dot(mid_velocity_);
+    damped_ = -k.span * (k.drag.dot(mid_velocity_) + k.turning_drag.dot(mid_spin_));
+    held_work_ = kinetic_energy() - k.kinetic - field_work_ + damped_ -
+                 (k.span * k.force + k.joint_impulse).dot(mid_velocity_) -
+                 (k.span * k.torque + k.joint_turning).dot(mid_spin_);
+}
+
+void RigidBody::pull(const contact::RigidMover& mover, const Vec3& impulse, const Vec3& turning,
+                     double span, bool is_of_kick) {
+    if (is_of_kick) {
+        kick_.joint_impulse += impulse;
+        kick_.joint_turning += turning;
+    }
+    give(mover, impulse, turning, span);
+}
+
+/// Changes V and L by an impulse and its moment, and by what holds answer.
+void RigidBody::give(const contact::RigidMover& mover, const Vec3& impulse, const Vec3& turning,
+                     double span) {
+    const Vec3 change = mover.inverse_mass * impulse;
+    velocity_ += change;
+    if (held_turns_.empty()) {
+        angular_momentum_ += turning;
+    } else {
+        const Vec3 local = turn_.conjugate() * (spin() + mover.inverse_inertia * turning);
+        angular_momentum_ = turn_ * inertia_.cwiseProduct(local);
+    }
+    if (span > 0.0) acceleration_ += change / span;
+}
+
+void RigidBody::foresee(double dt) {
+    next_centre_ = centre_ + dt * velocity_;
+    next_turn_ = turned(dt);
+}
+
+void RigidBody::carry(double dt, fabric::Nodes& nodes) {
+    foresee(dt);
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+        nodes.v[nodes_[i]] = (next_centre_ + next_turn_ * arm_[i] - nodes.x[nodes_[i]]) / dt;
+}
+
+/// R_1: W by fixed-point sweeps, which gain a factor of some dt |spin| each.
+Eigen::Quaterniond RigidBody::turned(double dt) const {
+    constexpr int MOST_SWEEPS = 50;
+    constexpr double CONVERGED = 1e-15;
+    if (angular_momentum_.isZero(0.0)) return turn_;
+    const Vec3 momentum = turn_.conjugate() * angular_momentum_;  // in the body's axes at t
+    Vec3 W = momentum.cwiseQuotient(inertia_);
+    Eigen::Quaterniond step;
+    for (int sweep = 0; sweep < MOST_SWEEPS; ++sweep) {
+        const Vec3 half = 0.5 * dt * W;
+        step = Eigen::Quaterniond(1.0, half[0], half[1], half[2]).normalized();
+        const Vec3 then = step.conjugate() * momentum;
+        const Vec3 better = (0.5 * (momentum + then)).cwiseQuotient(inertia_);
+        const double change = (better - W).norm();
+        W = better;
+        if (change <= CONVERGED * W.norm()) break;
+    }
+    return (turn_ * step).normalized();
+}
+
+/// About the centre, global axes. [1/(kg m^2)]
+Mat3 RigidBody::inverse_inertia() const {
+    const Mat3 R = turn_.toRotationMatrix();
+    return R * inertia_.cwiseInverse().asDiagonal() * R.transpose();
+}
+
+/// Spin by a moment, with what the holds along H answer: I⁻¹ - I⁻¹ H (Hᵀ I⁻¹ H)⁻¹ Hᵀ I⁻¹.
+Mat3 RigidBody::turning_mobility() const {
+    const Mat3 inverse = inverse_inertia();
+    if (held_turns_.empty()) return inverse;
+    if (held_turns_.size() == 3) return Mat3::Zero();
+    const Axes H = columns(held_turns_);
+    const Axes IH = inverse * H;
+    return inverse - IH * (H.transpose() * IH).inverse() * IH.transpose();
+}
+
+contact::RigidMover RigidBody::mover() const {
+    contact::RigidMover out;
+    out.centre = centre_;
+    Mat3 moves = Mat3::Identity();
+    for (const Vec3& axis : held_moves_) moves -= axis * axis.transpose();
+    out.inverse_mass = moves / mass_;
+    out.inverse_inertia = turning_mobility();
+    out.velocity = velocity_;
+    out.spin = spin();
+    out.held_velocity = velocity_ - moves * velocity_;
+    if (!held_turns_.empty()) {
+        // To a moment M the holds answer with -H (Hᵀ I⁻¹ H)⁻¹ Hᵀ I⁻¹ M, which works on the spin.
+        const Mat3 R = turn_.toRotationMatrix();
+        const Mat3 inertia = R * inertia_.asDiagonal() * R.transpose();
+        out.held_spin = out.spin - out.inverse_inertia * (inertia * out.spin);
+    }
+    return out;
+}
+
+void RigidBody::take(const contact::RigidMover& moved, double dt, double span,
+                     fabric::Nodes& nodes) {
+    if (moved.impulse.isZero(0.0) && moved.turning.isZero(0.0)) return;
+    give(moved, moved.impulse, moved.turning, span);
+    if (span > 0.0) impulse_force_ = moved.impulse / span;
+    carry(dt, nodes);
+}
+
+/// What holds translation, or rotation, now; motions go before fixed axes along which they lead.
+RigidBody::Holds RigidBody::holds(bool rotation, double t, double dt, double span) {
+    Holds now;
+    const auto hold = [&](const Vec3& axis, double rate) {
+        const std::size_t before = now.orthonormal.size();
+        add_axis(now.orthonormal, axis);
+        if (now.orthonormal.size() == before) return;  // held already
+        now.axes.push_back(axis);
+        now.rates.push_back(rate);
+    };
+    for (Motion& motion : motions_)
+        if (motion.rotation == rotation && motion.curve.is_active(t))
+            hold(motion.axis, motion.curve.velocity(t, dt, span));
+    const unsigned fixed = rotation ? fixed_turns_ : fixed_moves_;
+    for (int a = 0; a < 3; ++a)
+        if (fixed & (1U << a)) hold(fixed_axes_.col(a), 0.0);
+    return now;
+}
+
+/// V by the impulses of the holds, along their axes H alone: Hᵀ (V + H m) = what they hold.
+void RigidBody::hold_translation(double t, double dt, double span) {
+    const Holds now = holds(false, t, dt, span);
+    held_moves_ = now.orthonormal;
+    if (now.axes.empty()) return;
+    const Axes H = columns(now.axes);
+    velocity_ +=
+        H * (H.transpose() * H).ldlt().solve(wanted(now.rates) - H.transpose() * velocity_);
+}
+
+/// L by the moments of the holds, along their axes H alone: Hᵀ I⁻¹ (L + H m) = what they hold.
+void RigidBody::hold_rotation(double t, double dt, double span) {
+    const Holds now = holds(true, t, dt, span);
+    held_turns_ = now.axes;
+    if (now.axes.empty()) return;
+    const Axes H = columns(now.axes);
+    const Mat3 inverse = inverse_inertia();
+    const Eigen::VectorXd moment =
+        (H.transpose() * inverse * H)
+            .ldlt()
+            .solve(wanted(now.rates) - H.transpose() * (inverse * angular_momentum_));
+    angular_momentum_ += H * moment;
+}
+
+}  // namespace corpuscle

@@ -1,0 +1,176 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <vector>
+
+#include "contact/surface/movers.hpp"
+#include "fabric/nodes.hpp"
+#include "solver/bodies/constraints.hpp"
+#include "solver/model.hpp"
+
+namespace corpuscle {
+
+/// A *MAT_RIGID part, or a lead part and those that are merged with it: six degrees of freedom.
+/// Mass and inertia are those of all of them (rigid_parts.hpp); supports, motions and initial
+/// velocity the lead's.
+///
+/// Leapfrog on the centre of mass and on the angular momentum L about it. Orientation R follows by
+/// the implicit midpoint rule,
+///
+///     W = I⁻¹ (R_0ᵀ L + R_1ᵀ L) / 2,   R_1 = R_0 cay(dt W),
+///
+/// which keeps L and the energy L·W / 2 of free rotation to rounding [Simo & Wong 1991], at second
+/// order in the phase.
+class RigidBody {
+public:
+    /// @throws InputError for a body without mass
+    RigidBody(const Model& model, Index part, const std::vector<double>& node_mass);
+
+    /// What acts on all matter of a body alike.
+    struct Field {
+        Vec3 acceleration = Vec3::Zero();  ///< [m/s^2]
+        double damping = 0.0;              ///< by mass, *DAMPING_GLOBAL [1/s]
+    };
+    /// Is at t, where its nodes have been carried.
+    void arrive() {
+        centre_ = next_centre_;
+        turn_ = next_turn_;
+    }
+    /// V, L at t - dt/2 -> t + dt/2 from the forces on its nodes; then carries its nodes.
+    void advance(double t, double dt, double span, const Field& field, fabric::Nodes& nodes);
+
+    /// As contact sees it at t: with the velocity before advance() or after it.
+    [[nodiscard]] contact::RigidMover mover() const;
+    /// Takes what contact has given in the step from t to t + dt, and carries its nodes anew.
+    void take(const contact::RigidMover& moved, double dt, double span, fabric::Nodes& nodes);
+
+    /// What a joint gives between the kick and the drift (rigid_joints.hpp): changes V and L, and
+    /// where foresee() says that the body goes; carry() then moves the nodes.
+    /// @param mover       what holds leave of it, as mover() said
+    /// @param turning     moment of the impulse about the centre                       [N m s]
+    /// @param is_of_kick  it acts with the forces of the kick, and book_kick() knows it
+    void pull(const contact::RigidMover& mover, const Vec3& impulse, const Vec3& turning,
+              double span, bool is_of_kick);
+    void foresee(double dt);
+    void carry(double dt, fabric::Nodes& nodes);
+    void book_kick();  ///< work of the last kick, with what joints gave
+
+    /// A place of the body in its own axes, from where it is at t.                         [m]
+    [[nodiscard]] Vec3 arm_of(const Vec3& x) const { return turn_.conjugate() * (x - centre_); }
+    [[nodiscard]] Vec3 at(const Vec3& arm) const { return centre_ + turn_ * arm; }  ///< at t
+    [[nodiscard]] Vec3 then(const Vec3& arm) const {                                ///< at t + dt
+        return next_centre_ + next_turn_ * arm;
+    }
+
+    [[nodiscard]] Index part() const { return part_; }  ///< the lead
+    /// The part and all that are merged with it.
+    [[nodiscard]] const std::vector<Index>& parts() const { return parts_; }
+    [[nodiscard]] const std::vector<Index>& nodes() const { return nodes_; }
+    [[nodiscard]] const Vec3& position() const { return centre_; }    ///< of the mass centre, at t
+    [[nodiscard]] const Vec3& velocity() const { return velocity_; }  ///< at t + dt/2
+    [[nodiscard]] const Vec3& acceleration() const { return acceleration_; }
+    /// Not all of its translations are fixed.
+    [[nodiscard]] bool can_move() const { return fixed_moves_ != 7U; }
+    [[nodiscard]] double mass() const { return mass_; }
+    [[nodiscard]] const Vec3& angular_momentum() const { return angular_momentum_; }
+    [[nodiscard]] Vec3 spin() const { return spin_of(turn_, angular_momentum_); }  ///< [rad/s]
+    [[nodiscard]] const Eigen::Quaterniond& turn() const { return turn_; }
+
+    [[nodiscard]] double kinetic_energy() const {  ///< at t + dt/2                         [J]
+        return energy_of(velocity_, angular_momentum_);
+    }
+    /// At t, between those before and after the last kick and what contact gave then.
+    /// @param weight  of the half step after t, Clock::weight()                            [-]
+    [[nodiscard]] Vec3 velocity_at_t(double weight) const {
+        return velocity_before_ + weight * (velocity_ - velocity_before_);
+    }
+    [[nodiscard]] double kinetic_energy_at_t(double weight) const {  ///< [J]
+        return energy_of(velocity_at_t(weight),
+                         momentum_before_ + weight * (angular_momentum_ - momentum_before_));
+    }
+    /// Velocity of a place, mean of before and after the last kick: with it the work of forces on
+    /// the body is exactly what they change of its kinetic energy.
+    [[nodiscard]] Vec3 mid_velocity_at(const Vec3& x) const {
+        return mid_velocity_ + mid_spin_.cross(x - centre_);
+    }
+    /// In the last kick: by supports and prescribed motions, by the field's acceleration, and what
+    /// its damping took.                                                                   [J]
+    [[nodiscard]] double held_work() const { return held_work_; }
+    [[nodiscard]] double field_work() const { return field_work_; }
+    [[nodiscard]] double damped() const { return damped_; }
+    /// Mean of what contact's impulses gave in the last step.                              [N]
+    [[nodiscard]] const Vec3& impulse_force() const { return impulse_force_; }
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        for (Motion& motion : motions_) archive(motion.curve);
+        archive(held_moves_, held_turns_, centre_, next_centre_, turn_, next_turn_, velocity_,
+                acceleration_, angular_momentum_, mid_velocity_, mid_spin_, impulse_force_,
+                held_work_, field_work_, damped_);
+    }
+
+private:
+    struct Motion {
+        bool rotation;
+        Vec3 axis;
+        MotionCurve curve;
+    };
+    void set_inertia(const Model& model, const RigidInertia& all);
+    void give(const contact::RigidMover& mover, const Vec3& impulse, const Vec3& turning,
+              double span);
+    [[nodiscard]] Vec3 spin_of(const Eigen::Quaterniond& turn, const Vec3& momentum) const;
+    [[nodiscard]] double energy_of(const Vec3& velocity, const Vec3& angular_momentum) const {
+        return 0.5 * mass_ * velocity.squaredNorm() +
+               0.5 * angular_momentum.dot(spin_of(turn_, angular_momentum));
+    }
+    [[nodiscard]] Eigen::Quaterniond turned(double dt) const;
+    struct Holds {
+        std::vector<Vec3> axes;         ///< independent
+        std::vector<Vec3> orthonormal;  ///< that span the same
+        std::vector<double> rates;      ///< along the axes
+    };
+    [[nodiscard]] Holds holds(bool rotation, double t, double dt, double span);
+    void hold_translation(double t, double dt, double span);
+    void hold_rotation(double t, double dt, double span);
+    [[nodiscard]] Mat3 inverse_inertia() const;
+    [[nodiscard]] Mat3 turning_mobility() const;
+
+    Index part_;
+    std::vector<Index> parts_;  ///< rows
+    std::vector<Index> nodes_;
+    std::vector<Vec3> arm_;  ///< node - centre in the body's axes                   [m]
+    double mass_ = 0.0;      ///< [kg]
+    Vec3 inertia_;           ///< principal moments                                  [kg m^2]
+    unsigned fixed_moves_ = 0, fixed_turns_ = 0;  ///< along the columns of fixed_axes_
+    Mat3 fixed_axes_;
+    std::vector<Motion> motions_;
+    std::vector<Vec3> held_moves_, held_turns_;  ///< axes along which it is held now, independent;
+                                                 ///< those of moves orthonormal
+
+    Vec3 centre_;  ///< at t, moved to t + dt by the next advance
+    Vec3 next_centre_;
+    Eigen::Quaterniond turn_, next_turn_;
+    Vec3 velocity_ = Vec3::Zero();
+    Vec3 acceleration_ = Vec3::Zero();
+    Vec3 angular_momentum_ = Vec3::Zero();
+    Vec3 velocity_before_ = Vec3::Zero(), momentum_before_ = Vec3::Zero();  ///< at t - dt/2
+    Vec3 mid_velocity_ = Vec3::Zero(), mid_spin_ = Vec3::Zero();
+    Vec3 impulse_force_ = Vec3::Zero();
+    double held_work_ = 0.0, field_work_ = 0.0, damped_ = 0.0;
+
+    struct Kick {                           ///< the last one
+        double span = 0.0;                  ///< [s]
+        Vec3 force, torque;                 ///< on the nodes                               [N]
+        Vec3 weight, drag, turning_drag;    ///< [N], [N m]
+        Vec3 spin;                          ///< before it                              [rad/s]
+        double kinetic = 0.0;               ///< before it                                  [J]
+        Vec3 joint_impulse, joint_turning;  ///< [N s], [N m s]
+    };
+    Kick kick_;
+};
+
+}  // namespace corpuscle

@@ -1,0 +1,143 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// Claim: joints and tied nodes of others' decks mean what their authors meant (tests/decks).
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include "tests/support/decks/stepped_deck.hpp"
+
+using namespace corpuscle;
+
+namespace {
+
+/// Linear and angular momentum of all bodies, the latter about the origin of coordinates.
+std::pair<Vec3, Vec3> momenta(const Simulation& scene, double dt) {
+    Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
+    for (const RigidBody& body : scene.bodies()) {
+        linear += body.mass() * body.velocity();
+        const Vec3 at = body.position() + dt * body.velocity();  // after the drift
+        angular += body.mass() * at.cross(body.velocity()) + body.angular_momentum();
+    }
+    return {linear, angular};
+}
+
+double kinetic(const Simulation& scene) {
+    double all = 0.0;
+    for (const RigidBody& body : scene.bodies()) all += body.kinetic_energy();
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("balls between thrown bodies keep their places together, and all momenta", "[io]") {
+    Run run("joints_chain.k");
+    REQUIRE(run.scene.bodies().size() == 3);
+    CHECK(tells(run.scene.model().warnings, "they are made to agree"));
+    run.steps(1);
+    const auto [linear, angular] = momenta(run.scene, run.scene.time());
+    const double energy = kinetic(run.scene);
+    double apart = 0.0, least = energy, most = energy, turned = 0.0;
+    const Vec3 first = run.x(1) - run.x(31);
+    while (!run.scene.is_over()) {
+        run.steps(1);
+        apart = std::max({apart, (run.x(31) - run.x(32)).norm(), (run.x(33) - run.x(34)).norm()});
+        least = std::min(least, kinetic(run.scene));
+        most = std::max(most, kinetic(run.scene));
+        turned = std::max(turned, (run.x(1) - run.x(31) - first).norm());
+    }
+    CHECK(apart < 1e-13);
+    CHECK(turned > 0.2);
+    const auto [linear_then, angular_then] = momenta(run.scene, run.scene.time() - run.last_time);
+    CHECK((linear_then - linear).norm() < 1e-13 * linear.norm());
+    CHECK((angular_then - angular).norm() < 1e-12 * angular.norm());
+    CHECK(most - least < 2e-3 * energy);
+    CHECK(run.residual < 2e-3 * energy);
+}
+
+TEST_CASE("a plate on a hinge swings as a pendulum does", "[io]") {
+    Run run("joint_hinge.k");
+    constexpr double LENGTH = 0.3, GRAVITY = 9.81, QUARTER = 1.854074677301372;  // K(sin 45°)
+    const RigidBody* swinging = nullptr;
+    for (const RigidBody& body : run.scene.bodies())
+        if (run.scene.model().parts[body.part()].id == 2) swinging = &body;
+    REQUIRE(swinging != nullptr);
+    double moment = 0.0, mass = 0.0, arm = 0.0;  // about the hinge, of six equal quads' corners
+    for (const double x : {0.0, 0.1, 0.2, 0.3}) {
+        const double m = 2000.0 * 0.002 * 0.1 * 0.1 * (x == 0.0 || x == LENGTH ? 0.5 : 1.0);
+        mass += m;
+        arm += m * x;
+        moment += m * x * x;
+    }
+    arm /= mass;
+    REQUIRE(swinging->mass() == Approx(mass).epsilon(1e-12));
+    // from rest at the level: T / 4 = K(sin 45°) / sqrt(m g a / I) until it hangs
+    const double quarter = QUARTER / std::sqrt(mass * GRAVITY * arm / moment);
+    double hangs = NaN;
+    while (!run.scene.is_over() && std::isnan(hangs)) {
+        const double before = run.x(17).x(), t = run.scene.time();
+        run.steps(1);
+        const double after = run.x(17).x();
+        if (before > 0.0 && after <= 0.0)
+            hangs = t + (run.scene.time() - t) * before / (before - after);
+        CHECK((run.x(11) - Vec3(0.0, -0.05, 0.0)).norm() < 1e-14);
+        CHECK((run.x(12) - Vec3(0.0, 0.05, 0.0)).norm() < 1e-14);
+    }
+    CHECK(hangs == Approx(quarter).epsilon(1e-4));
+    CHECK(run.x(1) == Vec3(-0.2, -0.05, 0.0));
+}
+
+TEST_CASE("what a hinge gives is what its plate's momentum lacks", "[io]") {
+    constexpr double GRAVITY = 9.81, HALF = 0.05;  // between the joint's places
+    Run run("joint_hinge.k");
+    CHECK(run.scene.layout().joints == std::vector<int>{4});
+    for (int k = 0; k < 9; ++k) {
+        run.steps(99);
+        Sample now;
+        run.scene.step([&](Simulation& at) { now = at.sample(); });
+        const auto at = static_cast<std::size_t>(
+            run.scene.model().parts[run.scene.bodies()[0].part()].id == 2 ? 0 : 1);
+        const double mass = run.scene.bodies()[at].mass();
+        const Vec3 given =
+            mass * (now.rigid_bodies[at].velocity + GRAVITY * now.time * Vec3::UnitZ());
+        REQUIRE(now.joints.size() == 1);  // its force is on the body of N1, the held one
+        CHECK((now.joints[0].impulse + given).norm() < 1e-10 * given.norm());
+        CHECK((now.joints[0].turning - HALF * Vec3::UnitY().cross(now.joints[0].impulse)).norm() <
+              1e-10 * HALF * given.norm());
+    }
+}
+
+TEST_CASE("a hit on one body is passed on through its joints", "[contact]") {
+    Run run("joints_hit.k");
+    run.steps(1);
+    const auto [linear, angular] = momenta(run.scene, run.scene.time() - run.last_time);
+    double apart = 0.0;
+    while (!run.scene.is_over()) {
+        run.steps(1);
+        apart = std::max({apart, (run.x(31) - run.x(32)).norm(), (run.x(33) - run.x(34)).norm()});
+    }
+    CHECK(apart < 1e-13);
+    const auto [linear_then, angular_then] = momenta(run.scene, run.scene.time() - run.last_time);
+    CHECK((linear_then - linear).norm() < 1e-12 * linear.norm());
+    CHECK((angular_then - angular).norm() < 1e-11 * angular.norm());
+    CHECK(run.x(1).z() != 0.0);            // the first plate has felt it
+    CHECK(run.x(41).z() > run.x(25).z());  // and the bullet has not passed the third
+}
+
+TEST_CASE("nodes that are tied in one place are one", "[io][fabric]") {
+    Run tied("tied_nodes.k"), whole("wang_nefske_inflator_card.k");
+    CHECK(tied.scene.model().tied_nodes.size() == 8);
+    CHECK(tells(tied.scene.model().warnings, "the tie does not break"));
+    const auto& bag = tied.scene.uniform_bags().at(0);
+    const auto& other = whole.scene.uniform_bags().at(0);
+    CHECK(bag.gas().volume() == Approx(other.gas().volume()).epsilon(1e-14));
+    tied.steps(200);
+    whole.steps(200);
+    CHECK(tied.scene.time() == Approx(whole.scene.time()).epsilon(1e-12));
+    CHECK(bag.gas().pressure() == Approx(other.gas().pressure()).epsilon(1e-9));
+    CHECK(bag.gas().volume() == Approx(other.gas().volume()).epsilon(1e-9));
+    CHECK(tied.x(60) == tied.x(10));
+    CHECK((tied.x(18) - whole.x(18)).norm() < 1e-10);
+}

@@ -1,0 +1,238 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "tools/check/sanity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gas/inflow/flow_curve.hpp"
+#include "gas/thermo/species.hpp"
+#include "io/text/units.hpp"
+#include "solver/simulation.hpp"
+
+namespace corpuscle::tools {
+namespace {
+
+/// Volume of two discs sewn together and inflated, over the 3/2 power of their area.
+constexpr double FULL = 0.0774;
+constexpr double MOST_STRAIN = 0.3;
+
+/// Factors from deck units to SI.
+struct ToSI {
+    double time, length, mass;
+
+    [[nodiscard]] double density() const { return mass / std::pow(length, 3.0); }
+    [[nodiscard]] double pressure() const { return mass / (length * time * time); }
+    [[nodiscard]] double energy() const { return mass * length * length / (time * time); }
+};
+
+/// A number in its everyday unit, or as the deck has it.
+std::string told(double value, double to_unit, const char* unit, bool is_known) {
+    return is_known ? fmt::format("{:.4g} {}", value * to_unit, unit)
+                    : fmt::format("{:.4g}", value);
+}
+
+/// What comes in, and its share of heat capacities.
+struct Filling {
+    double mass = 0.0, moles = 0.0, enthalpy = 0.0;  ///< deck units
+    double heat = 0.0, gas = 0.0;                    ///< n cv, n R at the end
+    double coldest = INF, hottest = 0.0;             ///< [K]
+};
+
+void add_inflow(Filling& all, const Curve& rate, double end, const gas::Species& species,
+                const std::function<double(double)>& temperature) {
+    const gas::FlowCurve flow(rate, end);
+    constexpr int STEPS = 200;
+    const double first = flow.begins(), last = std::min(end, flow.ends());
+    for (int i = 0; i < STEPS; ++i) {
+        const double a = first + (last - first) * i / STEPS,
+                     b = first + (last - first) * (i + 1) / STEPS;
+        const double mass = flow.sum_until(b) - flow.sum_until(a);
+        if (!(mass > 0.0)) continue;
+        const double T = temperature(0.5 * (a + b));
+        const double moles = mass / species.molar_mass();
+        all.mass += mass;
+        all.moles += moles;
+        all.enthalpy += mass * species.h(T);
+        all.heat += mass * species.cv(T);
+        all.gas += moles * species.gas_constant();
+        all.coldest = std::min(all.coldest, T);
+        all.hottest = std::max(all.hottest, T);
+    }
+}
+
+class Judge {
+public:
+    explicit Judge(const Simulation& simulation) : simulation_(simulation) {
+        const auto scale = io::scale_of(model().unit_system);
+        is_known_ = scale.has_value();
+        si_ = scale ? ToSI{scale->second, scale->metre, scale->kilogram} : ToSI{1.0, 1.0, 1.0};
+    }
+
+    Sanity judge() {
+        cloth();
+        for (const gas::BagGas& bag : simulation_.bags()) particle_bag(bag);
+        for (const gas::UniformBag& bag : simulation_.uniform_bags()) uniform_bag(bag);
+        return std::move(out_);
+    }
+
+private:
+    [[nodiscard]] const Model& model() const { return simulation_.model(); }
+    [[nodiscard]] double area(const Shell& shell) const {
+        const auto& x = model().x;
+        const auto& n = shell.nodes;
+        return 0.5 * (x[n[2]] - x[n[0]])
+                         .cross(shell.is_triangle() ? x[n[1]] - x[n[0]] : x[n[3]] - x[n[1]])
+                         .norm();
+    }
+    [[nodiscard]] static double modulus(const fabric::Material& material) {
+        if (const auto* cloth = std::get_if<fabric::FabricCard>(&material.card))
+            return cloth->E_warp;
+        if (const auto* sheet = std::get_if<fabric::ElasticCard>(&material.card)) return sheet->E;
+        return NaN;
+    }
+    void say(std::string line) { out_.lines.push_back(std::move(line)); }
+    void warn(std::string line) { out_.warnings.push_back(std::move(line)); }
+
+    /// Warns of a number that is absurd by a power of ten that a wrong unit makes.
+    void expect(const std::string& what, double value, double low, double high, const char* unit) {
+        if (!is_known_ || (value >= low && value <= high) || std::isnan(value)) return;
+        std::string likely;
+        for (const double slip : {1e-12, 1e-9, 1e-6, 1e-3, 1e3, 1e6, 1e9, 1e12})
+            if (likely.empty() && value * slip >= low && value * slip <= high)
+                likely = fmt::format(
+                    "; {:.0e} times that would do: is it given in units other than "
+                    "{}?",
+                    slip, model().unit_system);
+        warn(fmt::format("{} is {:.4g} {}, expected {:.3g} to {:.3g}{}", what, value, unit, low,
+                         high, likely));
+    }
+
+    void cloth() {
+        double mass = 0.0, all = 0.0;
+        std::vector<bool> is_used(model().materials.size(), false);
+        for (const Shell& shell : model().shells) {
+            const Part& part = model().parts[shell.part];
+            const fabric::Material& material = model().materials[part.material];
+            if (std::isnan(modulus(material))) continue;
+            is_used[part.material] = true;
+            all += area(shell);
+            const auto* cloth = std::get_if<fabric::FabricCard>(&material.card);
+            mass += area(shell) * part.thickness *
+                    (cloth != nullptr ? cloth->density
+                                      : std::get<fabric::ElasticCard>(material.card).density);
+        }
+        if (all > 0.0)
+            say(fmt::format("cloth: {} on {}", told(mass, 1e3 * si_.mass, "g", is_known_),
+                            told(all, si_.length * si_.length, "m^2", is_known_)));
+        for (std::size_t m = 0; m < is_used.size(); ++m) {
+            if (!is_used[m]) continue;
+            const fabric::Material& material = model().materials[m];
+            const auto* fabric = std::get_if<fabric::FabricCard>(&material.card);
+            const double density = fabric != nullptr
+                                       ? fabric->density
+                                       : std::get<fabric::ElasticCard>(material.card).density;
+            expect(fmt::format("material {}: its density", material.id), density * si_.density(),
+                   50.0, 2e4, "kg/m^3");
+            expect(fmt::format("material {}: its modulus", material.id),
+                   modulus(material) * si_.pressure(), 1e5, 1e12, "Pa");
+        }
+    }
+
+    /// Least E h of the cloth that closes a bag.
+    [[nodiscard]] double stiffness(const gas::BagWalls& walls) const {
+        double least = INF;
+        for (std::size_t t = 0; t < walls.closing; ++t) {
+            const Part& part = model().parts[model().shells[walls.shell[t]].part];
+            const double E = modulus(model().materials[part.material]);
+            if (E > 0.0) least = std::min(least, E * part.thickness);
+        }
+        return least;
+    }
+
+    void bag(int id, const gas::BagWalls& walls, double volume, double surface, double p_atm,
+             const Filling& in, double inside_energy, double inside_heat, double inside_gas) {
+        const double full = std::max(volume, FULL * std::pow(surface, 1.5));
+        const double litre = 1e3 * std::pow(si_.length, 3.0), kPa = 1e-3 * si_.pressure();
+        say(fmt::format("airbag {}: {} now, some {} full", id, told(volume, litre, "l", is_known_),
+                        told(full, litre, "l", is_known_)));
+        if (in.mass > 0.0)
+            say(fmt::format(
+                "  gas: {}, {} mol, {}, {:.4g} to {:.4g} K",
+                told(in.mass, 1e3 * si_.mass, "g", is_known_), fmt::format("{:.4g}", in.moles),
+                told(in.enthalpy, 1e-3 * si_.energy(), "kJ", is_known_), in.coldest, in.hottest));
+        const double heat = in.heat + inside_heat, gas = in.gas + inside_gas;
+        if (!(heat > 0.0)) return;
+        const double energy = in.enthalpy + inside_energy - p_atm * (full - volume);
+        const double p = gas / heat * energy / full - p_atm;
+        say(fmt::format("  if nothing leaves: {} gauge in that volume",
+                        told(p, kPa, "kPa", is_known_)));
+        const double r = std::cbrt(0.75 * full / std::numbers::pi);
+        const double strain = p * r / (2.0 * stiffness(walls));
+        if (strain > 0.0) say(fmt::format("  cloth strains by {:.3g} % then", 100.0 * strain));
+        if (strain > MOST_STRAIN)
+            warn(
+                fmt::format("airbag {}: that pressure strains its cloth by {:.3g} %: too much gas, "
+                            "too soft or thin a cloth, or vents that must be there",
+                            id, 100.0 * strain));
+        if (is_known_ && p * si_.pressure() > 2e6)
+            warn(
+                fmt::format("airbag {}: its gas would have {:.3g} kPa if nothing left, a bag has "
+                            "some 50: is the mass flow in {}?",
+                            id, p * kPa, model().unit_system));
+        if (in.coldest < 150.0 && in.mass > 0.0)
+            warn(fmt::format("airbag {}: gas comes in at {:.4g} K, expected kelvin above 150", id,
+                             in.coldest));
+    }
+
+    void particle_bag(const gas::BagGas& bag) {
+        const gas::BagCard& card = bag.card();
+        Filling in;
+        for (const gas::InflowCard& flow : card.inflow)
+            add_inflow(in, model().curves[flow.mass_rate], card.all_in,
+                       gas::Species(flow.species, card.gas_constant, "gas"),
+                       [&](double t) { return model().curves[flow.temperature](t); });
+        const double volume = bag.enclosure().volume(model().x);
+        double energy = 0.0, heat = 0.0, moles = 0.0;
+        if (card.air) {
+            const gas::Species air(card.air->species, card.gas_constant, "air");
+            moles = card.air->pressure * volume / (card.gas_constant * card.air->temperature);
+            energy = moles * air.molar_energy()(card.air->temperature);
+            heat = moles * air.molar_mass() * air.cv(card.air->temperature);
+        }
+        this->bag(card.id, bag.walls(), volume, bag.enclosure().area(model().x), card.p_atm, in,
+                  energy, heat, moles * card.gas_constant);
+    }
+
+    void uniform_bag(const gas::UniformBag& bag) {
+        if (bag.card().law) return;  // no gas
+        const gas::UniformBagCard& card = bag.card();
+        const gas::Species& gas = bag.gas().species()[0];
+        Filling in;
+        if (card.mass_rate >= 0)
+            add_inflow(in, model().curves[card.mass_rate], model().end_time, gas, [&](double t) {
+                return card.temperature.curve >= 0 ? model().curves[card.temperature.curve](t)
+                                                   : card.temperature.value;
+            });
+        const double T = bag.gas().temperature();
+        this->bag(card.id, bag.walls(), bag.gas().volume(), bag.enclosure().area(model().x),
+                  card.p_atm, in, bag.gas().energy(), bag.gas().mass() * gas.cv(T),
+                  bag.gas().mass() * (gas.cp(T) - gas.cv(T)));
+    }
+
+    const Simulation& simulation_;
+    bool is_known_ = false;
+    ToSI si_{1.0, 1.0, 1.0};
+    Sanity out_;
+};
+
+}  // namespace
+
+Sanity sanity_of(const Simulation& simulation) {
+    return Judge(simulation).judge();
+}
+
+}  // namespace corpuscle::tools

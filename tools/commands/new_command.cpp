@@ -1,0 +1,270 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <sstream>
+
+#include "io/deck_mesh.hpp"
+#include "io/mesh/deck_writer.hpp"
+#include "io/mesh/mesh_file.hpp"
+#include "io/system/atomic_file.hpp"
+#include "solver/base/error.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/fold/bag_deck.hpp"
+#include "tools/fold/fold.hpp"
+#include "tools/fold/refusal.hpp"
+#include "tools/new_deck.hpp"
+
+namespace corpuscle::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double MILLIMETRES = 5.0;  ///< a bag that is longer is measured in mm, else in m
+
+std::string text_of(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+double doubled_area(const Points& x, const std::array<Index, 4>& n) {
+    const Vec3 first = (x[n[1]] - x[n[0]]).cross(x[n[2]] - x[n[0]]);
+    const Vec3 second = (x[n[2]] - x[n[0]]).cross(x[n[3]] - x[n[0]]);
+    return first.norm() + second.norm();
+}
+
+/// Vector area, twice; of closed facets 0.
+Vec3 facing(const io::ImportedMesh& mesh) {
+    Vec3 sum = Vec3::Zero();
+    for (const auto& n : mesh.shells)
+        sum += (mesh.x[n[2]] - mesh.x[n[0]]).cross(mesh.x[n[3]] - mesh.x[n[1]]);
+    return sum;
+}
+
+/// A flat sheet becomes a bag: a second panel beside it, sewn to it at the rim.
+///
+/// The panels lie a fiftieth of the mean edge apart.
+void sew_second_panel(io::ImportedMesh& mesh) {
+    const Vec3 normal = facing(mesh).normalized();
+    std::map<std::pair<Index, Index>, int> uses;
+    double edges = 0.0, count = 0.0;
+    for (const auto& n : mesh.shells)
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Index a = n[k], b = n[(k + 1) % 4];
+            if (a == b) continue;
+            ++uses[std::minmax(a, b)];
+            edges += (mesh.x[a] - mesh.x[b]).norm();
+            count += 1.0;
+        }
+    std::vector<Index> twin(mesh.x.size(), -1);
+    for (const auto& [edge, shells] : uses)
+        if (shells == 1) {
+            twin[edge.first] = edge.first;
+            twin[edge.second] = edge.second;
+        }
+    const double gap = 0.02 * edges / count;
+    const std::size_t nodes = mesh.x.size(), shells = mesh.shells.size();
+    for (std::size_t n = 0; n < nodes; ++n) {
+        if (twin[n] >= 0) continue;
+        twin[n] = static_cast<Index>(mesh.x.size());
+        mesh.x.push_back(mesh.x[n] - gap * normal);
+    }
+    const int part = static_cast<int>(mesh.part_names.size());
+    mesh.part_names.emplace_back("second panel");
+    for (std::size_t s = 0; s < shells; ++s) {
+        const auto n = mesh.shells[s];
+        const bool is_triangle = n[2] == n[3];
+        mesh.shells.push_back(
+            is_triangle ? std::array<Index, 4>{twin[n[0]], twin[n[2]], twin[n[1]], twin[n[1]]}
+                        : std::array<Index, 4>{twin[n[0]], twin[n[3]], twin[n[2]], twin[n[1]]});
+        mesh.part.push_back(part);
+    }
+}
+
+/// Imports a mesh beside the deck; a flat sheet gets a second panel.
+void import(const fs::path& from, const fs::path& to) {
+    io::ImportedMesh mesh = io::read_mesh(from.string());
+    io::MeshReport report = io::check_mesh(mesh);
+    double all = 0.0;
+    for (const auto& n : mesh.shells) all += doubled_area(mesh.x, n);
+    const bool is_flat = std::abs(facing(mesh).norm() / all - 1.0) < 1e-3;
+    if (!report.is_closed() && is_flat) {
+        sew_second_panel(mesh);
+        report = io::check_mesh(mesh);
+        fmt::print("{}: a flat sheet; a second panel is sewn to its rim\n", from.string());
+    }
+    io::write_deck(to, mesh, from.filename().string());
+    fmt::print("{}\n", io::text(report));
+}
+
+NewDeck bag_of(const fs::path& mesh_file) {
+    const io::DeckMesh mesh = io::read_deck_mesh(mesh_file);
+    NewDeck bag;
+    bag.mesh = mesh_file.filename().string();
+    bag.facets = mesh.shells.size();
+    Vec3 low = Vec3::Constant(INF), high = Vec3::Constant(-INF), centre = Vec3::Zero();
+    for (std::size_t s = 0; s < mesh.shells.size(); ++s) {
+        const auto& n = mesh.shells[s];
+        const double area = 0.5 * doubled_area(mesh.x, n);
+        bag.area += area;
+        bag.volume += (mesh.x[n[0]].dot(mesh.x[n[1]].cross(mesh.x[n[2]])) +
+                       mesh.x[n[0]].dot(mesh.x[n[2]].cross(mesh.x[n[3]]))) /
+                      6.0;
+        for (const Index node : n) {
+            low = low.cwiseMin(mesh.x[node]);
+            high = high.cwiseMax(mesh.x[node]);
+            centre += 0.25 * area * mesh.x[node];
+        }
+        bag.parts.insert(mesh.part_id[s]);
+    }
+    if (!(bag.area > 0.0))
+        throw InputError(fmt::format("{}: expected *ELEMENT_SHELL with area", mesh_file.string()));
+    bag.volume = std::abs(bag.volume);
+    bag.inflator = centre / bag.area;
+    bag.is_mm = (high - low).maxCoeff() > MILLIMETRES;
+    bag.top = high.z();
+    bag.free_shell = *std::max_element(mesh.shell_id.begin(), mesh.shell_id.end()) + 1;
+    bag.free_node = *std::max_element(mesh.node_id.begin(), mesh.node_id.end()) + 1;
+    return bag;
+}
+
+/// Holds the cloth round the inflator of a bag that nothing else holds, and brings the inflator
+/// close to it, where no cloth may come between; not where it is far from all cloth.
+void hold_round_inflator(const io::DeckMesh& mesh, NewDeck& bag) {
+    constexpr double RADIUS = 0.15, NEAR = 0.1;  ///< of a panel's side; of the way to the cloth
+    const double radius = RADIUS * std::sqrt(0.5 * bag.area);
+    const auto middle = [&](const auto& n) -> Vec3 {
+        return 0.25 * (mesh.x[n[0]] + mesh.x[n[1]] + mesh.x[n[2]] + mesh.x[n[3]]);
+    };
+    double least = radius;
+    std::size_t back = mesh.shells.size();
+    for (std::size_t s = 0; s < mesh.shells.size(); ++s) {  // of two panels as near, the lower
+        const Vec3 at = middle(mesh.shells[s]);
+        const double away = (at - bag.inflator).norm();
+        const bool is_lower = back < mesh.shells.size() && away < 1.001 * least &&
+                              at.z() < middle(mesh.shells[back]).z();
+        if (away >= 0.999 * least && !is_lower) continue;
+        back = s;
+        least = away;
+    }
+    if (back == mesh.shells.size()) return;
+    const auto& n = mesh.shells[back];
+    Vec3 towards = (mesh.x[n[2]] - mesh.x[n[0]]).cross(mesh.x[n[3]] - mesh.x[n[1]]).normalized();
+    const double off = (middle(n) - bag.inflator).dot(towards);
+    if (off < 0.0) towards = -towards;
+    for (std::size_t k = 0; k < mesh.x.size(); ++k) {
+        const Vec3 from = mesh.x[k] - bag.inflator;
+        if (from.norm() < radius && from.dot(towards) > 0.5 * std::abs(off))
+            bag.held.push_back(mesh.node_id[k]);
+    }
+    bag.inflator += (1.0 - NEAR) * std::abs(off) * towards;
+}
+
+/// Between the panels, over the cloth about the recipe's inflator.
+Vec3 middle_of_inflator(const fold::Recipe& recipe, const fold::Bag& bag) {
+    Vec3 sum = Vec3::Zero();
+    for (const Index n : bag.module) sum += bag.sheet.x[n];
+    const double inward = recipe.inflator->is_front ? -0.5 : 0.5;
+    return sum / static_cast<double>(bag.module.size()) +
+           Vec3(0.0, 0.0, inward * recipe.pattern.gap);
+}
+
+/// The middle of a cell, X or x.
+Vec3 middle(const fold::Cell& cell, const Points& x) {
+    const int corners = fold::corner_count(cell);
+    Vec3 sum = Vec3::Zero();
+    for (int c = 0; c < corners; ++c) sum += x[cell[c]];
+    return sum / corners;
+}
+
+/// Of a recipe without an inflator: between the panels, over the middle of the flat back. The
+/// cells' normals point inward.
+Vec3 middle_of_back(const fold::Recipe& recipe, const fold::Bag& bag) {
+    const fold::Sheet& sheet = bag.sheet;
+    Eigen::AlignedBox3d flat;
+    for (const Vec3& X : sheet.X) flat.extend(X);
+    std::size_t nearest = 0;
+    double least = INF;
+    for (std::size_t c = 0; c < sheet.cells.size(); ++c) {
+        const fold::BagPart& part = bag.parts[sheet.part[c]];
+        if (part.is_front || part.title == "tethers") continue;
+        const double away = (middle(sheet.cells[c], sheet.X) - flat.center()).norm();
+        if (away < least) nearest = c;
+        least = std::min(least, away);
+    }
+    const fold::Cell& cell = sheet.cells[nearest];
+    const Points& x = sheet.x;
+    const Vec3 normal = (x[cell[1]] - x[cell[0]]).cross(x[cell[2]] - x[cell[0]]).normalized();
+    return middle(cell, x) + 0.5 * recipe.pattern.gap * normal;
+}
+
+}  // namespace
+
+int new_deck(const NewArguments& arguments) {
+    const fs::path from = arguments.from;
+    const fs::path deck =
+        arguments.output.empty() ? from.stem().string() + ".new.k" : arguments.output;
+    if (!fs::is_regular_file(from))
+        throw InputError(fmt::format("--from {}: expected a file that can be read", from.string()));
+    fs::path mesh = fs::path(deck).replace_extension("mesh.k");
+    std::optional<Vec3> inflator;
+    int tethers = 0;
+    bool is_folded = false, has_vents = false, has_module = false, has_clamps = false;
+    if (from.extension() == ".toml") {
+        const fold::Recipe recipe = fold::read_recipe(from.string());
+        const fold::Bag bag = fold::fold(recipe);
+        const fold::Inspection found = fold::inspect(bag, recipe.pattern.gap);
+        fold::refuse_crossings(recipe, bag, found, mesh);
+        io::replace_text(mesh, fold::bag_deck(bag, recipe, found));
+        inflator = recipe.inflator ? middle_of_inflator(recipe, bag) : middle_of_back(recipe, bag);
+        is_folded = true;
+        has_vents = bag.has_vents;
+        if (!recipe.tethers.empty()) tethers = recipe.parts.tether;
+        has_module = !bag.module.empty();
+        has_clamps = !bag.clamped.empty();
+        fmt::print("{}\n", fold::text(found));
+    } else if (from.extension() == ".k" || from.extension() == ".key") {
+        mesh = from;
+    } else {
+        import(from, mesh);
+    }
+    const std::string text = text_of(mesh);
+    if (text.find("\n*SECTION_SHELL") != std::string::npos)
+        throw InputError(
+            fmt::format("{}: has *SECTION_SHELL, expected a mesh alone: nodes, shells "
+                        "and parts",
+                        mesh.string()));
+    NewDeck bag = bag_of(mesh);
+    if (inflator) bag.inflator = *inflator;
+    if (!is_folded) hold_round_inflator(io::read_deck_mesh(mesh), bag);
+    bag.title = fmt::format("bag of {}", from.filename().string());
+    if (mesh == from) bag.mesh = fs::relative(mesh, fs::absolute(deck).parent_path()).string();
+    if (text.find("\n*PART\n") != std::string::npos) bag.numbered_parts = bag.parts;
+    bag.has_part_set = is_folded;
+    bag.has_vents = has_vents;
+    bag.has_module = has_module;
+    bag.has_clamps = has_clamps;
+    bag.tethers = tethers;
+    if (arguments.head) bag.head = std::max(900, *bag.parts.rbegin() + 1);
+    io::replace_text(deck, new_deck(bag));
+    const fs::path study = fs::path(deck).replace_extension("study.toml");
+    if (arguments.head) {
+        io::replace_text(study, new_study(bag, deck.filename().string()));
+        fmt::print("{}: the headform's speed as a study\n", study.string());
+    }
+    fmt::print(
+        "{}: {} shells, {} parts; think about what is marked THINK, then\n"
+        "  corpuscle check {}\n  corpuscle run {}\n",
+        deck.string(), bag.facets, bag.parts.size(), deck.string(), deck.string());
+    return 0;
+}
+
+}  // namespace corpuscle::tools
