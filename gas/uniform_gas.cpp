@@ -2,100 +2,155 @@
 // SPDX-License-Identifier: MIT
 #include "gas/uniform_gas.hpp"
 
-#include <utility>
+#include <fmt/format.h>
 
-#include "solver/base/parallel.hpp"
+#include <algorithm>
+#include <cmath>
+
+#include "solver/base/error.hpp"
 
 namespace corpuscle::gas {
+namespace {
 
-UniformGas::UniformGas(std::shared_ptr<const WettedSurface> surface,
-                       std::vector<ControlVolume> rooms, std::size_t node_count)
-    : surface_(std::move(surface)),
-      rooms_(std::move(rooms)),
-      area_(surface_->points(), Vec3::Zero()),
-      force_(node_count, Vec3::Zero()) {}
+/// Share of what a room's gas holds that it pays in one step at most.
+constexpr double MOST_PAID = 0.25;
 
-bool UniformGas::settle(std::span<const Vec3> x) {
-    surface_->point_areas(x, area_);
-    surface_->volumes(x, volume_);
-    bool is_good = true;
-    for (std::size_t r = 0; r < size(); ++r) is_good = rooms_[r].settle(volume_[r]) && is_good;
-    for (std::size_t p = 0; p < area_.size(); ++p) force_[surface_->node(p)].setZero();
-    for (std::size_t p = 0; p < area_.size(); ++p)
-        force_[surface_->node(p)] += rooms_[surface_->room_of_point(p)].pressure() * area_[p];
-    return is_good;
+/// What the accounts at a room's wall give to its gas in dt, as fast as impulse is released; what
+/// would be more than the gas can pay stays there.                                      [J]
+double settled_account(WallLoad& load, std::size_t room, const ControlVolume& gas, double dt) {
+    const double settled = load.drain(room, -std::expm1(-dt / load.time()));
+    const double most = gas.moles() > 0.0 ? MOST_PAID * std::max(0.0, gas.energy()) : 0.0;
+    if (settled >= -most) return settled;
+    std::vector<Index> wall;
+    for (std::size_t p = 0; p < load.surface().points(); ++p)
+        if (load.surface().room_of_point(p) == static_cast<Index>(room))
+            wall.push_back(static_cast<Index>(p));
+    load.charge(wall, -settled - most);
+    return -most;
 }
 
-void UniformGas::add_force(std::span<Vec3> f) const {
-    for (std::size_t p = 0; p < area_.size(); ++p)
-        f[surface_->node(p)] += rooms_[surface_->room_of_point(p)].pressure() * area_[p];
+/// Rooms at uniform pressure, empty as yet.
+UniformRooms empty_rooms(const Envelope& bag) {
+    std::vector<Species> kinds = bag.inflators.species();
+    if (!bag.air.empty()) kinds.push_back(bag.air[0].species());
+    return {bag.surface, std::vector<ControlVolume>(bag.surface->rooms(), ControlVolume(kinds)),
+            bag.area.size()};
 }
 
-void UniformGas::work(std::span<const Vec3> v_mid, double span) {
-    for (std::size_t r = 0; r < size(); ++r)
-        rooms_[r].work(span * parallel::sum(area_.size(), 0.0, [&](std::size_t p) {
-                           return surface_->room_of_point(p) == static_cast<Index>(r)
-                                      ? area_[p].dot(v_mid[surface_->node(p)])
-                                      : 0.0;
-                       }));
+}  // namespace
+
+UniformGas::UniformGas(Envelope& bag) : bag_(bag), rooms_(empty_rooms(bag)) {}
+
+void UniformGas::take_over(std::span<const Holding> holds, const Points& x) {
+    bag_.surface->volumes(x, bag_.volumes);
+    sum_up(holds);
+    settle(x);
+    std::vector<double> of_hits;
+    for (std::size_t r = 0; r < rooms_.size(); ++r)
+        of_hits.push_back(rooms_[r].pressure() -
+                          (bag_.air.empty() ? 0.0 : bag_.air[r].pressure(bag_.volumes[r])));
+    bag_.load.end_of_hits(of_hits, x);
 }
 
-double UniformGas::energy() const {
-    double sum = 0.0;
-    for (const ControlVolume& room : rooms_) sum += room.energy();
-    return sum;
-}
-
-double UniformGas::mass() const {
-    double sum = 0.0;
-    for (const ControlVolume& room : rooms_) sum += room.mass();
-    return sum;
-}
-
-double UniformGas::moles(std::size_t species) const {
-    double sum = 0.0;
-    for (const ControlVolume& room : rooms_) sum += room.moles(species);
-    return sum;
-}
-
-double UniformGas::energy(std::size_t species) const {
-    double sum = 0.0;
-    for (const ControlVolume& room : rooms_)
-        sum += room.moles(species) * room.species()[species].molar_energy()(room.temperature());
-    return sum;
-}
-
-double UniformGas::pressure() const {
-    double pV = 0.0, V = 0.0;
-    for (const ControlVolume& room : rooms_) {
-        pV += room.pressure() * room.volume();
-        V += room.volume();
+/// Puts what each room's particles and initial air hold into the room.
+void UniformGas::sum_up(std::span<const Holding> holds) {
+    const std::size_t kinds = bag_.particle_mass.size();
+    for (std::size_t r = 0; r < rooms_.size(); ++r) {
+        ControlVolume& gas = rooms_[r];
+        for (std::size_t s = 0; s < kinds; ++s) {
+            const Holding& own = holds[r * kinds + s];
+            gas.add(s, own.count * bag_.inflators.moles_each(), own.all());
+        }
+        if (!bag_.air.empty()) gas.add(kinds, bag_.air[r].moles(), bag_.air[r].energy());
     }
-    return pV / V;
 }
 
-double UniformGas::temperature() const {
-    if (rooms_.size() == 1) return rooms_[0].temperature();
-    EnergyPolynomial content;
-    for (const ControlVolume& room : rooms_)
-        for (std::size_t s = 0; s < room.species().size(); ++s)
-            content += room.moles(s) * room.species()[s].molar_energy();
-    return content.temperature(energy());
+void UniformGas::add_load(const Points& x, Points& f) {
+    settle(x);
+    rooms_.add_force(f);
 }
 
-void UniformGas::pass(std::size_t from, std::size_t to, double mass) {
-    ControlVolume& giver = rooms_[from];
-    ControlVolume& taker = rooms_[to];
-    const double share = mass / giver.mass();
-    for (std::size_t s = 0; s < giver.species().size(); ++s)
-        taker.add(s, share * giver.moles(s), 0.0);
-    taker.add_heat(giver.remove(mass));
+void UniformGas::settle(const Points& x) {
+    if (rooms_.settle(x)) return;
+    for (std::size_t r = 0; r < rooms_.size(); ++r) {
+        const ControlVolume& gas = rooms_[r];
+        if (gas.volume() > 0.0 && gas.temperature() >= 0.0 && gas.pressure() < INF) continue;
+        throw PhysicsError(
+            bag_.time,
+            fmt::format("*AIRBAG_PARTICLE {}{}: at uniform pressure the volume is {:g} and "
+                        "the gas holds {:g} of energy",
+                        bag_.card.id,
+                        rooms_.size() == 1 ? std::string() : fmt::format(", room {}", r + 1),
+                        gas.volume(), gas.energy()));
+    }
 }
 
-double evening_mass(const ControlVolume& from, const ControlVolume& to) {
-    return (from.pressure() - to.pressure()) /
-           (from.gamma() * from.gas_constant() * from.temperature() *
-            (1.0 / from.volume() + 1.0 / to.volume()));
+/// Gas flows in by its curve; the smoothing account is paid back as fast as impulse is released.
+void UniformGas::inject(double t, double dt, const Points& x, const Points& x_1) {
+    bag_.orifices.axes(x, bag_.axes);
+    for (std::size_t s = 0; s < bag_.inflators.inflows(); ++s) {
+        const double mass = bag_.inflators.mass_until(s, t + dt) - bag_.inflators.mass_until(s, t);
+        if (!(mass > 0.0)) continue;
+        const double energy = mass * bag_.inflators.enthalpy(s, t + 0.5 * dt);
+        const double moles = mass / bag_.inflators.species()[s].molar_mass();
+        for (std::size_t o = 0; o < bag_.orifices.size(); ++o) {
+            const double share = bag_.inflators.share(s, o);
+            rooms_[static_cast<std::size_t>(bag_.orifice_room[o])].add(s, share * moles,
+                                                                       share * energy);
+        }
+        bag_.balance.inflow_energy += energy;
+        bag_.balance.mass_in += mass;
+        thrust(s, mass, t + 0.5 * dt, dt, x, x_1);
+    }
+    for (std::size_t r = 0; r < rooms_.size(); ++r)
+        rooms_[r].add_heat(settled_account(bag_.load, r, rooms_[r], dt) +
+                           (r == 0 ? bag_.load.pay_jets() : 0.0));
+    if (bag_.loses()) let_out(t, dt, x);
+}
+
+/// The jets of what an inflow brings push their nodes (IMOM = 1) as they do with particles; the gas
+/// at uniform pressure takes nothing of their momentum on.
+void UniformGas::thrust(std::size_t inflow, double mass, double t, double dt, const Points& x_0,
+                        const Points& x_1) {
+    for (std::size_t o = 0; o < bag_.orifices.size(); ++o) {
+        const double share = bag_.inflators.share(inflow, o);
+        if (share == 0.0 || bag_.orifices.pushed(o).empty()) continue;
+        const Vec3 moving = (bag_.orifices.place(o, x_1) - bag_.orifices.place(o, x_0)) / dt;
+        bag_.push_back(o, bag_.orifices.place(o, x_0),
+                       share * mass * bag_.inflators.jet(inflow, o, t, bag_.axes[o]), moving);
+    }
+}
+
+void UniformGas::describe(GasState& now) const {
+    now.mass = rooms_.mass();
+    now.pressure = rooms_.pressure();
+    now.temperature = rooms_.temperature();
+    now.energy = rooms_.energy();
+    now.translational = 1.5 * now.pressure * now.volume;
+    const auto include = [&](std::size_t s) {
+        const double T = now.temperature;
+        const double moles = rooms_.moles(s), energy = rooms_.energy(s);
+        const Species& gas = rooms_[0].species()[s];
+        // In several rooms a gas has several temperatures: that of what it holds.
+        const double of_gas =
+            rooms_.size() == 1 ? T : (moles * gas.molar_energy()).temperature(energy, T);
+        now.species.push_back({moles * gas.molar_mass(), moles > 0.0 ? of_gas : 0.0, energy});
+    };
+    if (bag_.card.air) include(bag_.inflators.inflows());
+    for (std::size_t s = 0; s < bag_.inflators.inflows(); ++s) include(s);
+}
+
+void UniformGas::add_to_chambers(std::span<const double> volume,
+                                 std::span<ChamberSum> chambers) const {
+    for (std::size_t r = 0; r < rooms_.size(); ++r) {
+        ChamberSum& sum = chambers[static_cast<std::size_t>(bag_.chamber_of_room[r])];
+        const ControlVolume& gas = rooms_[r];
+        sum.state.mass += gas.mass();
+        sum.state.energy += gas.energy();
+        sum.pV += gas.pressure() * volume[r];
+        for (std::size_t s = 0; s < gas.species().size(); ++s)
+            sum.content += gas.moles(s) * gas.species()[s].molar_energy();
+    }
 }
 
 }  // namespace corpuscle::gas

@@ -2,61 +2,65 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <memory>
 #include <span>
-#include <vector>
 
-#include "gas/enclosure/wetted_surface.hpp"
-#include "gas/thermo/control_volume.hpp"
+#include "gas/envelope.hpp"
+#include "gas/gas_phase.hpp"
+#include "gas/particle_gas.hpp"
+#include "gas/uniform_rooms.hpp"
 
 namespace corpuscle::gas {
 
-/// A bag's gas after TSW: a pressure of its own in each room.
-class UniformGas {
+/// A bag's gas after TSW: uniform in each room; initial air is its last species.
+class UniformGas final : public GasPhase {
 public:
-    /// @param rooms  one of each room of the surface
-    UniformGas(std::shared_ptr<const WettedSurface> surface, std::vector<ControlVolume> rooms,
-               std::size_t node_count);
+    /// Rooms that are empty as yet.
+    /// @param bag  outlives this
+    explicit UniformGas(Envelope& bag);
 
-    [[nodiscard]] std::size_t size() const { return rooms_.size(); }
-    [[nodiscard]] ControlVolume& operator[](std::size_t room) { return rooms_[room]; }
-    [[nodiscard]] const ControlVolume& operator[](std::size_t room) const { return rooms_[room]; }
+    /// Takes over what the rooms' particles and initial air hold: mass, energy and so temperature
+    /// stay as they are, motion becomes heat. Uniform pressure takes the place of what hits gave on
+    /// average; what they have brought beyond it is still released.
+    void take_over(std::span<const Holding> holds, const Points& x);
 
-    /// State of every room at t. False when one has none (ControlVolume::settle).
-    [[nodiscard]] bool settle(std::span<const Vec3> x);
-    void add_force(std::span<Vec3> f) const;              ///< p A of all rooms      [N]
-    void work(std::span<const Vec3> v_mid, double span);  ///< books that of the force
-    [[nodiscard]] const Vec3& force(Index node) const { return force_[node]; }  ///< [N]
+    void add_load(const Points& x, Points& f) override;
+    [[nodiscard]] Vec3 load_on(Index node) const override { return rooms_.force(node); }
+    void book_load(const Points& v_mid, double span) override { rooms_.work(v_mid, span); }
 
-    [[nodiscard]] double energy() const;                     ///< [J]
-    [[nodiscard]] double mass() const;                       ///< [kg]
-    [[nodiscard]] double moles(std::size_t species) const;   ///< of all rooms               [mol]
-    [[nodiscard]] double energy(std::size_t species) const;  ///< of all rooms               [J]
-    [[nodiscard]] double pressure() const;                   ///< sum of p V over that of V  [Pa]
-    /// At which all rooms' gas at rest would hold its energy.                                [K]
-    [[nodiscard]] double temperature() const;
+    void prepare(double, const Points&, const Points&) override {}
+    void collide(double, const Points&) override {}
+    /// All that flows, in and out.
+    void inject(double t, double dt, const Points& x_0, const Points& x_1) override;
+    void fly(double, double, const Points&, const Points&) override {}
 
-    /// Takes a mass from one room to another, with its enthalpy.                            [kg]
-    void pass(std::size_t from, std::size_t to, double mass);
+    [[nodiscard]] double stable_step() const override { return INF; }
+    [[nodiscard]] double energy() const override { return rooms_.energy(); }
+    [[nodiscard]] double pressure(std::size_t room) const override {
+        return rooms_[room].pressure();
+    }
+    [[nodiscard]] double pressure() const override { return rooms_.pressure(); }
+    void describe(GasState& now) const override;
+    void add_to_chambers(std::span<const double> volume,
+                         std::span<ChamberSum> chambers) const override;
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        for (ControlVolume& room : rooms_) archive(room);
-        archive(area_, force_);
+        archive(rooms_);
     }
 
 private:
-    std::shared_ptr<const WettedSurface> surface_;
-    std::vector<ControlVolume> rooms_;
-    Points area_;   ///< points × 3, at t                                                [m^2]
-    Points force_;  ///< N × 3, at t                                                     [N]
-    std::vector<double> volume_;
-};
+    void sum_up(std::span<const Holding> holds);
+    void settle(const Points& x);
+    void thrust(std::size_t inflow, double mass, double t, double dt, const Points& x_0,
+                const Points& x_1);
+    [[nodiscard]] Inside inside_of(std::size_t room) const;
+    void let_out(double t, double dt, const Points& x);
+    void let_out_of_room(std::size_t room, double dt);
+    void pass_between_rooms(double t, double dt);
 
-/// Mass that evens out the pressures of two rooms of ideal gas, to first order.             [kg]
-///
-///     (p_1 - p_2) / (g R T_1 / M (1/V_1 + 1/V_2))
-[[nodiscard]] double evening_mass(const ControlVolume& from, const ControlVolume& to);
+    Envelope& bag_;
+    UniformRooms rooms_;
+};
 
 }  // namespace corpuscle::gas

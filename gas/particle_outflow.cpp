@@ -7,54 +7,55 @@
 #include <cmath>
 #include <numeric>
 
-#include "gas/bag_gas.hpp"
+#include "gas/particle_gas.hpp"
 #include "solver/base/error.hpp"
 
 namespace corpuscle::gas {
 
 /// Mean state of each room's particles and air: p and T of the gas come to rest. They change with
 /// what flows only; the pressure of this instant trembles about them.
-void BagGas::look_inside(const Points& x) {
-    looked_at_ = collisions_;
-    surface_->volumes(x, volumes_);
+void ParticleGas::look_inside(const Points& x) {
+    looked_at_ = cells_.steps();
+    bag_.surface->volumes(x, bag_.volumes);
     const std::vector<Holding> holds = holdings();
-    const std::size_t kinds = mass_.size();
-    for (std::size_t r = 0; r < rooms_.size(); ++r) {
-        Inside& inside = rooms_[r];
+    const std::size_t kinds = bag_.particle_mass.size();
+    for (std::size_t r = 0; r < bag_.rooms.size(); ++r) {
+        Inside& inside = bag_.rooms[r];
         inside = {};
         inside.density.assign(kinds, 0.0);
-        const double volume = volumes_[r];
+        const double volume = bag_.volumes[r];
         EnergyPolynomial content;
         double energy = 0.0, moles = 0.0, mass = 0.0, count = 0.0;
         for (std::size_t s = 0; s < kinds; ++s) {
             const Holding& own = holds[r * kinds + s];
-            const double n = own.count * inflators_.moles_each();
-            content += n * inflators_.species()[s].molar_energy();
+            const double n = own.count * bag_.inflators.moles_each();
+            content += n * bag_.inflators.species()[s].molar_energy();
             energy += own.all();
             moles += n;
-            mass += own.count * mass_[s];
+            mass += own.count * bag_.particle_mass[s];
             count += own.count;
-            inside.density[s] = own.count * mass_[s] / volume;
+            inside.density[s] = own.count * bag_.particle_mass[s] / volume;
         }
-        if (!air_.empty()) {
-            content += air_[r].content();
-            energy += air_[r].energy();
-            moles += air_[r].moles();
-            mass += air_[r].mass();
-            inside.air_density = air_[r].mass() / volume;
-            inside.air_molar_mass = air_[r].species().molar_mass();
+        if (!bag_.air.empty()) {
+            content += bag_.air[r].content();
+            energy += bag_.air[r].energy();
+            moles += bag_.air[r].moles();
+            mass += bag_.air[r].mass();
+            inside.air_density = bag_.air[r].mass() / volume;
+            inside.air_molar_mass = bag_.air[r].species().molar_mass();
         }
         if (!(moles > 0.0 && volume > 0.0 && energy > 0.0)) continue;
         const double T = content.temperature(energy);
         if (!(T > 0.0)) continue;
         double heat = 0.0;  // capacity at constant pressure                             [J/K]
         for (std::size_t s = 0; s < kinds; ++s)
-            heat += holds[r * kinds + s].count * mass_[s] * inflators_.species()[s].cp(T);
-        if (!air_.empty()) heat += air_[r].mass() * air_[r].species().cp(T);
-        const double R = card_.gas_constant;
+            heat += holds[r * kinds + s].count * bag_.particle_mass[s] *
+                    bag_.inflators.species()[s].cp(T);
+        if (!bag_.air.empty()) heat += bag_.air[r].mass() * bag_.air[r].species().cp(T);
+        const double R = bag_.card.gas_constant;
         inside.temperature = T;
         inside.pressure = moles * R * T / volume;
-        inside.air_pressure = air_.empty() ? 0.0 : air_[r].moles() * R * T / volume;
+        inside.air_pressure = bag_.air.empty() ? 0.0 : bag_.air[r].moles() * R * T / volume;
         inside.error =
             count > 0.0 ? (inside.pressure - inside.air_pressure) / count : 0.0;  // one particle
         inside.molar_mass = mass / moles;
@@ -65,22 +66,22 @@ void BagGas::look_inside(const Points& x) {
 
 /// The gas at each opening, on its own side; at an internal one, through which gas goes both ways,
 /// the mean of both sides.
-void BagGas::look_at_openings() {
-    const std::vector<Opening>& all = openings_.all();
+void ParticleGas::look_at_openings() {
+    const std::vector<Opening>& all = bag_.openings.all();
     for (std::size_t o = 0; o < all.size(); ++o) {
         Inside& here = at_opening_[o];
-        const Inside& room = rooms_[all[o].room];
+        const Inside& room = bag_.rooms[all[o].room];
         if (all[o].is_strong && !all[o].is_internal) {
             // Its own hits are of gas that it has set in motion far and wide.
             here = room;
             continue;
         }
         if (!all[o].is_internal) {
-            samples_.state(static_cast<std::size_t>(all[o].sample), room, here);
+            bag_.samples.state(static_cast<std::size_t>(all[o].sample), room, here);
             continue;
         }
         const auto facet = static_cast<std::size_t>(all[o].facets[0]);
-        const Inside& ahead = rooms_[surface_->room(surface_->side(facet, true))];
+        const Inside& ahead = bag_.rooms[bag_.surface->room(bag_.surface->side(facet, true))];
         here = room.holds_gas() ? room : ahead;
         if (!room.holds_gas() || !ahead.holds_gas()) continue;
         here.pressure = std::midpoint(room.pressure, ahead.pressure);
@@ -91,13 +92,13 @@ void BagGas::look_at_openings() {
 }
 
 /// Particles that have passed an internal gate are in the room on its other side.
-void BagGas::pass_on() {
+void ParticleGas::pass_on() {
     for (const auto& arrivals : flight_.arrivals)
         for (const Arrival& arrival : arrivals) {
             if (arrival.passage.way != Gates::Way::THROUGH) continue;
             const auto facet = static_cast<std::size_t>(arrival.facet);
-            const Index behind = surface_->room(surface_->side(facet, false)),
-                        ahead = surface_->room(surface_->side(facet, true));
+            const Index behind = bag_.surface->room(bag_.surface->side(facet, false)),
+                        ahead = bag_.surface->room(bag_.surface->side(facet, true));
             std::int16_t& room = particles_.room[arrival.particle];
             room = static_cast<std::int16_t>(room == behind ? ahead : behind);
         }
@@ -105,46 +106,49 @@ void BagGas::pass_on() {
 
 /// Takes out who has passed and books the energy. Enthalpy that they did not take along is owed by
 /// the gas round the opening: the next to hit there pay.
-void BagGas::let_out(double dt) {
-    const Openings::Passed& passed = openings_.count(flight_, dt, at_opening_, particles_.species);
-    lost_energy_ += passed.energy;
+void ParticleGas::let_out(double dt) {
+    const Openings::Passed& passed =
+        bag_.openings.count(flight_, dt, at_opening_, particles_.species);
+    bag_.balance.lost_energy += passed.energy;
     gone_.insert(gone_.end(), passed.rows.begin(), passed.rows.end());
     for (std::size_t o = 0; o < passed.still_owed.size(); ++o) {
         if (passed.still_owed[o] == 0.0) continue;
-        load_.charge(samples_.points(static_cast<std::size_t>(openings_.all()[o].sample)),
-                     passed.still_owed[o]);
-        lost_energy_ += passed.still_owed[o];
+        bag_.load.charge(
+            bag_.samples.points(static_cast<std::size_t>(bag_.openings.all()[o].sample)),
+            passed.still_owed[o]);
+        bag_.balance.lost_energy += passed.still_owed[o];
     }
-    for (std::size_t r = 0; r < air_.size(); ++r) {
-        InitialAir& air = air_[r];
-        if (const double mass = openings_.intake(r) * dt; mass > 0.0) {
-            inflow_energy_ += air.take_in(mass, card_.T_atm);
-            mass_in_ += mass;
+    for (std::size_t r = 0; r < bag_.air.size(); ++r) {
+        InitialAir& air = bag_.air[r];
+        if (const double mass = bag_.openings.intake(r) * dt; mass > 0.0) {
+            bag_.balance.inflow_energy += air.take_in(mass, bag_.card.T_atm);
+            bag_.balance.mass_in += mass;
         }
-        const Openings::Air leaving = openings_.air_leaving(r, dt);
+        const Openings::Air leaving = bag_.openings.air_leaving(r, dt);
         if (leaving.mass <= 0.0) continue;
         // What has left in dt at a rate that falls with what is left.
         const double mass = -air.mass() * std::expm1(-leaving.mass / air.mass());
         const double energy = air.release(mass, leaving.heat);
-        openings_.book_air(r, mass);
-        lost_energy_ += energy;
+        bag_.openings.book_air(r, mass);
+        bag_.balance.lost_energy += energy;
     }
 }
 
 /// Heat that the fabric takes: those that hit it pay; the air where a room has no particles.
-void BagGas::cool(double t, double dt) {
-    std::vector<char> has_particles(rooms_.size(), 0);
-    for (std::size_t r = 0; r < rooms_.size(); ++r)
-        for (const double density : rooms_[r].density) has_particles[r] |= density > 0.0;
-    for (const HeatLoss::Taken& taken : heat_loss_.lose(t, dt, samples_, rooms_)) {
+void ParticleGas::cool(double t, double dt) {
+    std::vector<char> has_particles(bag_.rooms.size(), 0);
+    for (std::size_t r = 0; r < bag_.rooms.size(); ++r)
+        for (const double density : bag_.rooms[r].density) has_particles[r] |= density > 0.0;
+    for (const HeatLoss::Taken& taken : bag_.heat_loss.lose(t, dt, bag_.samples, bag_.rooms)) {
         const auto room = static_cast<std::size_t>(taken.room);
         if (has_particles[room])
-            load_.charge(samples_.points(static_cast<std::size_t>(taken.sample)), taken.heat);
-        else if (!air_.empty())
-            air_[room].add(-taken.heat);
+            bag_.load.charge(bag_.samples.points(static_cast<std::size_t>(taken.sample)),
+                             taken.heat);
+        else if (!bag_.air.empty())
+            bag_.air[room].add(-taken.heat);
         else
             continue;
-        lost_energy_ += taken.heat;
+        bag_.balance.lost_energy += taken.heat;
     }
 }
 

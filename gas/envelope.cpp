@@ -1,0 +1,150 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "gas/envelope.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "solver/base/error.hpp"
+
+namespace corpuscle::gas {
+namespace {
+
+/// Impulse is released over this time at SFFDC = 1. Shorter: prompter and noisier. [s]
+constexpr double RELEASE_TIME = 50e-6;
+
+/// Longest time over which the state of the gas at an opening is averaged.           [s]
+constexpr double LONGEST_MEMORY = 200e-6;
+
+std::string name_of(const BagCard& card) {
+    return fmt::format("*AIRBAG_PARTICLE {}", card.id);
+}
+
+std::vector<Triangle> closing(const BagWalls& walls) {
+    return {walls.triangles.begin(),
+            walls.triangles.begin() + static_cast<std::ptrdiff_t>(walls.closing)};
+}
+
+/// All triangles, the closing ones as the enclosure has turned them.
+std::vector<Triangle> turned(const Enclosure& enclosure, const BagWalls& walls) {
+    std::vector<Triangle> all = walls.triangles;
+    std::copy(enclosure.triangles().begin(), enclosure.triangles().end(), all.begin());
+    return all;
+}
+
+std::vector<double> particle_masses(const Inflators& inflators) {
+    std::vector<double> mass;
+    for (const Species& species : inflators.species())
+        mass.push_back(inflators.moles_each() * species.molar_mass());
+    return mass;
+}
+
+/// Nodes that the jets push.
+std::vector<Index> jet_nodes(const Orifices& orifices) {
+    std::vector<Index> nodes;
+    for (std::size_t o = 0; o < orifices.size(); ++o)
+        nodes.insert(nodes.end(), orifices.pushed(o).begin(), orifices.pushed(o).end());
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+}
+
+/// By facet: 1 where particles may pass without a full bounce, vents and what is internal.
+std::vector<char> passing_facets(const BagCard& card, const BagWalls& walls) {
+    std::vector<char> passes(walls.triangles.size(), 0);
+    for (std::size_t f = 0; f < passes.size(); ++f) {
+        const Index part = walls.part_rows[walls.part[f]];
+        const bool leaks = f >= walls.closing &&
+                           std::any_of(walls.leaks.begin(), walls.leaks.end(),
+                                       [&](const LeakCard& leak) { return leak.part == part; });
+        const bool is_vent =
+            std::any_of(card.vents.begin(), card.vents.end(), [&](const VentCard& vent) {
+                return std::find(vent.parts.begin(), vent.parts.end(), part) != vent.parts.end();
+            });
+        passes[f] = leaks || is_vent;
+    }
+    return passes;
+}
+
+void require_inside(const Orifices& orifices, const Enclosure& enclosure, const Points& x,
+                    const std::string& name) {
+    std::vector<std::string> faults;
+    for (std::size_t o = 0; o < orifices.size(); ++o)
+        if (const Vec3 at = orifices.place(o, x); !enclosure.contains(at, x))
+            faults.push_back(fmt::format(
+                "{}, NID of orifice {}: ({:g}, {:g}, {:g}) lies outside the bag, expected inside",
+                name, o + 1, at[0], at[1], at[2]));
+    if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+/// Chamber that each room belongs to.
+std::vector<Index> chambers_of_rooms(const Chambers& chambers, const WettedSurface& surface,
+                                     std::size_t closing) {
+    if (chambers.empty()) return {};
+    std::vector<Index> chamber(surface.rooms(), 0);
+    for (std::size_t f = 0; f < closing; ++f) {
+        const auto [a, b] = chambers.beside(f);
+        chamber[surface.room(surface.side(f, false))] = std::max(a, b);
+    }
+    return chamber;
+}
+
+}  // namespace
+
+Envelope::Envelope(const BagCard& bag, BagWalls bag_walls, std::span<const Curve> curves,
+                   std::span<const int> node_id, std::span<const std::uint8_t> held,
+                   const Points& x, std::uint64_t seed)
+    : card(bag),
+      walls(std::move(bag_walls)),
+      enclosure(closing(walls), x, node_id, name_of(card) + ", SID1"),
+      chambers(card.chambers, walls, enclosure, node_id, x, name_of(card)),
+      inflators(card, curves, seed, enclosure.volume(x)),
+      particle_mass(particle_masses(inflators)),
+      surface(std::make_shared<WettedSurface>(turned(enclosure, walls), walls.closing, x)),
+      orifices(card.orifices, surface->triangles(), walls.triangles, walls.shell, card.frame, x),
+      load(surface, held, jet_nodes(orifices), RELEASE_TIME * card.second * card.smoothing,
+           card.normal_damping),
+      samples(card.vents.empty() && walls.leaks.empty() && card.heat.empty()
+                  ? WallSamples()
+                  : WallSamples(surface, walls, inflators.species(), particle_mass,
+                                card.gas_constant, LONGEST_MEMORY * card.second,
+                                passing_facets(card, walls), x)),
+      openings(card, walls, curves, inflators.species(), particle_mass, *surface, samples, x, seed),
+      heat_loss(card, walls, *surface, samples, curves),
+      monitor(surface, walls),
+      area(x.size(), Vec3::Zero()) {
+    surface->volumes(x, volumes);
+    if (!(enclosure.volume(x) > 0.0))
+        throw InputError(name() +
+                         ", SID1: the bag encloses no volume at the start, expected some: "
+                         "particles have no place to enter");
+    require_inside(orifices, enclosure, x, name());
+    if (card.air && !card.air->is_particles)
+        for (const double room : volumes) air.emplace_back(*card.air, card.gas_constant, room);
+    rooms.resize(surface->rooms());
+    chamber_of_room = chambers_of_rooms(chambers, *surface, walls.closing);
+    if (enclosure.turned() > 0)
+        warnings.push_back(
+            fmt::format("{}: the normals of {} facets were turned to agree with their neighbours",
+                        name(), enclosure.turned()));
+    std::vector<Vec3> nozzles;
+    for (std::size_t o = 0; o < orifices.size(); ++o) nozzles.push_back(orifices.place(o, x));
+    orifice_room = surface->rooms_of(nozzles, x);
+}
+
+std::string Envelope::name() const {
+    return name_of(card);
+}
+
+void Envelope::push_back(std::size_t orifice, const Vec3& at, const Vec3& impulse,
+                         const Vec3& moving) {
+    const auto nodes = orifices.pushed(orifice);
+    if (nodes.empty()) return;
+    const auto count = static_cast<double>(nodes.size());
+    const double work = -impulse.dot(moving);
+    for (const Index node : nodes) load.owe_jet(node, at, -impulse / count, work / count);
+    balance.inflow_energy += work;
+}
+
+}  // namespace corpuscle::gas

@@ -1,0 +1,79 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gas/cards/bag.hpp"
+#include "gas/enclosure/bag_walls.hpp"
+#include "gas/enclosure/chambers.hpp"
+#include "gas/enclosure/enclosure.hpp"
+#include "gas/enclosure/wetted_surface.hpp"
+#include "gas/gas_balance.hpp"
+#include "gas/inflow/inflator.hpp"
+#include "gas/inflow/orifices.hpp"
+#include "gas/outflow/gas_state.hpp"
+#include "gas/outflow/heat_loss.hpp"
+#include "gas/outflow/openings.hpp"
+#include "gas/outflow/wall_samples.hpp"
+#include "gas/thermo/initial_air.hpp"
+#include "gas/wall_load/wall_load.hpp"
+#include "gas/wall_load/wall_monitor.hpp"
+#include "solver/base/curve.hpp"
+
+namespace corpuscle::gas {
+
+/// What a bag's gas has round it whether it is particles or uniform: walls, what comes in and goes
+/// out, the load on the fabric, the balances.
+struct Envelope {
+    /// Arguments and errors: those of BagGas.
+    Envelope(const BagCard& bag, BagWalls bag_walls, std::span<const Curve> curves,
+             std::span<const int> node_id, std::span<const std::uint8_t> held, const Points& x,
+             std::uint64_t seed);
+    Envelope(const Envelope&) = delete;
+    Envelope& operator=(const Envelope&) = delete;
+
+    [[nodiscard]] std::string name() const;  ///< in the user's words
+    [[nodiscard]] bool loses() const { return !openings.empty() || !heat_loss.empty(); }
+    /// The gas lets go of an impulse at an orifice that moves at `moving`: IMOM = 1, the orifice's
+    /// nodes are owed what the jet takes from them. What it does on nodes that move comes from the
+    /// inflator: gas that is thrown forward brings m v·w more than at rest, and pushes back with m
+    /// v·w less.                                                                 [N s], [m/s]
+    void push_back(std::size_t orifice, const Vec3& at, const Vec3& impulse, const Vec3& moving);
+
+    BagCard card;
+    BagWalls walls;
+    Enclosure enclosure;
+    Chambers chambers;
+    std::vector<Index> chamber_of_room;  ///< where there are chambers
+    Inflators inflators;
+    std::vector<double> particle_mass;  ///< of one particle of each gas                 [kg]
+    std::shared_ptr<const WettedSurface> surface;
+    Orifices orifices;
+    std::vector<Index> orifice_room;
+    std::vector<Vec3> axes;  ///< of the orifices, in this step
+    WallLoad load;
+    WallSamples samples;  ///< where there are openings or heat is lost
+    Openings openings;
+    HeatLoss heat_loss;
+    WallMonitor monitor;
+    GasBalance balance;
+    std::vector<InitialAir> air;  ///< of each room, or none
+    std::vector<Inside> rooms;    ///< mean states, as openings see them
+    Points area;                  ///< N × 3, node areas at t                           [m^2]
+    std::vector<double> volumes;  ///< of rooms, at t                                   [m^3]
+    double time = 0.0;            ///< to which gas has come in                         [s]
+    std::vector<std::string> warnings;
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(inflators, air, load, samples, openings, heat_loss, monitor, balance, rooms, area,
+                volumes, time);
+    }
+};
+
+}  // namespace corpuscle::gas

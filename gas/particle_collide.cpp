@@ -1,0 +1,84 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// Collisions in a bag, and the heat that comes to its particles with them.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gas/particle_gas.hpp"
+#include "solver/base/error.hpp"
+
+namespace corpuscle::gas {
+namespace {
+
+/// Share of the particles' thermal energy that they trade with the initial air in one collision
+/// step at most; the rest follows in the next ones.
+constexpr double MOST_EXCHANGED = 0.3;
+
+}  // namespace
+
+void ParticleGas::collide(double dt, const Points& x) {
+    if (!cells_.is_due(dt) || particles_.size() == 0) return;
+    cells_.find_groups(x, bag_.openings.gates(), collider_, particles_);
+    std::vector<Heat> heat;
+    if (!bag_.air.empty()) exchange_heat_with_air(heat);
+    const CollisionReport report =
+        collider_.collide(cells_.steps(), cells_.since(), heat, particles_);
+    check_collided(report.thermal);
+    unrelaxed_ += report.unrelaxed;
+    cells_.finish(collider_.cells(), bag_.particle_mass, particles_);
+}
+
+/// Stops where the groups' energies, all added up, are not finite.
+void ParticleGas::check_collided(double thermal) const {
+    if (std::isfinite(thermal)) return;
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+        if (!(particles_.x[i].squaredNorm() + particles_.v[i].squaredNorm() +
+                  std::abs(particles_.e[i]) <
+              INF))
+            stop_for(i, "at its collisions");
+    throw PhysicsError(bag_.time,
+                       fmt::format("{}: the thermal energy of its particles overflows at "
+                                   "their collisions",
+                                   bag_.name()));
+}
+
+/// Brings the initial air of each room to the mean temperature of its particles: finds the heat of
+/// the room's groups, and takes it from the air.
+///
+///     E_air(T) + E_particles(T) = E_air + E_thermal
+///
+/// A group's mean motion is no heat, so N particles in G groups hold 3/2 (N - G) R T of
+/// translation.
+void ParticleGas::exchange_heat_with_air(std::vector<Heat>& heat) {
+    const std::size_t rooms = bag_.air.size(), kinds = bag_.particle_mass.size();
+    std::vector<double> thermal(rooms, 0.0), groups(rooms, 0.0);
+    collider_.thermal_energy(particles_, thermal, groups);
+    const std::vector<Holding> holds = holdings();
+    heat.assign(rooms, {});
+    const double moles = bag_.inflators.moles_each();
+    for (std::size_t r = 0; r < rooms; ++r) {
+        if (!(thermal[r] > 0.0)) continue;
+        EnergyPolynomial content = bag_.air[r].content();
+        double count = 0.0, mass = 0.0;
+        for (std::size_t s = 0; s < kinds; ++s) {
+            content +=
+                holds[r * kinds + s].count * moles * bag_.inflators.species()[s].molar_internal();
+            count += holds[r * kinds + s].count;
+            mass += holds[r * kinds + s].count * bag_.particle_mass[s];
+        }
+        content.a += 1.5 * bag_.card.gas_constant * moles * (count - groups[r]);
+        const double T =
+            content.temperature(bag_.air[r].energy() + thermal[r], bag_.air[r].temperature());
+        const double wanted = bag_.air[r].energy() - bag_.air[r].content()(T);
+        const double given =
+            std::clamp(wanted, -MOST_EXCHANGED * thermal[r], MOST_EXCHANGED * thermal[r]);
+        heat[r] = given > 0.0 ? Heat{1.0, given / mass} : Heat{1.0 + given / thermal[r], 0.0};
+        bag_.air[r].add(-given);
+    }
+}
+
+}  // namespace corpuscle::gas

@@ -1,0 +1,101 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "gas/uniform_rooms.hpp"
+
+#include <utility>
+
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle::gas {
+
+UniformRooms::UniformRooms(std::shared_ptr<const WettedSurface> surface,
+                           std::vector<ControlVolume> rooms, std::size_t node_count)
+    : surface_(std::move(surface)),
+      rooms_(std::move(rooms)),
+      area_(surface_->points(), Vec3::Zero()),
+      force_(node_count, Vec3::Zero()) {}
+
+bool UniformRooms::settle(std::span<const Vec3> x) {
+    surface_->point_areas(x, area_);
+    surface_->volumes(x, volume_);
+    bool is_good = true;
+    for (std::size_t r = 0; r < size(); ++r) is_good = rooms_[r].settle(volume_[r]) && is_good;
+    for (std::size_t p = 0; p < area_.size(); ++p) force_[surface_->node(p)].setZero();
+    for (std::size_t p = 0; p < area_.size(); ++p)
+        force_[surface_->node(p)] += rooms_[surface_->room_of_point(p)].pressure() * area_[p];
+    return is_good;
+}
+
+void UniformRooms::add_force(std::span<Vec3> f) const {
+    for (std::size_t p = 0; p < area_.size(); ++p)
+        f[surface_->node(p)] += rooms_[surface_->room_of_point(p)].pressure() * area_[p];
+}
+
+void UniformRooms::work(std::span<const Vec3> v_mid, double span) {
+    for (std::size_t r = 0; r < size(); ++r)
+        rooms_[r].work(span * parallel::sum(area_.size(), 0.0, [&](std::size_t p) {
+                           return surface_->room_of_point(p) == static_cast<Index>(r)
+                                      ? area_[p].dot(v_mid[surface_->node(p)])
+                                      : 0.0;
+                       }));
+}
+
+double UniformRooms::energy() const {
+    double sum = 0.0;
+    for (const ControlVolume& room : rooms_) sum += room.energy();
+    return sum;
+}
+
+double UniformRooms::mass() const {
+    double sum = 0.0;
+    for (const ControlVolume& room : rooms_) sum += room.mass();
+    return sum;
+}
+
+double UniformRooms::moles(std::size_t species) const {
+    double sum = 0.0;
+    for (const ControlVolume& room : rooms_) sum += room.moles(species);
+    return sum;
+}
+
+double UniformRooms::energy(std::size_t species) const {
+    double sum = 0.0;
+    for (const ControlVolume& room : rooms_)
+        sum += room.moles(species) * room.species()[species].molar_energy()(room.temperature());
+    return sum;
+}
+
+double UniformRooms::pressure() const {
+    double pV = 0.0, V = 0.0;
+    for (const ControlVolume& room : rooms_) {
+        pV += room.pressure() * room.volume();
+        V += room.volume();
+    }
+    return pV / V;
+}
+
+double UniformRooms::temperature() const {
+    if (rooms_.size() == 1) return rooms_[0].temperature();
+    EnergyPolynomial content;
+    for (const ControlVolume& room : rooms_)
+        for (std::size_t s = 0; s < room.species().size(); ++s)
+            content += room.moles(s) * room.species()[s].molar_energy();
+    return content.temperature(energy());
+}
+
+void UniformRooms::pass(std::size_t from, std::size_t to, double mass) {
+    ControlVolume& giver = rooms_[from];
+    ControlVolume& taker = rooms_[to];
+    const double share = mass / giver.mass();
+    for (std::size_t s = 0; s < giver.species().size(); ++s)
+        taker.add(s, share * giver.moles(s), 0.0);
+    taker.add_heat(giver.remove(mass));
+}
+
+double evening_mass(const ControlVolume& from, const ControlVolume& to) {
+    return (from.pressure() - to.pressure()) /
+           (from.gamma() * from.gas_constant() * from.temperature() *
+            (1.0 / from.volume() + 1.0 / to.volume()));
+}
+
+}  // namespace corpuscle::gas

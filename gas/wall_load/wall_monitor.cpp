@@ -1,0 +1,89 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "gas/wall_load/wall_monitor.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "solver/base/surface.hpp"
+
+namespace corpuscle::gas {
+
+WallMonitor::WallMonitor(std::shared_ptr<const WettedSurface> surface, const BagWalls& walls)
+    : surface_(std::move(surface)),
+      part_(walls.part),
+      part_impulse_(walls.part_ids.size(), 0.0),
+      triangle_impulse_(walls.triangles.size(), 0.0),
+      part_air_(surface_->rooms(), 0.0),
+      triangle_air_(part_air_) {}
+
+std::size_t WallMonitor::record(const FlightResult& flight, std::span<const Vec3> x_1) {
+    std::size_t count = 0;
+    for (const auto& hits : flight.hits)
+        for (const Hit& hit : hits) {
+            const auto& [a, b, c] = surface_->triangles()[hit.facet];
+            const double push =
+                surface_->closes(static_cast<std::size_t>(hit.facet))
+                    ? hit.impulse.norm()
+                    : hit.impulse.dot(vector_area(x_1[a], x_1[b], x_1[c]).normalized());
+            triangle_impulse_[hit.facet] += push;
+            part_impulse_[part_[hit.facet]] += push;
+            ++count;
+        }
+    return count;
+}
+
+void WallMonitor::record(std::span<const double> room_pressure, double span) {
+    for (std::size_t r = 0; r < part_air_.size(); ++r) {
+        part_air_[r] += room_pressure[r] * span;
+        triangle_air_[r] += room_pressure[r] * span;
+    }
+}
+
+/// Pressure that no particles bring, on a facet's inside; and that across an internal one.
+double WallMonitor::across(std::size_t facet, std::span<const double> of_room) const {
+    const double push = of_room[surface_->room(surface_->side(facet, false))];
+    if (surface_->closes(facet)) return push;
+    return push - of_room[surface_->room(surface_->side(facet, true))];
+}
+
+void WallMonitor::part_means(const BagWalls& walls, std::span<const Vec3> x, double since,
+                             std::span<const double> room_pressure, PartState& parts) {
+    parts.pressure.assign(part_impulse_.size(), 0.0);
+    parts.area.assign(part_impulse_.size(), 0.0);
+    if (since == 0.0) std::copy(room_pressure.begin(), room_pressure.end(), part_air_.begin());
+    const double time = since > 0.0 ? since : 1.0;
+    std::vector<double> air(part_impulse_.size(), 0.0);
+    for (std::size_t t = 0; t < walls.triangles.size(); ++t) {
+        const auto& [a, b, c] = walls.triangles[t];
+        const double size = vector_area(x[a], x[b], x[c]).norm();
+        parts.area[part_[t]] += size;
+        air[part_[t]] += size * across(t, part_air_) / time;
+    }
+    for (std::size_t p = 0; p < parts.area.size(); ++p) {
+        const double particles = since > 0.0 ? part_impulse_[p] / since : 0.0;
+        parts.pressure[p] = (air[p] + particles) / parts.area[p];
+        part_impulse_[p] = 0.0;
+    }
+    std::fill(part_air_.begin(), part_air_.end(), 0.0);
+}
+
+void WallMonitor::add_shell_means(const BagWalls& walls, double p_atm, std::span<const Vec3> x,
+                                  double since, std::span<const double> room_pressure,
+                                  std::span<double> force, std::span<double> area) {
+    if (since == 0.0) std::copy(room_pressure.begin(), room_pressure.end(), triangle_air_.begin());
+    const double time = since > 0.0 ? since : 1.0;
+    for (std::size_t t = 0; t < walls.triangles.size(); ++t) {
+        const auto& [a, b, c] = walls.triangles[t];
+        const double size = vector_area(x[a], x[b], x[c]).norm();
+        const Index shell = walls.shell[t];
+        area[shell] += size;
+        force[shell] += across(t, triangle_air_) / time * size;
+        if (t < walls.closing) force[shell] -= p_atm * size;
+        if (since > 0.0) force[shell] += triangle_impulse_[t] / since;
+        triangle_impulse_[t] = 0.0;
+    }
+    std::fill(triangle_air_.begin(), triangle_air_.end(), 0.0);
+}
+
+}  // namespace corpuscle::gas

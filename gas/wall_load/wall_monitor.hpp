@@ -1,0 +1,53 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "gas/bag_state.hpp"
+#include "gas/enclosure/bag_walls.hpp"
+#include "gas/enclosure/wetted_surface.hpp"
+#include "gas/flight/flight.hpp"
+
+namespace corpuscle::gas {
+
+/// What parts and shells feel of a bag's gas, as means between two looks: impulse as particles
+/// deliver it, unsmoothed, and the pressure that no particles bring.
+class WallMonitor {
+public:
+    WallMonitor(std::shared_ptr<const WettedSurface> surface, const BagWalls& walls);
+
+    /// Adds up what a flight's hits give to triangles and parts: outward on the closing ones, along
+    /// the normal inside. Returns their number.
+    std::size_t record(const FlightResult& flight, std::span<const Vec3> x_1);
+    /// Adds up the pressure that no particles bring, by room, over `span`.        [Pa], [s]
+    void record(std::span<const double> room_pressure, double span);
+
+    /// Mean pressure and area of each part since the last call.
+    /// @param since          0: as `room_pressure` is now                              [s]
+    void part_means(const BagWalls& walls, std::span<const Vec3> x, double since,
+                    std::span<const double> room_pressure, PartState& parts);
+    /// Adds to each shell's `force` the mean gauge pressure since the last call times its area,
+    /// and the area to `area`.                                                E [N], E [m^2]
+    void add_shell_means(const BagWalls& walls, double p_atm, std::span<const Vec3> x, double since,
+                         std::span<const double> room_pressure, std::span<double> force,
+                         std::span<double> area);
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(part_impulse_, triangle_impulse_, part_air_, triangle_air_);
+    }
+
+private:
+    [[nodiscard]] double across(std::size_t facet, std::span<const double> of_room) const;
+
+    std::shared_ptr<const WettedSurface> surface_;
+    std::vector<Index> part_;                              ///< of each triangle
+    std::vector<double> part_impulse_, triangle_impulse_;  ///< since the last look   [N s]
+    std::vector<double> part_air_, triangle_air_;          ///< by room, integral of pressure [Pa s]
+};
+
+}  // namespace corpuscle::gas
