@@ -45,12 +45,12 @@ int main() {
         double lowest = GAP;
         for (std::size_t n = (LONG + 2) * (WIDE + 1); n < now.nodes().size(); ++n)
             lowest = std::min(lowest, now.nodes().x[n].z());
-        const contact::ContactCounts& counts = now.contacts()[0].counts();
+        const contact::ContactCounts& counts = now.contact()->counts();
         std::printf("t %3.0f ms, lowest node of the upper layer %.2f mm, pairs that push %zu\n",
                     1e3 * now.time(), 1e3 * lowest, counts.touching);
     };
     while (!simulation.is_over()) simulation.step(look);
     simulation.close(look);
     std::printf("pairs that passed through %zu, energy residual %.2g J\n",
-                simulation.contacts()[0].counts().unstopped, simulation.books().residual);
+                simulation.contact()->counts().unstopped, simulation.books().residual);
 }

@@ -5,105 +5,124 @@
 
 #include <utility>
 
-#include "solver/simulation.hpp"
+#include "solver/base/parallel.hpp"
+#include "solver/scene/scene_state.hpp"
 
 namespace corpuscle {
 
 /// d of *DAMPING_GLOBAL at t.                                                            [1/s]
-double Simulation::mass_damping() const {
-    return model_.mass_damping_curve >= 0 ? model_.curves[model_.mass_damping_curve](clock_.t)
-                                          : model_.mass_damping;
+double SceneState::mass_damping() const {
+    return model.mass_damping_curve >= 0 ? model.curves[model.mass_damping_curve](clock.t)
+                                         : model.mass_damping;
 }
 
-/// f = -d m v.
-void Simulation::add_mass_damping() {
-    if (damping_force_.f.empty()) return;
+void SceneState::find_damping() {
+    if (forces.damping.f.empty()) return;
     const double d = mass_damping();
-    for (std::size_t n = 0; n < nodes_.size(); ++n)
-        damping_force_.f[n] = -d * nodes_.mass[n] * nodes_.v[n];
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+        forces.damping.f[n] = -d * nodes.mass[n] * nodes.v[n];
+}
+
+/// What cloth and bodies may touch until t + dt.
+void SceneState::find_contacts(double dt) {
+    for (std::size_t b = 0; b < bodies.all.size(); ++b) bodies.movers[b] = bodies.all[b].mover();
+    if (obstacles.contact) obstacles.contact->find(nodes.x, nodes.v, clock.t, dt, bodies.movers);
 }
 
 /// v += span f / m; rigid bodies move as one; held directions do as they are told.
-void Simulation::kick(double dt, double span) {
-    ledger_.weight = clock_.weight(dt);
-    v_before_ = nodes_.v;
-    nodes_.add(load_force_.f);
-    nodes_.add(damping_force_.f);
-    ties_.share_force(nodes_.f);
-    nodes_.kick(span);
+void SceneState::kick(double dt, double span) {
+    ledger.weight = clock.weight(dt);
+    v.before = nodes.v;
+    ties.share_force(nodes.f);
+    nodes.kick(span);
     move_bodies(dt, span);
-    supports_.hold(clock_.t, dt, span, nodes_);
-    ties_.hold(nodes_.v);
-    ledger_.after.kinetic = kinetic_energy();
+    supports.hold(clock.t, dt, span, nodes);
+    ties.hold(nodes.v);
+    ledger.after.kinetic = kinetic_energy();
 }
 
-void Simulation::move_bodies(double dt, double span) {
-    if (bodies_.empty()) return;
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        const RigidBody::Field field{loads_.acceleration(clock_.t, bodies_[b].part()),
+void SceneState::move_bodies(double dt, double span) {
+    if (bodies.all.empty()) return;
+    for (std::size_t b = 0; b < bodies.all.size(); ++b) {
+        const RigidBody::Field field{loads.acceleration(clock.t, bodies.all[b].part()),
                                      mass_damping()};
-        bodies_[b].advance(clock_.t, dt, span, field, nodes_);
-        movers_[b] = bodies_[b].mover();
+        bodies.all[b].advance(clock.t, dt, span, field, nodes);
+        bodies.movers[b] = bodies.all[b].mover();
     }
-    for (RigidJoints& joints : joints_)
-        joints.hold(clock_.t, dt, span, RigidJoints::After::KICK, bodies_, movers_, nodes_);
-}
-
-void Simulation::drift(double dt) {
-    nodes_.drift(dt);
+    if (bodies.joints)
+        bodies.joints->hold(clock.t, dt, span, RigidJoints::After::KICK, bodies.all, bodies.movers,
+                            nodes);
 }
 
 /// Walls and touching surfaces take away the velocity that would carry a place through them.
 ///
 /// Their impulses m (v - v_k) act with the forces of the kick, v_before -> v_k; what they take is
 /// m (v_k - v) · (v_before + v) / 2, nothing where a node rests against its load.
-void Simulation::stop_at_obstacles(double dt) {
-    bool has_stopped = !walls_.empty();
-    if (!ties_.empty()) v_free_ = nodes_.v;
-    v_kicked_.clear();
-    if (has_stopped) v_kicked_ = nodes_.v;
+void SceneState::stop_at_obstacles(double dt) {
+    bool has_stopped = !obstacles.walls.empty();
+    if (!ties.empty()) v.free = nodes.v;
+    v.kicked.clear();
+    if (has_stopped) v.kicked = nodes.v;
     double by_walls = 0.0;
-    for (contact::RigidWall& wall : walls_) {
+    for (contact::RigidWall& wall : obstacles.walls) {
         by_walls -= wall.driving_work() + wall.held_work();
-        wall.hold(nodes_.x, met_mass(), clock_.t, dt, nodes_.v, {body_of_node_, movers_});
+        wall.hold(nodes.x, mass_met(), clock.t, dt, nodes.v, {bodies.of_node, bodies.movers});
     }
     contact::SurfaceContact::Hold hold_by_walls;
     double by_joints = 0.0;
-    if (!walls_.empty() || !joints_.empty())
+    if (!obstacles.walls.empty() || bodies.joints)
         hold_by_walls = [&](bool is_last) {
-            for (RigidJoints& joints : joints_) by_joints += joints.pass_on(movers_);
-            for (contact::RigidWall& wall : walls_)
-                wall.hold_again(is_last, nodes_.x, met_mass(), clock_.t, dt, nodes_.v,
-                                {body_of_node_, movers_});
+            if (bodies.joints) by_joints += bodies.joints->pass_on(bodies.movers);
+            for (contact::RigidWall& wall : obstacles.walls)
+                wall.hold_again(is_last, nodes.x, mass_met(), clock.t, dt, nodes.v,
+                                {bodies.of_node, bodies.movers});
         };
-    for (contact::SurfaceContact& contact : contacts_) {
-        const double by_held = contact.held_work();
-        has_stopped |= contact.respond(nodes_.x, dt, nodes_.v, movers_,
-                                       has_stopped ? nullptr : &v_kicked_, hold_by_walls);
-        ledger_.after.external += contact.held_work() - by_held;
-        ledger_.after.contact += contact.held_work() - by_held;
+    if (obstacles.contact) {
+        const double by_held = obstacles.contact->held_work();
+        has_stopped |= obstacles.contact->respond(nodes.x, dt, nodes.v, bodies.movers,
+                                                  has_stopped ? nullptr : &v.kicked, hold_by_walls);
+        ledger.after.external += obstacles.contact->held_work() - by_held;
+        ledger.after.contact += obstacles.contact->held_work() - by_held;
     }
-    for (const contact::RigidWall& wall : walls_)
+    for (const contact::RigidWall& wall : obstacles.walls)
         by_walls += wall.driving_work() + wall.held_work();
-    ledger_.after.external += by_walls + by_joints;
-    ledger_.after.contact += by_walls + by_joints;
-    if (!ties_.empty() && has_stopped)
-        ties_.settle(v_free_, nodes_.mass, met_mass_, nodes_.x, body_of_node_, movers_, nodes_.v);
-    for (std::size_t b = 0; b < bodies_.size(); ++b)
-        bodies_[b].take(movers_[b], dt, clock_.kick_span(dt), nodes_);
+    ledger.after.external += by_walls + by_joints;
+    ledger.after.contact += by_walls + by_joints;
+    if (!ties.empty() && has_stopped)
+        ties.settle(v.free, nodes.mass, met_mass, nodes.x, bodies.of_node, bodies.movers, nodes.v);
+    for (std::size_t b = 0; b < bodies.all.size(); ++b)
+        bodies.all[b].take(bodies.movers[b], dt, clock.kick_span(dt), nodes);
     if (has_stopped) {
-        for (RigidJoints& joints : joints_)
-            joints.hold(clock_.t, dt, clock_.kick_span(dt), RigidJoints::After::CONTACT, bodies_,
-                        movers_, nodes_);
-        if (!ties_.empty()) ties_.hold(nodes_.v);  // bodies have moved ends
-        const double kicked = std::exchange(ledger_.after.kinetic, kinetic_energy());
-        ledger_.after.contact +=
-            kicked - ledger_.after.kinetic - parallel::sum(nodes_.size(), 0.0, [&](std::size_t n) {
-                return 0.5 * nodes_.mass[n] *
-                       (v_kicked_[n] - nodes_.v[n]).dot(v_kicked_[n] - v_before_[n]);
+        if (bodies.joints)
+            bodies.joints->hold(clock.t, dt, clock.kick_span(dt), RigidJoints::After::CONTACT,
+                                bodies.all, bodies.movers, nodes);
+        if (!ties.empty()) ties.hold(nodes.v);  // bodies have moved ends
+        const double kicked = std::exchange(ledger.after.kinetic, kinetic_energy());
+        ledger.after.contact +=
+            kicked - ledger.after.kinetic - parallel::sum(nodes.size(), 0.0, [&](std::size_t n) {
+                return 0.5 * nodes.mass[n] *
+                       (v.kicked[n] - nodes.v[n]).dot(v.kicked[n] - v.before[n]);
             });
     }
-    check_finite();
+}
+
+/// Of nodes, rigid bodies and walls of mass, at the half step that velocities live at. [J]
+double SceneState::kinetic_energy() const {
+    double all = nodes.kinetic_energy();
+    for (const RigidBody& body : bodies.all) all += body.kinetic_energy();
+    for (const contact::RigidWall& wall : obstacles.walls) all += wall.kinetic_energy();
+    return all;
+}
+
+Vec3 SceneState::gas_force(Index node) const {
+    Vec3 force = Vec3::Zero();
+    for (const gas::BagGas& bag : airbags.particle) force += bag.force(node);
+    for (const gas::UniformBag& bag : airbags.uniform) force += bag.force(node);
+    return force;
+}
+
+Vec3 SceneState::velocity(Index node) const {
+    return (1.0 - ledger.weight) * v.before[node] + ledger.weight * nodes.v[node];
 }
 
 }  // namespace corpuscle

@@ -4,31 +4,17 @@
 
 #include <cstdint>
 #include <functional>
-#include <string>
+#include <optional>
+#include <utility>
 #include <vector>
 
-#include "contact/rigid_walls/rigid_wall.hpp"
-#include "contact/surface/movers.hpp"
-#include "contact/surface_contact.hpp"
-#include "fabric/membranes.hpp"
-#include "fabric/nodes.hpp"
-#include "gas/bag_gas.hpp"
-#include "gas/exchange.hpp"
-#include "gas/uniform_bag.hpp"
 #include "solver/base/archive.hpp"
 #include "solver/base/stopwatch.hpp"
-#include "solver/bodies/constraints.hpp"
-#include "solver/bodies/rigid_body.hpp"
-#include "solver/bodies/rigid_joints.hpp"
-#include "solver/bodies/tied_nodes.hpp"
-#include "solver/clock.hpp"
-#include "solver/energy/growth_monitor.hpp"
-#include "solver/energy/impulse_book.hpp"
-#include "solver/energy/ledger.hpp"
-#include "solver/loads.hpp"
-#include "solver/model.hpp"
+#include "solver/energy/energy_audit.hpp"
+#include "solver/recorder.hpp"
 #include "solver/records.hpp"
-#include "solver/stable_step.hpp"
+#include "solver/scene/scene_state.hpp"
+#include "solver/scene/touching_nodes.hpp"
 
 namespace corpuscle {
 
@@ -37,21 +23,16 @@ struct StepReport {
     StepLimit limit;
 };
 
-/// A force on every node, kept apart from the others so that its work can be booked.
-struct ForceShare {
-    Points f;  ///< N × 3, or empty: this scene has none                        [N]
-
-    [[nodiscard]] double work(const Points& v_mid, double span) const;
-};
-
-/// A scene in motion: owns the state, built from a model. What the scene does not need is not
-/// built: no contact keyword, no contact; all nodes of a part held, no strains. Absence is
-/// emptiness, not a flag.
+/// A scene in motion, step by step, with its energy balance and its records.
+///
+///     Simulation simulation(read_deck(path));
+///     while (!simulation.is_over()) simulation.step(look);
+///     simulation.close(look);
 class Simulation {
 public:
     /// Errors: InputError for what only the whole scene shows (a bag that is not closed, a shell
     /// without area, ...), every fault at once.
-    explicit Simulation(Model model, std::uint64_t seed = 1);
+    explicit Simulation(Model model, std::uint64_t seed = 1) : scene_(std::move(model), seed) {}
 
     /// Called in every step when positions, forces and books are those of t.
     using Observer = std::function<void(Simulation&)>;
@@ -62,131 +43,71 @@ public:
     /// Brings forces and books to the end time, for the last observation.
     void close(const Observer& observe);
 
-    [[nodiscard]] bool is_over() const { return clock_.t >= model_.end_time; }
-    [[nodiscard]] double time() const { return clock_.t; }
-    [[nodiscard]] std::int64_t steps() const { return clock_.step; }
-    [[nodiscard]] std::size_t particles() const;
-    [[nodiscard]] const Model& model() const { return model_; }
-    [[nodiscard]] const fabric::Nodes& nodes() const { return nodes_; }
-    [[nodiscard]] const std::vector<gas::BagGas>& bags() const { return bags_; }
-    [[nodiscard]] const std::vector<gas::UniformBag>& uniform_bags() const { return uniform_bags_; }
-    [[nodiscard]] const std::vector<contact::SurfaceContact>& contacts() const { return contacts_; }
-    [[nodiscard]] const std::vector<contact::RigidWall>& walls() const { return walls_; }
-    [[nodiscard]] const std::vector<RigidBody>& bodies() const { return bodies_; }
+    [[nodiscard]] bool is_over() const { return scene_.clock.t >= scene_.model.end_time; }
+    [[nodiscard]] double time() const { return scene_.clock.t; }
+    [[nodiscard]] std::int64_t steps() const { return scene_.clock.step; }
+    [[nodiscard]] std::size_t particles() const { return scene_.particles(); }
+    [[nodiscard]] const SceneState& scene() const { return scene_; }
+    [[nodiscard]] const Model& model() const { return scene_.model; }
+    [[nodiscard]] const fabric::Nodes& nodes() const { return scene_.nodes; }
+    [[nodiscard]] const std::vector<gas::BagGas>& bags() const { return scene_.airbags.particle; }
+    [[nodiscard]] const std::vector<gas::UniformBag>& uniform_bags() const {
+        return scene_.airbags.uniform;
+    }
+    /// None: no card asks for it.
+    [[nodiscard]] const std::optional<contact::SurfaceContact>& contact() const {
+        return scene_.obstacles.contact;
+    }
+    [[nodiscard]] const std::vector<contact::RigidWall>& walls() const {
+        return scene_.obstacles.walls;
+    }
+    [[nodiscard]] const std::vector<RigidBody>& bodies() const { return scene_.bodies.all; }
     [[nodiscard]] const Timings& timings() const { return timings_; }
-    /// Pairs of shells that cross, or are nearer than contact lets them be, since contact began:
-    /// ids. Found in the first step, or by look_at_contacts().
-    struct BadStarts {
-        std::vector<std::pair<int, int>> crossing, close;
-    };
-    [[nodiscard]] BadStarts bad_starts() const;
-    void look_at_contacts();  ///< as the first step will, at the start
-    [[nodiscard]] std::size_t active_shells() const { return active_shells_; }
-    [[nodiscard]] double added_mass() const { return added_mass_; }
+    /// Found in the first step, or by look_at_contacts().
+    [[nodiscard]] BadStarts bad_starts() const { return scene_.bad_starts(); }
+    /// As the first step will, at the start.
+    void look_at_contacts() { scene_.find_contacts(stable_step().dt); }
+    [[nodiscard]] std::size_t active_shells() const { return scene_.cloth.active_shells; }
+    [[nodiscard]] double added_mass() const { return scene_.cloth.added_mass; }
 
     /// The next step and who limits it.
     /// @param without_start  as if there were no DTINIT
-    [[nodiscard]] StepLimit stable_step(bool without_start = false) const;
-    [[nodiscard]] StepLimit shells_step() const;  ///< what the shells alone allow
+    [[nodiscard]] StepLimit stable_step(bool without_start = false) const {
+        return scene_.stable_step(without_start);
+    }
+    /// What the shells alone allow.
+    [[nodiscard]] StepLimit shells_step() const { return scene_.shells_step(); }
 
-    [[nodiscard]] EnergyBooks books() const;  ///< at t, inside an observer
-    [[nodiscard]] RecordLayout layout() const;
+    /// At t, inside an observer.
+    [[nodiscard]] EnergyBooks books() const { return EnergyAudit::books(scene_); }
+    [[nodiscard]] RecordLayout layout() const { return Recorder::layout(scene_); }
     /// Of contact and gas on a body, in the kick at t.                               [N]
-    [[nodiscard]] Vec3 force_on(const RigidBody& body) const;
-    [[nodiscard]] Sample sample();  ///< at t, inside an observer
-    [[nodiscard]] Frame frame();    ///< at t, inside an observer
+    [[nodiscard]] Vec3 force_on(const RigidBody& body) const {
+        return Recorder::force_on(scene_, body);
+    }
+    [[nodiscard]] Sample sample() {
+        return recorder_.sample(scene_);
+    }                                                                ///< at t, inside an observer
+    [[nodiscard]] Frame frame() { return recorder_.frame(scene_); }  ///< at t, inside an observer
 
     /// What a checkpoint holds of it (solver/base/archive.hpp): a scene built from the same model
     /// and seed goes on from there in the same bits.
-    void visit_state(StateWriter& archive);
-    void visit_state(StateReader& archive);
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(scene_, audit_, recorder_);
+    }
     /// Tells models and seeds apart.
     [[nodiscard]] std::uint64_t fingerprint() const;
 
 private:
-    template <class Archive>
-    void visit_all(Archive& archive);
-    void build_fabric();
-    [[nodiscard]] fabric::Membranes membranes_at(double t) const;
-    void bear_references();
-    [[nodiscard]] std::vector<Index> fabric_nodes() const;
-    [[nodiscard]] std::vector<double> fabric_sizes() const;  // by node
-    void build_bags(std::uint64_t seed);
-    void build_bodies();
-    void check_ties();
-    void part_coinciding_cloth();
-    void build_contacts();
-    void build_walls();
-    [[nodiscard]] std::vector<std::uint8_t> held_nodes() const;
-    [[nodiscard]] const std::vector<double>& met_mass() const {
-        return ties_.empty() ? nodes_.mass : met_mass_;
-    }
+    void load_and_kick(double dt, double span, Stopwatch& lap);
+    void find_forces(double span, Stopwatch& lap);
 
-    void find_forces(double dt, double span, Stopwatch& lap);
-    [[nodiscard]] double mass_damping() const;
-    [[nodiscard]] double kinetic_energy() const;
-    void add_mass_damping();
-    void move_bodies(double dt, double span);
-    void kick(double dt, double span);
-    void drift(double dt);
-    void stop_at_obstacles(double dt);
-    void book_forces(double span);
-    void book_impulses(double span);
-    void watch_growth(double span);
-    [[nodiscard]] double negligible_energy(double span) const;
-    void find_touching(double span);
-    void find_contact_pressure(std::vector<float>& pressure);
-    void find_contact_push(double span);
-    void check_finite() const;
-    void check_books() const;
-    [[noreturn]] void stop_for(Index broken_shell) const;
-    [[nodiscard]] std::string growing_shell(Index node) const;
-    [[nodiscard]] Vec3 gas_force(Index node) const;
-    [[nodiscard]] Vec3 velocity(Index node) const;  ///< at t                        [m/s]
-
-    Model model_;
-    std::uint64_t seed_;
-    Clock clock_;
-    fabric::Nodes nodes_;
-    std::vector<std::uint8_t> active_;  ///< E: strains are computed
-    std::size_t active_shells_ = 0;
-    double added_mass_ = 0.0;         ///< by DT2MS                                   [kg]
-    std::vector<double> shell_mass_;  ///< E                                          [kg]
-    std::vector<std::array<Vec3, 4>> reference_;  ///< E × 4, stress-free corners           [m]
-    std::vector<double> births_;  ///< E: when it counts; empty: from the start           [s]
-    double next_birth_ = INF;     ///< [s]
-    std::vector<fabric::Membranes> fabric_;  ///< one, or none
-    double restored_ = 0.0;  ///< by TSRFAC, as booked                                   [J]
-    GrowthMonitor growth_;   ///< of the fabric, where there is any
-    std::vector<gas::BagGas> bags_;
-    std::vector<gas::UniformBag> uniform_bags_;
-    std::vector<gas::Exchange> exchanges_;           ///< between two of them
-    std::vector<contact::SurfaceContact> contacts_;  ///< one for all cards, or none
-    std::vector<Index> contact_shell_;               ///< of its triangles: rows of their shells
-    std::vector<contact::RigidWall> walls_;
-    std::vector<RigidBody> bodies_;
-    std::vector<Index> body_of_node_;          ///< N: row in bodies_ or -1; empty without bodies
-    std::vector<contact::RigidMover> movers_;  ///< the same as contact sees them
-    std::vector<RigidJoints> joints_;          ///< one for all joints, or none
-    Constraints supports_;
-    TiedNodes ties_;
-    std::vector<double> met_mass_;  ///< N: that obstacles meet, if nodes are tied          [kg]
-    Loads loads_;
-
-    Points v_before_;  ///< v(t - dt/2)                                [m/s]
-    Points v_free_;    ///< before obstacles, if nodes are tied                       [m/s]
-    Points v_kicked_;  ///< before obstacles, if any stopped something [m/s]
-    Points v_mid_;     ///< mean of v before and after this step's kick   [m/s]
-    std::vector<std::uint8_t> held_;  ///< N: as held_nodes() says, if contact_push_ is asked for
-    Points contact_push_;             ///< N × 3: contact and obstacles, if a bag asks    [N]
-    std::vector<std::uint8_t> touching_;  ///< N: nodes in contact, if a bag asks for it
-    ForceShare load_force_, damping_force_, fabric_force_;
-    Ledger ledger_;
-    ImpulseBook wall_impulses_, contact_impulses_;  ///< by wall; by card
-    ImpulseBook joint_impulses_, joint_turnings_;   ///< by joint                      [N s, N m s]
-    double rubbed_ = 0.0;  ///< by friction in contact, so far                           [J]
+    SceneState scene_;
+    EnergyAudit audit_;
+    Recorder recorder_;
+    TouchingNodes touching_;
     Timings timings_;
-    double last_sample_ = 0.0, last_frame_ = 0.0;  ///< when they were last taken           [s]
 };
 
 }  // namespace corpuscle

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "solver/simulation.hpp"
+#include "solver/scene/scene_state.hpp"
 
 namespace corpuscle {
 
@@ -26,27 +26,27 @@ std::string StepLimit::text() const {
     return "nothing";
 }
 
-StepLimit Simulation::shells_step() const {
+StepLimit SceneState::shells_step() const {
     StepLimit limit;
-    for (const fabric::Membranes& fabric : fabric_) {
-        const auto [dt, shell] = fabric.stable_step();
+    if (cloth.membranes) {
+        const auto [dt, shell] = cloth.membranes->stable_step();
         if (shell >= 0)
-            limit.tighten(model_.step_factor * dt, StepLimit::Who::SHELL, model_.shells[shell].id);
+            limit.tighten(model.step_factor * dt, StepLimit::Who::SHELL, model.shells[shell].id);
     }
     return limit;
 }
 
-StepLimit Simulation::stable_step(bool without_start) const {
+StepLimit SceneState::stable_step(bool without_start) const {
     StepLimit limit = shells_step();
-    for (const gas::BagGas& bag : bags_)
+    for (const gas::BagGas& bag : airbags.particle)
         limit.tighten(bag.stable_step(), StepLimit::Who::GAS, bag.card().id);
-    for (const gas::UniformBag& bag : uniform_bags_)
+    for (const gas::UniformBag& bag : airbags.uniform)
         limit.tighten(bag.stable_step(), StepLimit::Who::GAS, bag.card().id);
     // Rigid bodies alone set no limit: a thousand steps are what a path wants to be seen.
-    if (limit.who == StepLimit::Who::NOTHING) limit.dt = model_.end_time / 1000.0;
-    if (clock_.step == 0 && model_.step_start > 0.0 && !without_start)
-        limit.tighten(model_.step_start, StepLimit::Who::START, 0);
-    const double rest = model_.end_time - clock_.t;
+    if (limit.who == StepLimit::Who::NOTHING) limit.dt = model.end_time / 1000.0;
+    if (clock.step == 0 && model.step_start > 0.0 && !without_start)
+        limit.tighten(model.step_start, StepLimit::Who::START, 0);
+    const double rest = model.end_time - clock.t;
     if (limit.dt >= rest * (1.0 - 1e-9)) return {rest, StepLimit::Who::END, 0};
     if (2.0 * limit.dt > rest)
         limit.dt = 0.5 * rest;  // two like steps, not a last one that is tiny

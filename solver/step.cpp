@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "solver/simulation.hpp"
+#include "solver/stops.hpp"
 
 // Laps stand in a column of their own
 // clang-format off
@@ -17,67 +18,78 @@ namespace corpuscle {
 /// phase reads only finished data.
 StepReport Simulation::step(const Observer& observe) {
     Stopwatch lap(timings_);
-    bear_references();
-    const StepLimit limit = stable_step();
-    const double t = clock_.t, dt = limit.dt;
-    const double span = clock_.kick_span(dt);  // half the last step, half this one
+    scene_.activate_references();                                               lap("references");
+    const StepLimit limit = scene_.stable_step();                               lap("stable step");
+    const double t = scene_.clock.t, dt = limit.dt;
+    fabric::Nodes& nodes = scene_.nodes;
 
-    // 1. Forces at t
-    find_forces(dt, span, lap);
-
-    // 2. v(t - dt/2) -> v(t + dt/2); between the two, at t, the books balance
-    kick(dt, span);                                                             lap("motion");
-    stop_at_obstacles(dt);                                                      lap("contact");
-    book_forces(span);                                                          lap("motion");
+    // 1., 2. Forces at t; v(t - dt/2) -> v(t + dt/2); between the two, at t, the energies balance
+    const double span = scene_.clock.kick_span(dt);  // half the last step, half this one
+    load_and_kick(dt, span, lap);
     observe(*this);                                                             lap("output");
 
     // 3. x(t) -> x(t + dt)
-    drift(dt);                                                                  lap("motion");
+    nodes.drift(dt);                                                            lap("motion");
 
     // 4. Gas, t -> t + dt, against the fabric that moves from x to x_1
-    find_touching(span);
-    for (gas::BagGas& bag : bags_) {
-        if (bag.switches(t)) bag.become_uniform(nodes_.x);
-        bag.prepare(dt, nodes_.x, nodes_.x_1);                                  lap("facet lists");
-        bag.collide(dt, nodes_.x);                                              lap("collisions");
-        bag.inject(t, dt, nodes_.x, nodes_.x_1);                                lap("inflators");
-        bag.fly(t, dt, nodes_.x, nodes_.x_1);                                   lap("flight");
+    touching_.tell_bags(scene_, span);                                          lap("contact");
+    for (gas::BagGas& bag : scene_.airbags.particle) {
+        if (bag.switches(t)) bag.become_uniform(nodes.x);
+        bag.prepare(dt, nodes.x, nodes.x_1);                                    lap("facet lists");
+        bag.collide(dt, nodes.x);                                               lap("collisions");
+        bag.inject(t, dt, nodes.x, nodes.x_1);                                  lap("inflators");
+        bag.fly(t, dt, nodes.x, nodes.x_1);                                     lap("flight");
     }
-    for (gas::UniformBag& bag : uniform_bags_) bag.flow(t, dt);
-    for (const gas::Exchange& hole : exchanges_) hole.flow(t, dt, nodes_.x, uniform_bags_);
+    for (gas::UniformBag& bag : scene_.airbags.uniform) bag.flow(t, dt);
+    for (const gas::Exchange& hole : scene_.airbags.exchanges)
+        hole.flow(t, dt, nodes.x, scene_.airbags.uniform);
+    if (!scene_.airbags.uniform.empty())                                        lap("uniform bags");
 
-    // 5. Page and clock
-    ledger_.turn_page();
-    nodes_.x.swap(nodes_.x_1);
-    clock_.advance(dt);
-    if (limit.who == StepLimit::Who::END) clock_.t = model_.end_time;
+    // 5. Ledger and clock
+    scene_.ledger.turn_page();
+    nodes.x.swap(nodes.x_1);
+    scene_.clock.advance(dt);
+    if (limit.who == StepLimit::Who::END) scene_.clock.t = scene_.model.end_time;
     return {t, dt, limit};
 }
 
+/// Brings velocities over t, and stops where what comes out is not physics.
+void Simulation::load_and_kick(double dt, double span, Stopwatch& lap) {
+    scene_.bodies.arrive();
+    find_forces(span, lap);
+    scene_.find_contacts(dt);                                                   lap("contact search");
+
+    scene_.kick(dt, span);                                                      lap("motion");
+    scene_.stop_at_obstacles(dt);                                               lap("contact");
+    check_finite(scene_);
+
+    audit_.book(scene_, span);
+    check_accounts(scene_);
+    check_growth(scene_, span);                                                 lap("energy balance");
+}
+
 /// Forces of everything that acts on nodes at t.
-void Simulation::find_forces(double dt, double span, Stopwatch& lap) {
-    std::fill(nodes_.f.begin(), nodes_.f.end(), Vec3::Zero());
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        bodies_[b].arrive();
-        movers_[b] = bodies_[b].mover();
+void Simulation::find_forces(double span, Stopwatch& lap) {
+    const double t = scene_.clock.t;
+    fabric::Nodes& nodes = scene_.nodes;
+    SceneForces& forces = scene_.forces;
+    std::fill(nodes.f.begin(), nodes.f.end(), Vec3::Zero());
+    if (scene_.cloth.membranes) {
+        scene_.cloth.membranes->restore_strains(t);
+        const Index broken = scene_.cloth.membranes->add_force(nodes.x, nodes.v, nodes.f);
+        if (broken >= 0) stop_for_strain(scene_, broken);
+        forces.fabric.f = nodes.f;                                              lap("membranes");
     }
-    for (fabric::Membranes& fabric : fabric_) {
-        fabric.restore_strains(clock_.t);
-        const Index broken = fabric.add_force(nodes_.x, nodes_.v, nodes_.f);    lap("membranes");
-        if (broken >= 0) stop_for(broken);
-        fabric_force_.f = nodes_.f;
+    for (gas::BagGas& bag : scene_.airbags.particle) {
+        bag.add_load(nodes.x, nodes.v, nodes.mass, span, nodes.f);              lap("gas load");
     }
-    for (gas::BagGas& bag : bags_) {
-        bag.add_load(nodes_.x, nodes_.v, nodes_.mass, span, nodes_.f);          lap("gas load");
+    for (gas::UniformBag& bag : scene_.airbags.uniform) {
+        bag.add_load(t, nodes.x, nodes.f);                                      lap("gas load");
     }
-    for (gas::UniformBag& bag : uniform_bags_) {
-        bag.add_load(clock_.t, nodes_.x, nodes_.f);                             lap("gas load");
-    }
-    for (contact::SurfaceContact& contact : contacts_) {
-        contact.find(nodes_.x, nodes_.v, clock_.t, dt, movers_);                lap("contact search");
-    }
-    loads_.find_force(clock_.t, nodes_.x, nodes_.mass, load_force_.f);
-    add_mass_damping();                                                         lap("loads");
+    scene_.loads.find_force(t, nodes.x, nodes.mass, forces.loads.f);
+    nodes.add(forces.loads.f);
+    scene_.find_damping();
+    nodes.add(forces.damping.f);                                                lap("loads");
 }
 
 }  // namespace corpuscle

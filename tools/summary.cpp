@@ -19,18 +19,21 @@ namespace {
 
 /// A lap of the step (solver/step.cpp) in the words of somebody who has not read it.
 std::string said(std::string_view lap) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 11> WORDS{
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 14> WORDS{
         {{"membranes", "cloth: strains and stresses"},
          {"gas load", "gas: pressure on the cloth"},
          {"contact search", "contact: what is near what"},
          {"contact", "contact: forces"},
          {"loads", "loads and damping"},
-         {"motion", "motion and energy books"},
+         {"motion", "motion"},
+         {"energy balance", "energy balance"},
+         {"stable step", "stable step"},
          {"output", "writing results"},
          {"facet lists", "gas: cloth near particles"},
          {"collisions", "gas: collisions"},
          {"inflators", "gas: inflators"},
-         {"flight", "gas: flight, vents, leaks"}}};
+         {"flight", "gas: flight, vents, leaks"},
+         {"uniform bags", "gas: bags of uniform pressure"}}};
     for (const auto& [name, words] : WORDS)
         if (lap == name) return std::string(words);
     return std::string(lap);
@@ -130,7 +133,7 @@ double brought_in(const EnergyBooks& now, double start_kinetic) {
 }
 
 void print_bad_starts(const Simulation& simulation) {
-    const Simulation::BadStarts bad = simulation.bad_starts();
+    const BadStarts bad = simulation.bad_starts();
     if (!bad.close.empty())
         fmt::print("    {} pairs of shells began nearer than the contact thickness:{}\n",
                    bad.close.size(), listed(bad.close));
@@ -159,8 +162,7 @@ void Summary::print(Simulation& simulation, const std::string& folder, double wo
         elements / wall);
     for (const gas::BagGas& bag : simulation.bags()) print_bag(bag, simulation.nodes().x, unit);
     for (const gas::UniformBag& bag : simulation.uniform_bags()) print_bag(bag, unit);
-    for (const contact::SurfaceContact& contact : simulation.contacts())
-        print_contact(simulation, contact);
+    if (simulation.contact()) print_contact(simulation, *simulation.contact());
     for (const std::string& mending : simulation.model().mendings)
         fmt::print("\n  mended: {}\n", mending);
     print_ledger(simulation.books(), worst_residual, brought, unit);
@@ -181,8 +183,8 @@ void Summary::write(const Simulation& simulation, const std::string& folder) con
     for (const auto& [phase, seconds] : simulation.timings().phases())
         phases.push_back(io::json(said(phase)) + ": " + io::json(seconds));
     std::string contact;
-    for (const contact::SurfaceContact& of : simulation.contacts()) {
-        const contact::ContactCounts& counts = of.counts();
+    if (simulation.contact()) {
+        const contact::ContactCounts& counts = simulation.contact()->counts();
         contact = fmt::format(
             "\"pairs_stopped\": {}, \"tangles\": {}, \"unstopped\": {}, \"sweeps\": {}, "
             "\"residual\": {}, \"worst_residual\": {}",

@@ -137,9 +137,9 @@ void inflate(std::size_t particles) {
     while (simulation.time() < 1e-3) simulation.step(watch);
     const double all = spent(false), on_contact = spent(true);
     const auto steps = simulation.steps();
-    const std::size_t builds = simulation.contacts()[0].counts().builds;
+    const std::size_t builds = simulation.contact()->counts().builds;
     while (simulation.steps() < steps + 200) simulation.step(watch);
-    const ContactCounts& counts = simulation.contacts()[0].counts();
+    const ContactCounts& counts = simulation.contact()->counts();
     fmt::print(
         "inflated bag of {} facets, {} particles: {:.3f} ms of {:.3f} ms a step, {:.2f} %; "
         "{} facets searched, {} candidates, {} near, {} builds in 200 steps\n",

@@ -108,8 +108,9 @@ double step_seconds(const Simulation& simulation) {
                    std::clamp(bag.switch_at / model.end_time, 0.0, 1.0);
     if (!model.contacts.empty())
         seconds += static_cast<double>(model.shells.size()) * SECONDS_PER_CONTACT_SHELL_STEP;
-    for (const contact::SurfaceContact& contact : simulation.contacts())
-        seconds += static_cast<double>(contact.counts().near) * SECONDS_PER_NEAR_PAIR_STEP;
+    if (simulation.contact())
+        seconds +=
+            static_cast<double>(simulation.contact()->counts().near) * SECONDS_PER_NEAR_PAIR_STEP;
     return seconds;
 }
 
@@ -135,8 +136,8 @@ void print_estimate(const Simulation& simulation) {
 
 void print_contacts_at_start(Simulation& simulation) {
     simulation.look_at_contacts();
-    for (const contact::SurfaceContact& contact : simulation.contacts()) {
-        const contact::ContactCounts& counts = contact.counts();
+    if (simulation.contact()) {
+        const contact::ContactCounts& counts = simulation.contact()->counts();
         fmt::print(
             "contact at the start: {} facets searched, {} candidates, {} near, {} touching\n",
             counts.searched, counts.candidates, counts.near, counts.touching);

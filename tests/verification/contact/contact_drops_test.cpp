@@ -40,7 +40,7 @@ void hold_to_claim(Model& model) {
         kinetic += 0.5 * simulation.nodes().mass[i] * v.squaredNorm();
         scale += simulation.nodes().mass[i] * v.norm();
     }
-    const contact::ContactCounts& counts = simulation.contacts()[0].counts();
+    const contact::ContactCounts& counts = simulation.contact()->counts();
     std::size_t most_near = 0;
     const auto watch = [&](Simulation&) { most_near = std::max(most_near, counts.near); };
     const EnergyBooks books = scenes::run(simulation, watch, 5);

@@ -10,8 +10,8 @@
 
 #include "contact/broad_phase/coinciding.hpp"
 #include "fabric/materials/law.hpp"
+#include "solver/scene/scene_state.hpp"
 #include "solver/scene/scene_surface.hpp"
-#include "solver/simulation.hpp"
 
 namespace corpuscle {
 namespace {
@@ -153,116 +153,111 @@ std::vector<bool> parts_in_contact(const Model& model) {
 }  // namespace
 
 /// Cloth that lies exactly on other cloth has no sides: it is moved apart by less than shows.
-void Simulation::part_coinciding_cloth() {
-    if (model_.contacts.empty()) return;
-    std::vector<bool> wanted = parts_in_contact(model_);
+void SceneState::part_coinciding_cloth() {
+    if (model.contacts.empty()) return;
+    std::vector<bool> wanted = parts_in_contact(model);
     double thickness = INF;
     for (std::size_t p = 0; p < wanted.size(); ++p) {
-        const auto& card = model_.materials[model_.parts[p].material].card;
+        const auto& card = model.materials[model.parts[p].material].card;
         wanted[p] = wanted[p] && !std::holds_alternative<fabric::RigidCard>(card);
-        if (wanted[p] && contact_thickness(model_.parts[p]) > 0.0)
-            thickness = std::min(thickness, contact_thickness(model_.parts[p]));
+        if (wanted[p] && contact_thickness(model.parts[p]) > 0.0)
+            thickness = std::min(thickness, contact_thickness(model.parts[p]));
     }
     if (!(thickness < INF)) return;
     const double lift = LIFT * thickness;
     const Points lifts =
-        contact::lifts_of_coinciding(triangles_of(model_, wanted).triangles, model_.x, lift);
+        contact::lifts_of_coinciding(triangles_of(model, wanted).triangles, model.x, lift);
     std::size_t moved = 0;
     for (std::size_t n = 0; n < lifts.size(); ++n) {
         if (lifts[n].isZero(0.0)) continue;
-        model_.x[n] += lifts[n];
+        model.x[n] += lifts[n];
         ++moved;
     }
     if (moved > 0)
-        model_.warnings.push_back(
+        model.warnings.push_back(
             fmt::format("{} nodes lie exactly on other cloth: moved off it by up to {:.3g}, along "
                         "the shells' normals, so that contact knows the sides",
                         moved, lift));
 }
 
 /// One contact for all cards: what may touch by any of them.
-void Simulation::build_contacts() {
-    if (model_.contacts.empty()) return;
+void SceneState::build_contacts() {
+    if (model.contacts.empty()) return;
     std::vector<std::uint8_t> held = held_nodes();
-    std::vector<Index> body(model_.x.size(), -1);
-    for (std::size_t b = 0; b < bodies_.size(); ++b)
-        for (const Index n : bodies_[b].nodes()) {
+    std::vector<Index> body(model.x.size(), -1);
+    for (std::size_t b = 0; b < bodies.all.size(); ++b)
+        for (const Index n : bodies.all[b].nodes()) {
             body[n] = static_cast<Index>(b);
             held[n] = 0;
         }
-    for (const TiedNode& tie : ties_.all()) held[tie.node] = 0;
-    SceneTriangles facets = triangles_of(model_, parts_in_contact(model_));
-    Points reference = model_.x;
-    for (std::size_t s = 0; s < reference_.size(); ++s)
-        for (int c = 0; c < 4; ++c) reference[model_.shells[s].nodes[c]] = reference_[s][c];
+    for (const TiedNode& tie : ties.all()) held[tie.node] = 0;
+    SceneTriangles facets = triangles_of(model, parts_in_contact(model));
+    Points reference = model.x;
+    for (std::size_t s = 0; s < cloth.reference.size(); ++s)
+        for (int c = 0; c < 4; ++c) reference[model.shells[s].nodes[c]] = cloth.reference[s][c];
 
-    const std::vector<double> modulus = contact_moduli(model_.materials);
-    const ContactParts parts(model_);
-    std::vector<std::uint8_t> held_axes = supports_.held();
-    for (const TiedNode& tie : ties_.all()) held_axes[tie.node] = 0;
+    const std::vector<double> modulus = contact_moduli(model.materials);
+    const ContactParts parts(model);
+    std::vector<std::uint8_t> held_axes = supports.held();
+    for (const TiedNode& tie : ties.all()) held_axes[tie.node] = 0;
     contact::ContactSetup setup;
-    for (std::size_t c = 0; c < model_.contacts.size(); ++c) setup.cards.push_back(parts.told(c));
+    for (std::size_t c = 0; c < model.contacts.size(); ++c) setup.cards.push_back(parts.told(c));
     setup.triangles = std::move(facets.triangles);
     for (const Index shell : facets.shell) {
-        const Index part = model_.shells[shell].part;
+        const Index part = model.shells[shell].part;
         setup.part.push_back(parts.of_shell(shell));
-        setup.thickness.push_back(contact_thickness(model_.parts[part]));
-        setup.modulus.push_back(THROUGH_THICKNESS * modulus[model_.parts[part].material]);
+        setup.thickness.push_back(contact_thickness(model.parts[part]));
+        setup.modulus.push_back(THROUGH_THICKNESS * modulus[model.parts[part].material]);
     }
     setup.parts = parts.size();
-    setup.growth_time = growth_time(model_, modulus);
+    setup.growth_time = growth_time(model, modulus);
     setup.held_axes = held_axes;
-    setup.node_mass = met_mass();
+    setup.node_mass = mass_met();
     setup.reference_x = reference;
-    setup.x0 = model_.x;
-    setup.curves = model_.curves;
+    setup.x0 = model.x;
+    setup.curves = model.curves;
     setup.held = held;
     setup.body = body;
-    contact_shell_ = std::move(facets.shell);
-    contacts_.emplace_back(setup);
-    contact_impulses_ = ImpulseBook(model_.contacts.size());
+    obstacles.contact_shell = std::move(facets.shell);
+    obstacles.contact.emplace(setup);
+    impulses.contacts = ImpulseBook(model.contacts.size());
 }
 
-void Simulation::build_walls() {
+void SceneState::build_walls() {
     std::vector<std::uint8_t> held = held_nodes();
-    for (const TiedNode& tie : ties_.all()) held[tie.node] = 0;
-    for (contact::WallCard card : model_.walls) {
+    for (const TiedNode& tie : ties.all()) held[tie.node] = 0;
+    for (contact::WallCard card : model.walls) {
         const std::size_t listed = card.nodes.size();
         const auto has_body = [&](Index n) {
-            return !body_of_node_.empty() && body_of_node_[n] >= 0;
+            return !bodies.of_node.empty() && bodies.of_node[n] >= 0;
         };
         std::erase_if(card.nodes, [&](Index n) { return held[n] && !has_body(n); });
         if (card.nodes.size() < listed)
-            model_.warnings.push_back(
+            model.warnings.push_back(
                 fmt::format("*RIGIDWALL {}: {} of its nodes are held and pass it freely", card.id,
                             listed - card.nodes.size()));
-        std::erase_if(card.nodes, [&](Index n) { return !(met_mass()[n] > 0.0) && !has_body(n); });
+        std::erase_if(card.nodes, [&](Index n) { return !(mass_met()[n] > 0.0) && !has_body(n); });
         const Index curve = card.motion.curve;
-        walls_.emplace_back(card, curve >= 0 ? &model_.curves[curve] : nullptr, model_.end_time);
+        obstacles.walls.emplace_back(card, curve >= 0 ? &model.curves[curve] : nullptr,
+                                     model.end_time);
     }
-    wall_impulses_ = ImpulseBook(walls_.size());
+    impulses.walls = ImpulseBook(obstacles.walls.size());
 }
 
-void Simulation::look_at_contacts() {
-    for (std::size_t b = 0; b < bodies_.size(); ++b) movers_[b] = bodies_[b].mover();
-    for (contact::SurfaceContact& contact : contacts_)
-        contact.find(nodes_.x, nodes_.v, clock_.t, stable_step().dt, movers_);
-}
-
-Simulation::BadStarts Simulation::bad_starts() const {
+BadStarts SceneState::bad_starts() const {
     BadStarts out;
     const auto ids = [&](const auto& pairs, auto& to) {
         for (const auto& [a, b] : pairs) {
-            const int first = model_.shells[contact_shell_[a]].id,
-                      second = model_.shells[contact_shell_[b]].id;
+            const int first = model.shells[obstacles.contact_shell[a]].id,
+                      second = model.shells[obstacles.contact_shell[b]].id;
             if (first != second) to.emplace_back(std::minmax(first, second));
         }
         std::sort(to.begin(), to.end());
         to.erase(std::unique(to.begin(), to.end()), to.end());
     };
-    for (const contact::SurfaceContact& contact : contacts_) {
-        ids(contact.crossing(), out.crossing);
-        ids(contact.close_starts(), out.close);
+    if (obstacles.contact) {
+        ids(obstacles.contact->crossing(), out.crossing);
+        ids(obstacles.contact->close_starts(), out.close);
     }
     return out;
 }

@@ -1,0 +1,29 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "solver/records.hpp"
+#include "solver/scene/scene_state.hpp"
+
+namespace corpuscle {
+
+/// What a run hands to its results: means are over the time since the last call of the same kind.
+class Recorder {
+public:
+    [[nodiscard]] static RecordLayout layout(const SceneState& scene);
+    [[nodiscard]] Sample sample(SceneState& scene);
+    [[nodiscard]] Frame frame(SceneState& scene);
+    /// Of contact and gas on a body, in the kick at t.                               [N]
+    [[nodiscard]] static Vec3 force_on(const SceneState& scene, const RigidBody& body);
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(last_sample_, last_frame_);
+    }
+
+private:
+    double last_sample_ = 0.0, last_frame_ = 0.0;  ///< [s]
+};
+
+}  // namespace corpuscle

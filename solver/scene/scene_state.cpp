@@ -1,0 +1,202 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// What a scene needs, worked out once.
+
+#include "solver/scene/scene_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "solver/base/error.hpp"
+#include "solver/scene/bag_walls.hpp"
+#include "solver/scene/reference_geometry.hpp"
+
+namespace corpuscle {
+namespace {
+
+/// Velocities at the start that joints do not allow are made to agree in this share of the run, as
+/// by a blow; and what of kinetic energy may go unsaid.
+constexpr double BLOW = 1e-6, AGREE = 1e-9;
+
+bool is_rigid(const Model& model, Index part) {
+    return std::holds_alternative<fabric::RigidCard>(
+        model.materials[model.parts[part].material].card);
+}
+
+bool is_null(const Model& model, Index part) {
+    return std::holds_alternative<fabric::NullCard>(
+        model.materials[model.parts[part].material].card);
+}
+
+/// Shells that are strained: neither rigid nor of null material, and with a node that is free to
+/// move.
+std::vector<std::uint8_t> strained_shells(const Model& model, const Constraints& supports) {
+    std::vector<std::uint8_t> active(model.shells.size(), 0);
+    for (std::size_t s = 0; s < active.size(); ++s) {
+        const Shell& shell = model.shells[s];
+        if (is_rigid(model, shell.part) || is_null(model, shell.part)) continue;
+        active[s] = std::any_of(shell.nodes.begin(), shell.nodes.end(),
+                                [&](Index n) { return supports.held()[n] != 7; });
+    }
+    return active;
+}
+
+}  // namespace
+
+SceneState::SceneState(Model of, std::uint64_t draw)
+    : model(std::move(of)), seed(draw), supports(model), ties(model), loads(model) {
+    part_coinciding_cloth();
+    const std::size_t count = model.x.size();
+    if (model.velocity.empty()) model.velocity.assign(count, Vec3::Zero());
+    nodes = {model.x, model.x, model.velocity, Points(count, Vec3::Zero()), {}};
+    v.before = v.mid = nodes.v;
+
+    build_cloth();
+    build_bodies();
+    check_ties();
+    if (cloth.active_shells > 0) cloth.growth = GrowthMonitor(fabric_nodes(), fabric_sizes());
+    build_bags();
+    build_contacts();
+    build_walls();
+    if (!loads.empty()) forces.loads.f.assign(count, Vec3::Zero());
+    if (model.mass_damping != 0.0 || model.mass_damping_curve >= 0)
+        forces.damping.f.assign(count, Vec3::Zero());
+    ledger.before.kinetic = ledger.after.kinetic = kinetic_energy();
+}
+
+void SceneState::build_cloth() {
+    cloth.active = strained_shells(model, supports);
+    cloth.reference = reference_corners(model);
+    cloth.births = reference_births(model);
+    cloth.next_birth = next_birth(0.0, cloth.births);
+    check_births(model, cloth.births);
+    fabric::MembraneSetup setup{model.shells, model.parts,    model.materials, cloth.reference,
+                                cloth.active, model.x.size(), model.curves,    model.x};
+    nodes.mass = fabric::lumped_mass(setup);
+    cloth.shell_mass = fabric::shell_mass(setup);
+    loads.share_mass(model, cloth.shell_mass);
+    cloth.active_shells =
+        static_cast<std::size_t>(std::count(cloth.active.begin(), cloth.active.end(), 1));
+    if (cloth.active_shells > 0) cloth.membranes = membranes_at(0.0);
+    if (cloth.membranes)
+        for (const auto& [part, inner, sewn] : cloth.membranes->coat().parts())
+            if (sewn > 0)
+                model.warnings.push_back(fmt::format(
+                    "part {}: its coat bends at {} of {} inner nodes; at the others the reference "
+                    "shape has a seam, or is bent by more than {:.2g} degrees along an edge",
+                    model.parts[part].id, inner - sewn, inner,
+                    fabric::CoatBending::SEAM * 180.0 / std::numbers::pi));
+    using Scaling = fabric::Membranes::Scaling;
+    if (cloth.membranes && model.step_mass_scaled != 0.0) {
+        const auto added = cloth.membranes->scale_mass(
+            std::abs(model.step_mass_scaled),
+            model.step_mass_scaled < 0.0 ? Scaling::WHERE_NEEDED : Scaling::EVERYWHERE);
+        for (std::size_t n = 0; n < nodes.size(); ++n) nodes.mass[n] += added.node[n];
+        cloth.added_mass = added.total;
+    }
+    if (ties.empty()) return;
+    ties.share_mass(nodes.mass);
+    ties.hold(nodes.v);
+}
+
+void SceneState::build_bodies() {
+    std::vector<std::string> faults;
+    for (std::size_t p = 0; p < model.parts.size(); ++p) {
+        const auto part = static_cast<Index>(p);
+        const bool used =
+            std::any_of(model.shells.begin(), model.shells.end(),
+                        [&](const Shell& s) { return s.part == part; }) ||
+            std::any_of(model.rigid_extra_nodes.begin(), model.rigid_extra_nodes.end(),
+                        [&](const RigidExtraNode& n) { return n.part == part; });
+        const bool is_led = std::any_of(model.rigid_merges.begin(), model.rigid_merges.end(),
+                                        [&](const RigidMerge& m) { return m.part == part; });
+        if (used && !is_led && is_rigid(model, part))
+            bodies.all.emplace_back(model, part, nodes.mass);
+    }
+    std::vector<const RigidBody*> owner(nodes.size(), nullptr);
+    for (const RigidBody& body : bodies.all)
+        for (const Index n : body.nodes()) {
+            if (owner[n] != nullptr)
+                faults.push_back(fmt::format("node {} belongs to rigid parts {} and {}",
+                                             model.node_id[n], model.parts[owner[n]->part()].id,
+                                             model.parts[body.part()].id));
+            owner[n] = &body;
+            nodes.mass[n] = 0.0;  // the body has it
+        }
+    if (!faults.empty()) throw InputError(std::move(faults));
+    bodies.movers.resize(bodies.all.size());
+    if (bodies.all.empty()) return;
+    bodies.of_node.assign(nodes.size(), -1);
+    for (std::size_t b = 0; b < bodies.all.size(); ++b)
+        for (const Index n : bodies.all[b].nodes()) bodies.of_node[n] = static_cast<Index>(b);
+    if (!model.rigid_joints.empty()) join_bodies();
+}
+
+/// Velocities at the start that joints do not allow are made to agree.
+void SceneState::join_bodies() {
+    bodies.joints.emplace(model, bodies.all);
+    const double before = kinetic_energy(), blow = BLOW * model.end_time;
+    for (std::size_t b = 0; b < bodies.all.size(); ++b) {
+        bodies.movers[b] = bodies.all[b].mover();
+        bodies.all[b].foresee(blow);
+    }
+    bodies.joints->hold(0.0, blow, 0.0, RigidJoints::After::CONTACT, bodies.all, bodies.movers,
+                        nodes);
+    for (RigidBody& body : bodies.all) body.foresee(0.0);  // they have not moved
+    impulses.joints = impulses.turnings = ImpulseBook(bodies.joints->take_given().size());
+    if (const double taken = before - kinetic_energy(); taken > AGREE * before)
+        model.warnings.push_back(fmt::format(
+            "velocities at the start pull joints of rigid parts apart: they are made to agree, "
+            "which takes {:.3g} of {:.3g} of kinetic energy",
+            taken, before));
+}
+
+/// Nodes of rigid bodies ride on these alone.
+void SceneState::check_ties() {
+    for (const TiedNode& tie : ties.all())
+        if (!bodies.of_node.empty() && bodies.of_node[tie.node] >= 0)
+            throw InputError(fmt::format(
+                "node {} is tied to nodes {} and {} and of a rigid part, expected one of the two",
+                model.node_id[tie.node], model.node_id[tie.ends[0]], model.node_id[tie.ends[1]]));
+    if (!ties.empty()) met_mass = ties.met_mass(nodes.mass);
+}
+
+/// 1 for nodes that supports, motions, rigid bodies or other nodes carry in every direction.
+std::vector<std::uint8_t> SceneState::held_nodes() const {
+    std::vector<std::uint8_t> held(model.x.size(), 0);
+    for (std::size_t n = 0; n < held.size(); ++n) held[n] = supports.held()[n] == 7;
+    for (const RigidBody& body : bodies.all)
+        for (const Index node : body.nodes()) held[node] = 1;
+    for (const TiedNode& tie : ties.all()) held[tie.node] = 1;
+    return held;
+}
+
+void SceneState::build_bags() {
+    std::vector<std::string> faults;
+    const auto build = [&](auto& bags, auto&&... how) {
+        try {
+            const auto& found = bags.emplace_back(how...).warnings();
+            model.warnings.insert(model.warnings.end(), found.begin(), found.end());
+        } catch (const InputError& error) {
+            faults.insert(faults.end(), error.faults.begin(), error.faults.end());
+        }
+    };
+    for (const gas::BagCard& card : model.bags)
+        build(airbags.particle, card, bag_walls(model, card, cloth.reference), model.curves,
+              model.node_id, held_nodes(), model.x, seed);
+    for (const gas::UniformBagCard& card : model.uniform_bags)
+        build(airbags.uniform, card, bag_walls(model, card), model.curves, model.node_id, model.x);
+    for (const gas::ExchangeCard& card : model.exchanges)
+        airbags.exchanges.emplace_back(card, model.curves);
+    if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+std::size_t SceneState::particles() const {
+    std::size_t count = 0;
+    for (const gas::BagGas& bag : airbags.particle) count += bag.particles().size();
+    return count;
+}
+
+}  // namespace corpuscle

@@ -1,0 +1,19 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "solver/scene/scene_state.hpp"
+
+/// What stops a run: PhysicsError with the time, the first or worst offender, and the reason.
+namespace corpuscle {
+
+/// For a shell whose strain is not finite.
+[[noreturn]] void stop_for_strain(const SceneState& scene, Index shell);
+/// Where the kinetic energy after the kick is not finite.
+void check_finite(const SceneState& scene);
+/// Where an account of the energy balance is not finite.
+void check_accounts(const SceneState& scene);
+/// Where the step has become too long for the fabric. Once in a step, with its forces.
+void check_growth(SceneState& scene, double span);
+
+}  // namespace corpuscle
