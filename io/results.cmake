@@ -18,9 +18,11 @@ target_sources(corpuscle_io PRIVATE
     results/ascii_tables.cpp
     results/checkpoint.cpp
     results/hdf5.cpp
+    results/hdf5_reader.cpp
     results/hdf5_walk.cpp
     results/history_table.cpp
     results/results_file.cpp
+    results/results_content.cpp
     results/rigid_history.cpp
     results/xdmf.cpp
     system/atomic_file.cpp

@@ -163,20 +163,8 @@ std::string headform(const NewDeck& bag, const Units& units) {
                units.t(1e-4));
 }
 
-}  // namespace
-
-std::string new_study(const NewDeck& bag, const std::string& deck) {
-    return fmt::format(
-        "# How hard the bag holds a head up, by its speed.\n"
-        "#   corpuscle study THIS_FILE; corpuscle report THIS_FILE's folder\n"
-        "deck = \"{}\"\nplan = \"full\"\nworkers = 1\n"
-        "responses = [\"{}.peak_force\", \"max:/history/airbag/1/pressure\"]\n\n"
-        "[factors]\n# THINK\nSPEED = [3.0, 5.0]\n",
-        deck, bag.head);
-}
-
-std::string new_deck(const NewDeck& bag) {
-    const Units units = bag.is_mm ? Units{1e-3, 1e-3} : Units{1.0, 1.0};
+/// Title, parameters, control, output.
+std::string head_of(const NewDeck& bag, const Units& units) {
     const double full = std::max(bag.volume * std::pow(units.length, 3.0),
                                  FULL * std::pow(bag.area * units.length * units.length, 1.5));
     const double mass = gas_mass(full, bag.volume * std::pow(units.length, 3.0));
@@ -185,7 +173,7 @@ std::string new_deck(const NewDeck& bag) {
     const double thickness = 0.33e-3 / units.length;
     const std::string length = bag.is_mm ? "mm" : "m", time = bag.is_mm ? "ms" : "s",
                       pressure = bag.is_mm ? "GPa" : "Pa";
-    std::string text = fmt::format(
+    return fmt::format(
         "*KEYWORD\n*TITLE\n{}\n"
         "$ A starting deck. Units: kg, {}, {}, K. What is marked THINK is a guess for this mesh.\n"
         "$ corpuscle check DECK.k says what it makes of them; -D NAME=VALUE changes one.\n"
@@ -206,7 +194,11 @@ std::string new_deck(const NewDeck& bag) {
         bag.title.substr(0, 70), length, time, time, units.t(0.04), particles, 1e3 * full, mass,
         T_GAS, length, pressure, thickness, units.p(3.5e8), bag.mesh, units.t(1e-4), units.t(1e-4),
         units.t(1e-3));
-    text += parts_and_cloth(bag, units) + part_sets(bag);
+}
+
+/// What holds the bag.
+std::string supports(const NewDeck& bag) {
+    std::string text;
     const auto stands = [&](bool is_there, const char* what, int set) {
         if (!is_there) return std::string();
         return fmt::format(
@@ -227,6 +219,12 @@ std::string new_deck(const NewDeck& bag) {
     }
     if (!bag.has_module && !bag.has_clamps && bag.held.empty())
         text += "$ THINK: nothing holds this bag. *SET_NODE_LIST and *BOUNDARY_SPC_SET do.\n";
+    return text;
+}
+
+/// The bag touches itself; what its card of the gas begins with.
+std::string contact_and_airbag(const NewDeck& bag, const Units& units) {
+    std::string text;
     text += fmt::format(
         "*CONTACT_AIRBAG_SINGLE_SURFACE_ID\n$#     cid     title\n         1fabric on fabric\n"
         "$#   surfa     surfb  surfatyp  surfbtyp\n         1         0         2         0\n"
@@ -250,7 +248,12 @@ std::string new_deck(const NewDeck& bag) {
         text +=
             "$ Vents: part set 2\n$#    sid3    stype3       c23    lctc23    lcpc23     enh_v\n"
             "         2         1      &C23         0         0         1\n";
-    text += fmt::format(
+    return text;
+}
+
+/// The gas that comes in.
+std::string inflow(const NewDeck& bag, const Units& units) {
+    return fmt::format(
         "$#    pair      tair     xmair      aair\n{:>10}     293.0   0.02897      29.1\n"
         "$ THINK: nitrogen and the like, Cp = 27 + 0.0056 T per mole\n"
         "$#     lcm       lct        xm         a         b         c      infg\n"
@@ -267,6 +270,24 @@ std::string new_deck(const NewDeck& bag) {
         "                 0.0                 1.0\n{:>20}                 1.0\n",
         units.p(ATMOSPHERE), MOLAR_MASS, CP_A, CP_B, bag.free_node, units.t(0.03), units.t(0.03),
         1.0 / (0.5 * 0.2 * 1.6 + 0.3 * 1.4 + 0.5 * 0.5 * 1.2), units.t(1.0));
+}
+
+}  // namespace
+
+std::string new_study(const NewDeck& bag, const std::string& deck) {
+    return fmt::format(
+        "# How hard the bag holds a head up, by its speed.\n"
+        "#   corpuscle study THIS_FILE; corpuscle report THIS_FILE's folder\n"
+        "deck = \"{}\"\nplan = \"full\"\nworkers = 1\n"
+        "responses = [\"{}.peak_force\", \"max:/history/airbag/1/pressure\"]\n\n"
+        "[factors]\n# THINK\nSPEED = [3.0, 5.0]\n",
+        deck, bag.head);
+}
+
+std::string new_deck(const NewDeck& bag) {
+    const Units units = bag.is_mm ? Units{1e-3, 1e-3} : Units{1.0, 1.0};
+    std::string text = head_of(bag, units) + parts_and_cloth(bag, units) + part_sets(bag) +
+                       supports(bag) + contact_and_airbag(bag, units) + inflow(bag, units);
     if (bag.head > 0) text += headform(bag, units);
     return text + "*END\n";
 }

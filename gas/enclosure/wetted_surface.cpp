@@ -40,6 +40,47 @@ double angle_between(const Vec3& axis, const Vec3& from, const Vec3& to) {
     return angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
 }
 
+/// All facets at their edges, edge by edge.
+std::vector<Fan> fans_of(const std::vector<Triangle>& triangles) {
+    std::vector<Fan> fans;
+    fans.reserve(3 * triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        for (int c = 0; c < 3; ++c) {
+            const Index a = triangles[t][c], b = triangles[t][(c + 1) % 3];
+            fans.push_back({std::min(a, b), std::max(a, b), static_cast<Index>(t), a < b});
+        }
+    std::sort(fans.begin(), fans.end(), [](const Fan& l, const Fan& r) {
+        return std::tie(l.low, l.high, l.facet) < std::tie(r.low, r.high, r.facet);
+    });
+    return fans;
+}
+
+/// Puts the facets at an edge in the order of their angles round it.
+void put_in_turn(std::vector<Fan>& ring, const std::vector<Triangle>& triangles,
+                 std::size_t closing, std::span<const Vec3> x) {
+    const auto closes = [&](const Fan& fan) {
+        return static_cast<std::size_t>(fan.facet) < closing;
+    };
+    // Begin behind the outside, if the edge is on it: its order needs no angle.
+    const auto first = std::find_if(ring.begin(), ring.end(),
+                                    [&](const Fan& fan) { return closes(fan) && !fan.runs_up; });
+    if (first != ring.end()) std::iter_swap(ring.begin(), first);
+    const auto last = std::find_if(ring.begin() + 1, ring.end(), closes);
+    const bool is_rim = first != ring.end() && last != ring.end();
+    if (is_rim) std::iter_swap(ring.end() - 1, last);
+    const Vec3 axis = x[ring[0].high] - x[ring[0].low];
+    const auto plane = [&](const Fan& fan) {
+        const Triangle& t = triangles[fan.facet];
+        const Index tip = t[0] + t[1] + t[2] - fan.low - fan.high;
+        const Vec3 d = x[tip] - x[fan.low];
+        return Vec3(axis.squaredNorm() * d - d.dot(axis) * axis);
+    };
+    const Vec3 from = plane(ring[0]);
+    std::sort(ring.begin() + 1, ring.end() - (is_rim ? 1 : 0), [&](const Fan& l, const Fan& r) {
+        return angle_between(axis, from, plane(l)) < angle_between(axis, from, plane(r));
+    });
+}
+
 /// Numbers sets in the order of their lowest rows; returns how many there are.
 std::size_t number_sets(std::vector<Index>& parent, std::vector<Index>& number) {
     number.assign(parent.size(), -1);
@@ -50,18 +91,6 @@ std::size_t number_sets(std::vector<Index>& parent, std::vector<Index>& number) 
         number[i] = number[root];
     }
     return count;
-}
-
-/// Of a closed surface as a point sees it [van Oosterom & Strackee 1983, Eq. 8]: 4 pi inside.
-double solid_angle(std::span<const Triangle> wall, const Vec3& point, std::span<const Vec3> x) {
-    double angle = 0.0;
-    for (const Triangle& t : wall) {
-        const Vec3 a = x[t[0]] - point, b = x[t[1]] - point, c = x[t[2]] - point;
-        const double la = a.norm(), lb = b.norm(), lc = c.norm();
-        angle += 2.0 * std::atan2(a.dot(b.cross(c)),
-                                  la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-    }
-    return angle;
 }
 
 /// Rows by number, compressed: start has count + 1 entries.
@@ -99,17 +128,7 @@ Triangle WettedSurface::turned(std::size_t side) const {
 /// right hand, its back the other way; of one that runs down they are exchanged. Facets that follow
 /// each other in that turn enclose a wedge.
 void WettedSurface::join_sides(std::span<const Vec3> x) {
-    std::vector<Fan> fans;
-    fans.reserve(3 * triangles_.size());
-    for (std::size_t t = 0; t < triangles_.size(); ++t)
-        for (int c = 0; c < 3; ++c) {
-            const Index a = triangles_[t][c], b = triangles_[t][(c + 1) % 3];
-            fans.push_back({std::min(a, b), std::max(a, b), static_cast<Index>(t), a < b});
-        }
-    std::sort(fans.begin(), fans.end(), [](const Fan& l, const Fan& r) {
-        return std::tie(l.low, l.high, l.facet) < std::tie(r.low, r.high, r.facet);
-    });
-
+    const std::vector<Fan> fans = fans_of(triangles_);
     std::vector<Index> piece(sides()), corner(3 * sides());
     std::iota(piece.begin(), piece.end(), 0);
     std::iota(corner.begin(), corner.end(), 0);
@@ -142,29 +161,7 @@ void WettedSurface::join_sides(std::span<const Vec3> x) {
                (e < fans.size() && fans[e].low == ring[0].low && fans[e].high == ring[0].high);
              ++e)
             ring.push_back(fans[e]);
-        if (ring.size() > 2) {
-            // Begin behind the outside, if the edge is on it: its order needs no angle.
-            const auto first = std::find_if(ring.begin(), ring.end(), [&](const Fan& fan) {
-                return closes(fan) && facing(fan, false) < 0;
-            });
-            if (first != ring.end()) std::iter_swap(ring.begin(), first);
-            const auto last = std::find_if(ring.begin() + 1, ring.end(), closes);
-            const bool is_rim = first != ring.end() && last != ring.end();
-            if (is_rim) std::iter_swap(ring.end() - 1, last);
-            const Vec3 axis = x[ring[0].high] - x[ring[0].low];
-            const auto plane = [&](const Fan& fan) {
-                const Triangle& t = triangles_[fan.facet];
-                const Index tip = t[0] + t[1] + t[2] - fan.low - fan.high;
-                const Vec3 d = x[tip] - x[fan.low];
-                return Vec3(axis.squaredNorm() * d - d.dot(axis) * axis);
-            };
-            const Vec3 from = plane(ring[0]);
-            std::sort(ring.begin() + 1, ring.end() - (is_rim ? 1 : 0),
-                      [&](const Fan& l, const Fan& r) {
-                          return angle_between(axis, from, plane(l)) <
-                                 angle_between(axis, from, plane(r));
-                      });
-        }
+        if (ring.size() > 2) put_in_turn(ring, triangles_, closing_, x);
         for (std::size_t i = 0; i < ring.size(); ++i) join(ring[i], ring[(i + 1) % ring.size()]);
     }
     number_points(corner);
@@ -265,53 +262,6 @@ void WettedSurface::connect_points() {
         neighbour_[fill[a]++] = {b, static_cast<Index>(e)};
         neighbour_[fill[b]++] = {a, static_cast<Index>(e)};
     }
-}
-
-void WettedSurface::volumes(std::span<const Vec3> x, std::vector<double>& volume) const {
-    volume.assign(rooms_, 0.0);
-    const Vec3 origin = x[triangles_[0][0]];  // near the bag: no cancellation far from (0, 0, 0)
-    for (std::size_t r = 0; r < rooms_; ++r)
-        volume[r] = parallel::sum(sides(), 0.0, [&](std::size_t s) {
-            if (room_[s] != static_cast<Index>(r)) return 0.0;
-            const Triangle& t = triangles_[facet_[s]];
-            return sign(s) * signed_volume(x[t[0]] - origin, x[t[1]] - origin, x[t[2]] - origin);
-        });
-}
-
-std::vector<Index> WettedSurface::rooms_of(std::span<const Vec3> points,
-                                           std::span<const Vec3> x) const {
-    std::vector<Index> found(points.size(), 0);
-    if (rooms_ == 1) return found;
-    std::vector<std::vector<Triangle>> walls;
-    std::vector<InsideTest> tests;
-    for (std::size_t r = 0; r < rooms_; ++r) tests.emplace_back(walls.emplace_back(wall(r)), x);
-    parallel::for_each(points.size(), [&](std::size_t i) {
-        for (std::size_t r = 0; r < tests.size(); ++r) {
-            const auto winding = tests[r].winding(points[i]);
-            if (winding ? *winding > 0
-                        : solid_angle(walls[r], points[i], x) > 2.0 * std::numbers::pi) {
-                found[i] = static_cast<Index>(r);
-                return;
-            }
-        }
-    });
-    return found;
-}
-
-void WettedSurface::point_areas(std::span<const Vec3> x, std::span<Vec3> area) const {
-    thread_local Points kept;  // no memory is asked for in each step
-    Points& of_facet = kept;
-    of_facet.resize(triangles_.size());
-    parallel::for_each(triangles_.size(), [&](std::size_t t) {
-        const Triangle& c = triangles_[t];
-        of_facet[t] = vector_area(x[c[0]], x[c[1]], x[c[2]]);
-    });
-    parallel::for_each(points(), [&](std::size_t p) {
-        Vec3 sum = Vec3::Zero();
-        for (const Index s : around(p))
-            sum += sign(static_cast<std::size_t>(s)) * of_facet[facet_[s]];
-        area[p] = sum / 3.0;
-    });
 }
 
 }  // namespace corpuscle::gas

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "gas/flight/bounce.hpp"
 #include "gas/flight/crossing.hpp"
-#include "gas/flight/rough_wall.hpp"
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {
@@ -23,22 +23,6 @@ constexpr double SHORT_OF = 1e-7;
 
 /// More bounces than this in one step: the particle is caught between closing facets.
 constexpr int MOST_HITS = 1000;
-
-struct Meeting {
-    Index facet = -1;
-    Crossing where{};
-};
-
-/// Everything that a flight reads.
-struct Scene {
-    const FacetLists& lists;
-    const FacetBounds* bounds;  ///< nullptr: none, every facet of a cell is looked at
-    const Triangle* triangles;
-    const Vec3 *x_0, *x_1;
-    double dt;
-    const Gates* gates;  ///< nullptr: none
-    const WallFriction& friction;
-};
 
 /// A particle in flight, and what is written down about it.
 struct Flyer {
@@ -59,8 +43,8 @@ bool is_finite(const Flyer& who) {
 }
 
 /// Keeps the facet in `first` if the path crosses it earlier.
-void meet(const Scene& scene, const Path& path, Index facet, double after, const Meeting& last,
-          Meeting& first) {
+void meet(const FlightScene& scene, const Path& path, Index facet, double after,
+          const Meeting& last, Meeting& first) {
     if (facet == first.facet) return;  // entered in several cells
     const auto hit = cross(path, scene.triangles[facet], scene.x_0, scene.x_1, after,
                            facet == last.facet ? last.where.piece : -1);
@@ -68,7 +52,7 @@ void meet(const Scene& scene, const Path& path, Index facet, double after, const
 }
 
 /// As first_meeting(), of all facets in the cells on the way.
-[[gnu::noinline]] Meeting first_of_all(const Scene& scene, const Path& path, const Vec3& from,
+[[gnu::noinline]] Meeting first_of_all(const FlightScene& scene, const Path& path, const Vec3& from,
                                        double now, double after, const Meeting& last) {
     Meeting first;
     scene.lists.any_slab(from, path.at_1, [&](const Slab& slab, double, double leaves) {
@@ -81,7 +65,7 @@ void meet(const Scene& scene, const Path& path, Index facet, double after, const
 
 /// First facet that the path crosses after `after`; `last` is the meeting it has just left. The
 /// path is at `from` at the share `now` of the step.
-Meeting first_meeting(const Scene& scene, const Path& path, const Vec3& from, double now,
+Meeting first_meeting(const FlightScene& scene, const Path& path, const Vec3& from, double now,
                       double after, const Meeting& last) {
     if (!scene.bounds) return first_of_all(scene, path, from, now, after, last);
     Meeting first;
@@ -111,60 +95,9 @@ Meeting first_meeting(const Scene& scene, const Path& path, const Vec3& from, do
     return first;
 }
 
-/// Velocity of the point of the facet where it was met.
-Vec3 velocity_at(const Scene& scene, const Meeting& meeting) {
-    Vec3 velocity = Vec3::Zero();
-    for (int c = 0; c < 3; ++c) {
-        const Index n = scene.triangles[meeting.facet][c];
-        velocity += meeting.where.at[c] / scene.dt * (scene.x_1[n] - scene.x_0[n]);
-    }
-    return velocity;
-}
-
-/// Velocity after the bounce.
-Vec3 reflect(const Scene& scene, const Meeting& meeting, const Vec3& v) {
-    const Triangle& nodes = scene.triangles[meeting.facet];
-    const Vec3 wall = velocity_at(scene, meeting);
-    std::array<Vec3, 3> x;
-    for (int c = 0; c < 3; ++c)
-        x[c] =
-            scene.x_0[nodes[c]] + meeting.where.tau * (scene.x_1[nodes[c]] - scene.x_0[nodes[c]]);
-    const MovingPlane plane = plane_of(meeting.where.piece, nodes, scene.x_0, scene.x_1);
-    const double approach = plane.normal.dot(v) - plane.speed / scene.dt;
-
-    const Vec3 normal = (x[1] - x[0]).cross(x[2] - x[0]);
-    if (const double square = normal.squaredNorm(); square > 0.0) {
-        const Vec3 away = v - 2.0 * (v - wall).dot(normal) / square * normal;
-        const double after = plane.normal.dot(away) - plane.speed / scene.dt;
-        if (approach * after < 0.0) return away;
-    }
-    // Grazing, on a facet that turns or shrinks within the step: the plane of the swept piece
-    // decides.
-    return v - 2.0 * approach / plane.normal.squaredNorm() * plane.normal;
-}
-
-/// Does the velocity lead away from the swept facet, as `v` leads towards it?
-bool leads_away(const Scene& scene, const Meeting& meeting, const Vec3& v, const Vec3& away) {
-    const MovingPlane plane =
-        plane_of(meeting.where.piece, scene.triangles[meeting.facet], scene.x_0, scene.x_1);
-    const double speed = plane.speed / scene.dt;
-    return (plane.normal.dot(v) - speed) * (plane.normal.dot(away) - speed) < 0.0;
-}
-
-/// Specular, but for friction; never through the facet, not even where it turns within the step.
-Bounce bounce(const Scene& scene, const Meeting& meeting, double mass, const Vec3& v) {
-    Bounce mirrored{reflect(scene, meeting, v)};
-    mirrored.impulse = mass * (v - mirrored.away);
-    const double f = scene.friction.on(meeting.facet);
-    if (f == 0.0) return mirrored;
-    const Bounce rough = bounce_off_rough(f, scene.friction.pushes_along, mass, v, mirrored.away,
-                                          velocity_at(scene, meeting));
-    return leads_away(scene, meeting, v, rough.away) ? rough : mirrored;
-}
-
 /// Flies a particle to the end of the step; or until it is caught between facets, or gone through a
 /// gate: then x is where it was at first.
-End fly_one(const Scene& scene, double born, Flyer& who) {
+End fly_one(const FlightScene& scene, double born, Flyer& who) {
     if (!is_finite(who)) return End::BROKEN;
     Vec3 from = who.x;
     double now = born;
@@ -214,7 +147,8 @@ End fly_one(const Scene& scene, double born, Flyer& who) {
 /// from the facets themselves by a quarter of what their nodes move against one another: where
 /// layers are closer than that, swept pieces can cut each other and shut a particle in. In parts
 /// they stray by 1/parts² of that, and at the step's ends nothing changes for others.
-End fly_in_parts(const Scene& scene, int parts, double born, Points& y_0, Points& y_1, Flyer& who) {
+End fly_in_parts(const FlightScene& scene, int parts, double born, Points& y_0, Points& y_1,
+                 Flyer& who) {
     const auto place = [&](int part, Points& y) {
         const double tau = static_cast<double>(part) / parts;
         for (const Index n : scene.lists.nodes())
@@ -228,8 +162,8 @@ End fly_in_parts(const Scene& scene, int parts, double born, Points& y_0, Points
     for (int part = first; part < parts && end == End::FLOWN; ++part) {
         y_0.swap(y_1);
         place(part + 1, y_1);
-        const Scene within{scene.lists, nullptr,          scene.triangles, y_0.data(),
-                           y_1.data(),  scene.dt / parts, scene.gates,     scene.friction};
+        const FlightScene within{scene.lists, nullptr,          scene.triangles, y_0.data(),
+                                 y_1.data(),  scene.dt / parts, scene.gates,     scene.friction};
         const double late = part == first ? std::max(0.0, born * parts - first) : 0.0;
         end = fly_one(within, late, who);
     }
@@ -237,7 +171,7 @@ End fly_in_parts(const Scene& scene, int parts, double born, Points& y_0, Points
 }
 
 /// Flies a particle that was caught, in more and more parts. What failed leaves no trace.
-End fly_caught(const Scene& scene, double born, Flyer& who) {
+End fly_caught(const FlightScene& scene, double born, Flyer& who) {
     const auto nodes = static_cast<std::size_t>(scene.lists.nodes().back()) + 1;
     Points y_0(nodes), y_1(nodes);
     const std::size_t hits = who.hits.size(), arrivals = who.arrivals.size();
@@ -291,8 +225,9 @@ void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec
          std::span<const double> mass, std::span<const double> born, Particles& gas,
          FlightResult& result, const Gates* gates, const WallFriction& friction) {
     result.bounds.update(lists, x_0, x_1);
-    const Scene scene{lists, &result.bounds, lists.triangles().data(), x_0.data(), x_1.data(), dt,
-                      gates, friction};
+    const FlightScene scene{lists,      &result.bounds, lists.triangles().data(),
+                            x_0.data(), x_1.data(),     dt,
+                            gates,      friction};
     const std::size_t chunks = parallel::chunk_count(gas.size(), PARTICLES_A_CHUNK);
     clear(result.hits, chunks + 1);
     clear(result.arrivals, chunks + 1);

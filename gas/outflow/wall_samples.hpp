@@ -140,6 +140,10 @@ private:
     void list_sides();
     void remember(Sample& sample, double dt, const Inside& room);
     void find_spread(std::span<const Inside> rooms);
+    [[nodiscard]] double temperature(std::size_t sample, const Inside& room, double weight) const;
+    void mix(const Memory& q, const Inside& room, double own, double pressure, double T,
+             Inside& out) const;
+    void stagnate(const Memory& q, const Inside& out, double& pressure, double& T) const;
 
     std::shared_ptr<const WettedSurface> surface_;
     std::vector<Species> species_;

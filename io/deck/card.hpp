@@ -25,6 +25,9 @@
 /// calls harmless is one that nothing acts on: set, it is a fault that says so.
 namespace corpuscle::io {
 
+/// Columns beyond are remarks.
+inline constexpr std::size_t CARD_END = 80, LONG_CARD_END = 160;
+
 /// How wide the columns of fixed cards are: as in the manual, ids of 10 instead of 8, all 20.
 enum class Columns : std::uint8_t { STANDARD, I10, LONG };
 

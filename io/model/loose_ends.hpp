@@ -25,4 +25,7 @@ void make_beam_bodies(Draft& draft, Faults& faults);
 /// fault where gravity pulls a part of a merged body. After all keywords.
 void settle_loose_ends(Draft& draft, Faults& faults);
 
+/// Where the deck defines a part.
+[[nodiscard]] Place place_of(const Draft& draft, Index part);
+
 }  // namespace corpuscle::io

@@ -1,12 +1,9 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
-#include <future>
 #include <optional>
 
 #include <fmt/format.h>
@@ -20,9 +17,10 @@
 #include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/simulation.hpp"
-#include "tools/body_tracker.hpp"
 #include "tools/check/bad_starts.hpp"
+#include "tools/commands/checkpoint_writer.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/run_recorder.hpp"
 #include "tools/run_folder.hpp"
 #include "tools/summary.hpp"
 #include "tools/version.hpp"
@@ -32,144 +30,11 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-/// Times k · interval at which something is due, each met by the first step that reaches it.
-class Schedule {
-public:
-    explicit Schedule(double interval) : interval_(interval) {}
-
-    template <class Archive>
-    void visit_state(Archive& archive) {
-        archive(next_, count_);
-    }
-    /// Is one due at t? Marks it as met.
-    bool meets(double t) {
-        if (std::isnan(interval_) || t < next_ * (1.0 - ROUNDING)) return false;
-        const double gone = t / interval_;
-        if (gone * ROUNDING > 1.0) {  // an interval that t does not resolve: every step
-            next_ = t;
-            return true;
-        }
-        count_ = std::max(count_, std::floor(gone) - 1.0);
-        while (next_ * (1.0 - ROUNDING) <= t) next_ = ++count_ * interval_;
-        return true;
-    }
-
-private:
-    static constexpr double ROUNDING = 1e-12;  ///< of times, which are sums of many steps
-
-    double interval_;
-    double next_ = 0.0;
-    double count_ = 0.0;
-};
-
-double history_interval(const Model& model) {
-    if (!std::isnan(model.output.abstat)) return model.output.abstat;
-    if (!std::isnan(model.output.abstat_cpm)) return model.output.abstat_cpm;
-    if (!std::isnan(model.output.glstat)) return model.output.glstat;
-    return model.end_time / 1000.0;
-}
-
 std::string folder_of(const RunArguments& arguments) {
     if (!arguments.folder.empty()) return arguments.folder;
     return std::filesystem::path(arguments.deck.file).filename().replace_extension("").string() +
            ".out";
 }
-
-/// Takes samples and frames when they are due, and hands them to the files.
-class Recorder {
-public:
-    Recorder(const Simulation& simulation, io::ResultsFile& results, io::AsciiFiles& ascii)
-        : results_(results),
-          ascii_(ascii),
-          bodies_(simulation, results),
-          histories_(history_interval(simulation.model())),
-          frames_(std::isnan(simulation.model().output.frames) ? INF
-                                                               : simulation.model().output.frames) {
-    }
-
-    /// `at_end`: the last state of a run. It and the first are always taken.
-    void observe(Simulation& simulation, bool at_end) {
-        const double t = simulation.time();
-        bodies_.observe(simulation, at_end);
-        const bool history = histories_.meets(t), ascii = ascii_.due(t), frame = frames_.meets(t);
-        if (history || ascii || at_end) {
-            const Sample sample = simulation.sample();
-            if (history || at_end) results_.append(sample);
-            if (ascii || at_end) ascii_.append(sample);
-            if (std::isnan(start_kinetic_)) start_kinetic_ = sample.energy.kinetic;
-            residual = sample.energy.residual;
-            brought = brought_in(sample.energy, start_kinetic_);
-            worst_residual = std::max(worst_residual, std::abs(residual));
-        }
-        if (frame || at_end) results_.write(simulation.frame());
-    }
-
-    template <class Archive>
-    void visit_state(Archive& archive) {
-        archive(residual, brought, worst_residual, start_kinetic_, bodies_, histories_, frames_);
-    }
-
-    double residual = 0.0, brought = 0.0, worst_residual = 0.0;  ///< [J]
-
-private:
-    io::ResultsFile& results_;
-    io::AsciiFiles& ascii_;
-    double start_kinetic_ = NaN;  ///< [J]
-    BodyTracker bodies_;
-    Schedule histories_, frames_;
-};
-
-/// Keeps the run's checkpoint: after every so many steps if the deck says so (D3DUMP), else by the
-/// clock.
-class Keeper {
-public:
-    Keeper(const std::string& folder, const Simulation& simulation, io::ResultsFile& results,
-           io::AsciiFiles& ascii, Recorder& recorder)
-        : folder_(folder),
-          steps_(simulation.model().output.checkpoint_steps),
-          scene_(simulation.fingerprint()),
-          results_(results),
-          ascii_(ascii),
-          recorder_(recorder) {}
-
-    [[nodiscard]] bool is_due(std::int64_t step) const {
-        if (!std::isnan(steps_)) return std::fmod(static_cast<double>(step), steps_) == 0.0;
-        return Clock::now() - written_at_ >= std::max<Clock::duration>(PATIENCE, PER_COST * cost_);
-    }
-    void write(Simulation& simulation) {
-        finish();
-        const auto begin = Clock::now();
-        StateWriter state;
-        state(simulation, results_, ascii_, recorder_);
-        written_ = std::async(
-            std::launch::async,
-            [folder = folder_,
-             made = io::Checkpoint{scene_, simulation.time(), simulation.steps(), state.take()}] {
-                io::write_checkpoint(folder, made);
-            });
-        written_at_ = Clock::now();
-        cost_ = written_at_ - begin;
-    }
-    /// Waits until the last one is on the disk.
-    void finish() {
-        if (written_.valid()) written_.get();
-    }
-
-private:
-    using Clock = std::chrono::steady_clock;
-    static constexpr auto PATIENCE = std::chrono::seconds(2);
-    static constexpr int PER_COST = 50;  ///< 2 % of the run at most
-
-    std::string folder_;
-    double steps_;
-    std::uint64_t scene_;
-    io::ResultsFile& results_;
-    io::AsciiFiles& ascii_;
-    Recorder& recorder_;
-    Clock::time_point written_at_ = Clock::now();
-    Clock::duration cost_{};
-    std::future<void> written_;  ///< by a thread of its own, while the run goes on
-};
 
 /// Stops a run that would never reach its end, for its steps have become next to nothing.
 class StepWatch {
@@ -195,7 +60,7 @@ private:
     int tiny_ = 0;  ///< steps on end that were shorter
 };
 
-void advance_to_end(Simulation& simulation, Recorder& recorder, Keeper& keeper,
+void advance_to_end(Simulation& simulation, RunRecorder& recorder, CheckpointWriter& checkpoints,
                     io::Progress& progress) {
     const auto observe = [&](Simulation& at_t) { recorder.observe(at_t, false); };
     StepWatch watch(simulation.model().end_time);
@@ -209,12 +74,12 @@ void advance_to_end(Simulation& simulation, Recorder& recorder, Keeper& keeper,
             recorder.brought > 0.0 ? std::abs(recorder.residual) / recorder.brought : 0.0;
         progress.step(simulation.time(), step.dt, step.limit.text(), simulation.particles(), share,
                       simulation.steps());
-        if (interrupted || keeper.is_due(simulation.steps())) keeper.write(simulation);
+        if (interrupted || checkpoints.is_due(simulation.steps())) checkpoints.write(simulation);
         if (!interrupted) continue;
-        keeper.finish();
+        checkpoints.finish();
         throw SystemError("interrupted; --restart goes on from here");
     }
-    keeper.finish();
+    checkpoints.finish();
     simulation.close([&](Simulation& at_end) { recorder.observe(at_end, true); });
 }
 
@@ -233,6 +98,19 @@ void leave(Simulation& simulation, io::ResultsFile& results, const char* why) {
             results.settle();
         });
     attempt([&] { results.finish(fmt::format("error: {}", why)); });
+}
+
+/// Results whole, and the run's numbers beside them.
+void finish(const Simulation& simulation, io::ResultsFile& results, const Summary& summary,
+            const std::string& folder) {
+    try {
+        summary.write(simulation, folder);  // first: nobody goes on once results are finished
+        results.finish("normal");
+    } catch (const SystemError&) {
+        fmt::print(stderr, "results so far: {}/results.h5, results.parts; --restart ends it\n",
+                   folder);
+        throw;
+    }
 }
 
 /// The checkpoint that a restart goes on from; none: from the beginning.
@@ -301,33 +179,26 @@ int run(const RunArguments& arguments) {
         from ? io::ResultsFile(folder, info, layout, state) : io::ResultsFile(folder, info, layout);
     io::AsciiFiles ascii = from ? io::AsciiFiles(folder, layout, model.output, model.title, state)
                                 : io::AsciiFiles(folder, layout, model.output, model.title);
-    Recorder recorder(simulation, results, ascii);
+    RunRecorder recorder(simulation, results, ascii);
     if (from) state(recorder);
     if (!state.is_at_end()) throw SystemError("the checkpoint holds more than the scene asks for");
     from.reset();
 
     io::Progress progress(model.end_time, arguments.quiet);
-    Keeper keeper(folder, simulation, results, ascii, recorder);
+    CheckpointWriter checkpoints(folder, simulation, results, ascii, recorder);
     std::signal(SIGINT, [](int) { interrupted = 1; });
     std::signal(SIGTERM, [](int) { interrupted = 1; });
 
     const Summary summary;
     try {
-        advance_to_end(simulation, recorder, keeper, progress);
+        advance_to_end(simulation, recorder, checkpoints, progress);
     } catch (const std::exception& error) {
         leave(simulation, results, error.what());
         progress.finish();
         fmt::print(stderr, "results so far: {}/results.h5\n", folder);
         throw;
     }
-    try {
-        summary.write(simulation, folder);  // first: nobody goes on once results are finished
-        results.finish("normal");
-    } catch (const SystemError&) {
-        fmt::print(stderr, "results so far: {}/results.h5, results.parts; --restart ends it\n",
-                   folder);
-        throw;
-    }
+    finish(simulation, results, summary, folder);
     io::remove_checkpoint(folder);
     progress.finish();
     if (!arguments.quiet) {

@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -16,61 +14,13 @@
 #include "io/text/json.hpp"
 #include "tools/report/labels.hpp"
 #include "tools/report/pack.hpp"
+#include "tools/report/picture.hpp"
 
 namespace corpuscle::report {
 namespace {
 
 namespace fs = std::filesystem;
 using io::json;
-using Lines = std::vector<double>;
-
-/// A frame as it is drawn.
-struct Picture {
-    Lines x;                          ///< N × 3
-    Lines pressure, stress, contact;  ///< contact pressure; empty: the run has no contact
-    Lines particles;                  ///< P × 3
-    std::vector<std::int32_t> species;
-    Lines speed, temperature;  // the latter empty: results of before 0.2
-};
-
-/// Every n-th, so that no more than `most` are left.
-std::size_t stride(std::size_t count, std::size_t most) {
-    return count <= most ? 1 : (count + most - 1) / most;
-}
-
-/// Larger principal membrane stress of warp, weft, shear.
-double principal(const double* s) {
-    return 0.5 * (s[0] + s[1]) + std::hypot(0.5 * (s[0] - s[1]), s[2]);
-}
-
-Picture read_picture(const io::Hdf5Reader& file, const std::string& at) {
-    Picture picture;
-    picture.x = file.read<double>(at + "coordinates");
-    picture.pressure = file.read<double>(at + "shell_pressure");
-    if (file.has(at + "shell_contact_pressure"))
-        picture.contact = file.read<double>(at + "shell_contact_pressure");
-    const Lines stress = file.read<double>(at + "shell_stress");
-    for (std::size_t k = 0; k + 2 < stress.size(); k += 3)
-        picture.stress.push_back(principal(&stress[k]));
-    if (!file.has(at + "particles")) return picture;
-    // by id, so that a particle that is shown once is always shown
-    const auto id = file.read<std::int64_t>(at + "particles/id");
-    const auto species = file.read<std::int32_t>(at + "particles/species");
-    const Lines x = file.read<double>(at + "particles/position");
-    const Lines v = file.read<double>(at + "particles/velocity");
-    const Lines T = file.has(at + "particles/temperature")
-                        ? file.read<double>(at + "particles/temperature")
-                        : Lines();
-    const auto every = static_cast<std::int64_t>(stride(id.size(), MOST_PARTICLES));
-    for (std::size_t p = 0; p < id.size(); ++p) {
-        if (id[p] % every != 0) continue;
-        picture.species.push_back(species[p]);
-        picture.speed.push_back(std::hypot(v[3 * p], v[3 * p + 1], v[3 * p + 2]));
-        if (!T.empty()) picture.temperature.push_back(T[p]);
-        picture.particles.insert(picture.particles.end(), &x[3 * p], &x[3 * p] + 3);
-    }
-    return picture;
-}
 
 class Packer {
 public:
@@ -148,74 +98,64 @@ private:
         for (std::size_t f = 0; f < all.size(); ++f)
             if (f % every == 0 || f + 1 == all.size()) shown.push_back(f);
         const std::vector<std::string> names = frame_names();
-        std::array<Range, 3> box;
-        Range pressure, stress, contact, speed, temperature;
-        const auto measure = [&](const Lines& x) {
-            for (std::size_t k = 0; k < x.size(); ++k) box[k % 3].take(x[k]);
-        };
-        for (const std::size_t f : shown) {
-            const Picture picture = read_picture(file_, names.at(f));
-            measure(picture.x);
-            measure(picture.particles);
-            for (const double value : picture.pressure) pressure.take(value);
-            for (const double value : picture.stress) stress.take(value);
-            for (const double value : picture.contact) contact.take(value);
-            for (const double value : picture.speed) speed.take(value);
-            for (const double value : picture.temperature) temperature.take(value);
-        }
-        const auto quantised = [&](const Lines& x) {
-            std::vector<std::uint16_t> out(x.size());
-            for (std::size_t k = 0; k < x.size(); ++k) out[k] = box[k % 3].in_16_bits(x[k]);
-            return out;
-        };
-        const auto in_bytes = [](const Lines& values, const Range& range) {
-            std::vector<std::uint8_t> out;
-            for (const double value : values) out.push_back(range.in_8_bits(value));
-            return out;
-        };
+        PictureRanges ranges;
+        for (const std::size_t f : shown) ranges.take(read_picture(file_, names.at(f)));
         std::vector<std::uint16_t> before;
         std::vector<std::string> entries;
-        for (const std::size_t f : shown) {
-            const Picture picture = read_picture(file_, names.at(f));
-            const std::vector<std::uint16_t> x = quantised(picture.x);
-            const std::vector<std::uint8_t> species(picture.species.begin(), picture.species.end());
-            Blob blob;
-            std::string entry = fmt::format("\"t\":{},\"x\":{},\"pressure\":{},\"stress\":{}",
-                                            json(unit(io::Quantity::TIME).factor * all[f]),
-                                            blob.add(change(x, before)),
-                                            blob.add(in_bytes(picture.pressure, pressure)),
-                                            blob.add(in_bytes(picture.stress, stress)));
-            if (!contact.is_empty)
-                entry +=
-                    fmt::format(",\"contact\":{}", blob.add(in_bytes(picture.contact, contact)));
-            entry += fmt::format(",\"count\":{},\"particles\":{},\"species\":{},\"speed\":{}",
-                                 species.size(), blob.add(quantised(picture.particles)),
-                                 blob.add(species), blob.add(in_bytes(picture.speed, speed)));
-            if (!temperature.is_empty)
-                entry += fmt::format(",\"temperature\":{}",
-                                     blob.add(in_bytes(picture.temperature, temperature)));
-            entries.push_back("{" + entry + "}");
-            frames_.push_back(blob.bytes());
-            before = x;
-        }
+        for (const std::size_t f : shown)
+            entries.push_back(frame(read_picture(file_, names.at(f)), all[f], ranges, before));
         member("frames", fmt::format("[{}]", fmt::join(entries, ",\n")));
         member("frames_in_file", fmt::format("{}", all.size()));
+        say(ranges);
+        units();
+    }
+
+    /// Packs one frame; returns its entry.
+    /// @param before  places in the frame before; then those of this one
+    std::string frame(const Picture& picture, double t, const PictureRanges& ranges,
+                      std::vector<std::uint16_t>& before) {
+        const std::vector<std::uint16_t> x = ranges.quantised(picture.x);
+        const std::vector<std::uint8_t> species(picture.species.begin(), picture.species.end());
+        Blob blob;
+        std::string entry =
+            fmt::format("\"t\":{},\"x\":{},\"pressure\":{},\"stress\":{}",
+                        json(unit(io::Quantity::TIME).factor * t), blob.add(change(x, before)),
+                        blob.add(in_bytes(picture.pressure, ranges.pressure)),
+                        blob.add(in_bytes(picture.stress, ranges.stress)));
+        if (!ranges.contact.is_empty)
+            entry +=
+                fmt::format(",\"contact\":{}", blob.add(in_bytes(picture.contact, ranges.contact)));
+        entry += fmt::format(",\"count\":{},\"particles\":{},\"species\":{},\"speed\":{}",
+                             species.size(), blob.add(ranges.quantised(picture.particles)),
+                             blob.add(species), blob.add(in_bytes(picture.speed, ranges.speed)));
+        if (!ranges.temperature.is_empty)
+            entry += fmt::format(",\"temperature\":{}",
+                                 blob.add(in_bytes(picture.temperature, ranges.temperature)));
+        frames_.push_back(blob.bytes());
+        before = x;
+        return "{" + entry + "}";
+    }
+
+    void say(const PictureRanges& ranges) {
         const auto range = [](const Range& r, const io::SpokenUnit& in) {
             return fmt::format("[{},{}]", json(in.factor * r.low), json(in.factor * r.high));
         };
         const io::SpokenUnit deck, kPa = unit(io::Quantity::PRESSURE);
+        const auto& box = ranges.box;
         member("box", fmt::format("[{},{},{}]", range(box[0], deck), range(box[1], deck),
                                   range(box[2], deck)));
         const std::string touching =
-            contact.is_empty ? "" : fmt::format("\"contact\":{},", range(contact, kPa));
+            ranges.contact.is_empty ? ""
+                                    : fmt::format("\"contact\":{},", range(ranges.contact, kPa));
         const std::string heat =
-            temperature.is_empty ? ""
-                                 : fmt::format(",\"temperature\":{}",
-                                               range(temperature, unit(io::Quantity::TEMPERATURE)));
-        member("ranges", fmt::format("{{\"pressure\":{},\"stress\":{},{}\"speed\":{}{}}}",
-                                     range(pressure, kPa), range(stress, stress_unit()), touching,
-                                     range(speed, unit(io::Quantity::VELOCITY)), heat));
-        units();
+            ranges.temperature.is_empty
+                ? ""
+                : fmt::format(",\"temperature\":{}",
+                              range(ranges.temperature, unit(io::Quantity::TEMPERATURE)));
+        member("ranges",
+               fmt::format("{{\"pressure\":{},\"stress\":{},{}\"speed\":{}{}}}",
+                           range(ranges.pressure, kPa), range(ranges.stress, stress_unit()),
+                           touching, range(ranges.speed, unit(io::Quantity::VELOCITY)), heat));
     }
 
     [[nodiscard]] std::vector<std::string> frame_names() const {

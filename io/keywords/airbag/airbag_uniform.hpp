@@ -12,6 +12,15 @@ namespace corpuscle::io::keywords {
 /// The card of _ID, and the one that all control volumes begin with.
 gas::UniformBagCard control_volume(Cards& cards, const Draft& draft, const char* keyword);
 
+/// Of the shells that close the bag.
+std::vector<Index> parts_of(const Draft& draft, const gas::UniformBagCard& bag);
+
+/// Heat capacities per mass; 0 for CV: they come with the molar ones of a later card.
+void heat_capacities(Card& c, gas::UniformBagCard& bag);
+
+/// cp = (A + B T) / MW and cv = cp - GASC / MW, with T = TEXT throughout.
+void molar_heat_capacities(Card& c, gas::UniformBagCard& bag);
+
 /// Vent (23) or leak (p23): a coefficient over time and an area over absolute pressure; below 0 the
 /// area is minus the id of a part.
 gas::ExitCard exit_card(Card& c, const Draft& draft, const char* C, const char* C_curve,

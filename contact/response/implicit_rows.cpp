@@ -1,0 +1,130 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// The rows of the implicit law: what a contact offers, and what it starts with.
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/response/exposure.hpp"
+#include "contact/response/implicit_response.hpp"
+
+namespace corpuscle::contact {
+namespace {
+
+constexpr std::size_t CHUNK = 64;  ///< rows
+
+}  // namespace
+
+/// What a contact did in the step before; null where it was none.
+const PairMemory* ImplicitResponse::last(const Contact& c, Candidates& pairs) const {
+    const PairMemory& memory = pairs.memory_at(c.memory);
+    return memory.step + 1 == step_ ? &memory : nullptr;
+}
+
+/// Makes sure that each contact has a memory, and gives it the area of the step before.
+void ImplicitResponse::recall(ContactList& contacts, Candidates& pairs) {
+    fresh_.resize(std::max(fresh_.size(), contacts.chunks()));
+    contacts.for_each_chunk([&](std::size_t chunk) {
+        fresh_[chunk].clear();
+        for (Contact& c : contacts.chunk(chunk)) {
+            if (c.memory < 0) {
+                fresh_[chunk].push_back(&c);
+                continue;
+            }
+            const PairMemory* const memory = last(c, pairs);
+            c.area = memory != nullptr ? memory->area : 0.0;
+        }
+    });
+    for (std::size_t chunk = 0; chunk < contacts.chunks(); ++chunk)
+        for (Contact* const c : fresh_[chunk]) {
+            pairs.make_memory(c->pair);
+            c->memory = pairs.memory_row(c->pair);
+        }
+}
+
+void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
+                                const Columns& columns, Candidates& pairs, Movement& motion) {
+    recall(contacts, pairs);
+    contacts.for_each_apart([&](Contact& c) { c.exposure = exposure(cloth_, motion.x(), c); });
+    areas_.find(motion.x(), columns, contacts);
+    rows_.resize(columns.size());
+    parallel::for_each(
+        rows_.size(),
+        [&](std::size_t i) {
+            Contact& c = columns.at(i, contacts);
+            rows_[i] = row_of(span, dt, c, motion);
+            if (const PairMemory* const memory = last(c, pairs)) warm(span, *memory, rows_[i]);
+        },
+        CHUNK);
+    columns.for_each([&](std::size_t column) {
+        for (std::size_t i = columns.begin(column); i < columns.begin(column + 1); ++i)
+            begin(rows_[i], motion);
+    });
+}
+
+ImplicitResponse::Row ImplicitResponse::row_of(double span, double dt, Contact& c,
+                                               const Movement& motion) const {
+    const ContactCard& card = cloth_.rules.card(c.card);
+    const double at = std::min(c.gap, c.rest);
+    const double area = c.area * c.exposure;
+    c.stiffness = c.modulus * area * c.rest / (at * at);
+    const double damping =
+        c.mass < INF ? 0.02 * card.damping * std::sqrt(c.stiffness * c.mass) : 0.0;
+    double most = 0.0;
+    for (int k = 0; k < 4; ++k)
+        most += c.weight[k] * c.weight[k] * cloth_.mobility[c.node[k]].maxCoeff();
+    Row row;
+    row.node = c.node;
+    row.weight = c.weight;
+    row.normal = c.normal;
+    row.gap = c.gap;
+    row.rest = c.rest + dt * c.rest_rate;
+    row.push = 0.5 * span * c.modulus * area;
+    row.given = row.push * std::max(0.0, c.rest / c.gap - 1.0);
+    row.dt = dt;
+    row.impulse = 0.0;
+    row.rubbed.setZero();
+    row.mass = c.mass;
+    row.heft = (row.mass + span * damping) / dt;
+    row.rub_mass = most > 0.0 ? 1.0 / most : 0.0;
+    row.friction_static = card.friction_static;
+    row.friction_dynamic = card.friction_dynamic;
+    row.friction_decay = card.friction_decay;
+    row.before = motion.relative(c);
+    row.contact = &c;
+    return row;
+}
+
+/// Starts a row with what it did in the step before, and no more than its law gives where it is.
+void ImplicitResponse::warm(double span, const PairMemory& memory, Row& row) {
+    const double offer = row.given + row.push * (row.rest / row.gap - 1.0);
+    row.impulse = std::clamp(span * memory.force, 0.0, std::max(0.0, offer));
+    row.rubbed = span * memory.friction;
+    row.rubbed -= row.normal.dot(row.rubbed) * row.normal;
+    const double most = std::max(row.friction_static, row.friction_dynamic) * row.impulse;
+    const double strength = row.rubbed.norm();
+    if (strength > most) row.rubbed *= most / strength;
+}
+
+/// Gives what a row starts with.
+void ImplicitResponse::begin(Row& row, Movement& motion) {
+    if (row.mass == INF) {
+        row.impulse = 0.0;
+        row.rubbed.setZero();
+        return;
+    }
+    const Vec3 whole = row.impulse * row.normal + row.rubbed;
+    if (whole.isZero(0.0)) return;
+    for (int i = 0; i < 4; ++i) motion.push(row.node[i], row.weight[i] * whole);
+}
+
+double stored_energy(const ContactList& contacts, int card) {
+    return contacts.sum([&](const Contact& c) {
+        if (c.card != card || c.gap >= c.rest) return 0.0;
+        return c.modulus * c.area * c.exposure *
+               (c.rest * std::log(c.rest / c.gap) - (c.rest - c.gap));
+    });
+}
+
+}  // namespace corpuscle::contact

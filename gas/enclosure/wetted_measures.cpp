@@ -1,0 +1,78 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// Volumes, areas and insides of a wetted surface as it lies.
+
+#include <cmath>
+#include <numbers>
+
+#include "gas/enclosure/inside.hpp"
+#include "gas/enclosure/wetted_surface.hpp"
+#include "solver/base/parallel.hpp"
+#include "solver/base/surface.hpp"
+
+namespace corpuscle::gas {
+namespace {
+
+/// Of a closed surface as a point sees it [van Oosterom & Strackee 1983, Eq. 8]: 4 pi inside.
+double solid_angle(std::span<const Triangle> wall, const Vec3& point, std::span<const Vec3> x) {
+    double angle = 0.0;
+    for (const Triangle& t : wall) {
+        const Vec3 a = x[t[0]] - point, b = x[t[1]] - point, c = x[t[2]] - point;
+        const double la = a.norm(), lb = b.norm(), lc = c.norm();
+        angle += 2.0 * std::atan2(a.dot(b.cross(c)),
+                                  la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    }
+    return angle;
+}
+
+}  // namespace
+
+void WettedSurface::volumes(std::span<const Vec3> x, std::vector<double>& volume) const {
+    volume.assign(rooms_, 0.0);
+    const Vec3 origin = x[triangles_[0][0]];  // near the bag: no cancellation far from (0, 0, 0)
+    for (std::size_t r = 0; r < rooms_; ++r)
+        volume[r] = parallel::sum(sides(), 0.0, [&](std::size_t s) {
+            if (room_[s] != static_cast<Index>(r)) return 0.0;
+            const Triangle& t = triangles_[facet_[s]];
+            return sign(s) * signed_volume(x[t[0]] - origin, x[t[1]] - origin, x[t[2]] - origin);
+        });
+}
+
+std::vector<Index> WettedSurface::rooms_of(std::span<const Vec3> points,
+                                           std::span<const Vec3> x) const {
+    std::vector<Index> found(points.size(), 0);
+    if (rooms_ == 1) return found;
+    std::vector<std::vector<Triangle>> walls;
+    std::vector<InsideTest> tests;
+    for (std::size_t r = 0; r < rooms_; ++r) tests.emplace_back(walls.emplace_back(wall(r)), x);
+    parallel::for_each(points.size(), [&](std::size_t i) {
+        for (std::size_t r = 0; r < tests.size(); ++r) {
+            const auto winding = tests[r].winding(points[i]);
+            if (winding ? *winding > 0
+                        : solid_angle(walls[r], points[i], x) > 2.0 * std::numbers::pi) {
+                found[i] = static_cast<Index>(r);
+                return;
+            }
+        }
+    });
+    return found;
+}
+
+void WettedSurface::point_areas(std::span<const Vec3> x, std::span<Vec3> area) const {
+    thread_local Points kept;  // no memory is asked for in each step
+    Points& of_facet = kept;
+    of_facet.resize(triangles_.size());
+    parallel::for_each(triangles_.size(), [&](std::size_t t) {
+        const Triangle& c = triangles_[t];
+        of_facet[t] = vector_area(x[c[0]], x[c[1]], x[c[2]]);
+    });
+    parallel::for_each(points(), [&](std::size_t p) {
+        Vec3 sum = Vec3::Zero();
+        for (const Index s : around(p))
+            sum += sign(static_cast<std::size_t>(s)) * of_facet[facet_[s]];
+        area[p] = sum / 3.0;
+    });
+}
+
+}  // namespace corpuscle::gas

@@ -1,0 +1,97 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/results/ascii_files.hpp"
+#include "io/results/results_file.hpp"
+#include "solver/simulation.hpp"
+#include "tools/body_tracker.hpp"
+#include "tools/summary.hpp"
+
+namespace corpuscle::tools {
+
+/// Times k · interval at which something is due, each met by the first step that reaches it.
+class Schedule {
+public:
+    explicit Schedule(double interval) : interval_(interval) {}
+
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(next_, count_);
+    }
+    /// Is one due at t? Marks it as met.
+    bool meets(double t) {
+        if (std::isnan(interval_) || t < next_ * (1.0 - ROUNDING)) return false;
+        const double gone = t / interval_;
+        if (gone * ROUNDING > 1.0) {  // an interval that t does not resolve: every step
+            next_ = t;
+            return true;
+        }
+        count_ = std::max(count_, std::floor(gone) - 1.0);
+        while (next_ * (1.0 - ROUNDING) <= t) next_ = ++count_ * interval_;
+        return true;
+    }
+
+private:
+    static constexpr double ROUNDING = 1e-12;  ///< of times, which are sums of many steps
+
+    double interval_;
+    double next_ = 0.0;
+    double count_ = 0.0;
+};
+
+inline double history_interval(const Model& model) {
+    if (!std::isnan(model.output.abstat)) return model.output.abstat;
+    if (!std::isnan(model.output.abstat_cpm)) return model.output.abstat_cpm;
+    if (!std::isnan(model.output.glstat)) return model.output.glstat;
+    return model.end_time / 1000.0;
+}
+
+/// Takes samples and frames when they are due, and hands them to the files.
+class RunRecorder {
+public:
+    RunRecorder(const Simulation& simulation, io::ResultsFile& results, io::AsciiFiles& ascii)
+        : results_(results),
+          ascii_(ascii),
+          bodies_(simulation, results),
+          histories_(history_interval(simulation.model())),
+          frames_(std::isnan(simulation.model().output.frames) ? INF
+                                                               : simulation.model().output.frames) {
+    }
+
+    /// `at_end`: the last state of a run. It and the first are always taken.
+    void observe(Simulation& simulation, bool at_end) {
+        const double t = simulation.time();
+        bodies_.observe(simulation, at_end);
+        const bool history = histories_.meets(t), ascii = ascii_.due(t), frame = frames_.meets(t);
+        if (history || ascii || at_end) {
+            const Sample sample = simulation.sample();
+            if (history || at_end) results_.append(sample);
+            if (ascii || at_end) ascii_.append(sample);
+            if (std::isnan(start_kinetic_)) start_kinetic_ = sample.energy.kinetic;
+            residual = sample.energy.residual;
+            brought = brought_in(sample.energy, start_kinetic_);
+            worst_residual = std::max(worst_residual, std::abs(residual));
+        }
+        if (frame || at_end) results_.write(simulation.frame());
+    }
+
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(residual, brought, worst_residual, start_kinetic_, bodies_, histories_, frames_);
+    }
+
+    double residual = 0.0, brought = 0.0, worst_residual = 0.0;  ///< [J]
+
+private:
+    io::ResultsFile& results_;
+    io::AsciiFiles& ascii_;
+    double start_kinetic_ = NaN;  ///< [J]
+    BodyTracker bodies_;
+    Schedule histories_, frames_;
+};
+
+}  // namespace corpuscle::tools
