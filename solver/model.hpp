@@ -134,13 +134,7 @@ struct OutputIntervals {
     double abstat_cpm = NaN, matsum = NaN, cpm_sensor = NaN;
 };
 
-/// A scene: pure data, in the deck's units. Built by io from a deck, or by hand in a test.
-struct Model {
-    std::string title;
-    std::string deck;         ///< file name, for messages and results
-    std::string unit_system;  ///< "kg-mm-ms-K", "SI", "ton-mm-s-K", or "consistent"
-
-    // Mesh
+struct ModelMesh {
     std::vector<int> node_id;
     Points x;  ///< initial (folded) node positions, N × 3        [m]
     std::vector<Shell> shells;
@@ -148,33 +142,50 @@ struct Model {
     std::vector<fabric::Material> materials;
     std::vector<ReferenceGeometry> references;
     std::vector<ShellReference> shell_references;  ///< go before `references`
+};
 
-    // What acts on it
-    std::vector<Curve> curves;
-    Points velocity;  ///< initial node velocities, N × 3                [m/s]
+/// Rigid bodies, and what joins them and nodes.
+struct ModelBodies {
     std::vector<RigidVelocity> rigid_velocity;  ///< the last one of a part counts
     std::vector<RigidInertia> rigid_inertia;    ///< at most one a part
     std::vector<RigidExtraNode> rigid_extra_nodes;
     std::vector<RigidMerge> rigid_merges;  ///< a part is led by one other at most, none by itself
     std::vector<RigidJoint> rigid_joints;
     std::vector<TiedNode> tied_nodes;  ///< a node at most once
+};
+
+/// What holds, moves and loads nodes.
+struct ModelLoads {
+    Points velocity;  ///< initial node velocities, N × 3                [m/s]
     std::vector<Support> supports;
     std::vector<PrescribedMotion> motions;
     std::vector<BodyLoad> body_loads;
     std::vector<PressureLoad> pressure_loads;
     double mass_damping = 0.0;      ///< *DAMPING_GLOBAL VALDMP                        [1/s]
     Index mass_damping_curve = -1;  ///< *DAMPING_GLOBAL LCID                          [1/s]
+};
+
+struct ModelAirbags {
     std::vector<AddedLeak> added_leaks;
     std::vector<gas::BagCard> bags;
     std::vector<gas::UniformBagCard> uniform_bags;  ///< that never hold particles
     std::vector<gas::ExchangeCard> exchanges;       ///< between two of these
+    std::vector<gas::SensorCard> sensors;           ///< *DATABASE_CPM_SENSOR, one a segment
+
+    // Closing of bags (scene/closing.hpp)
+    bool closes_bags = true;  ///< false: a bag with a hole is refused as it is
+    double lid_share = 0.05;  ///< of a bag's area, up to which a hole gets a lid          [-]
+    std::vector<std::string> mendings;  ///< what was done to close bags
+};
+
+struct ModelContacts {
     std::vector<contact::ContactCard> contacts;
     std::vector<ContactShells> contact_shells;  ///< by contact; none: all contacts mean whole parts
     std::vector<contact::WallCard> walls;
+};
 
-    std::vector<gas::SensorCard> sensors;  ///< *DATABASE_CPM_SENSOR, one a segment
-
-    // Control and output
+/// Control and output.
+struct ModelControl {
     double end_time = NaN;          ///< *CONTROL_TERMINATION ENDTIM                   [s]
     double step_factor = 0.9;       ///< TSSFAC                                        [-]
     double step_start = 0.0;        ///< DTINIT, 0: stable step                        [s]
@@ -182,12 +193,14 @@ struct Model {
                                     ///< |DT2MS|; > 0: everywhere to that step; 0: none         [s]
     OutputIntervals output;
     std::vector<Index> history_nodes;  ///< node rows of *DATABASE_HISTORY_NODE
+};
 
-    // Closing of bags (closing.hpp)
-    bool closes_bags = true;  ///< false: a bag with a hole is refused as it is
-    double lid_share = 0.05;  ///< of a bag's area, up to which a hole gets a lid          [-]
-    std::vector<std::string> mendings;  ///< what was done to close bags
-
+/// A scene: pure data, in the deck's units. Built by io from a deck, or by hand in a test.
+struct Model : ModelMesh, ModelBodies, ModelLoads, ModelAirbags, ModelContacts, ModelControl {
+    std::string title;
+    std::string deck;         ///< file name, for messages and results
+    std::string unit_system;  ///< "kg-mm-ms-K", "SI", "ton-mm-s-K", or "consistent"
+    std::vector<Curve> curves;
     std::vector<std::string> notes;     ///< what was decided where a deck may be read in two ways
     std::vector<std::string> warnings;  ///< each with file and line, for the user
 };

@@ -69,13 +69,13 @@ void Candidates::meet_gently(const Points& x, double t, std::span<const std::uin
 void Candidates::build(const Points& x, const Points& v, double t, double dt) {
     set_budget(dt);
     const bool is_sparse = list_.size() <= FEW * cloth_.triangles.size();
-    patches_.find(x, is_sparse ? ROOM : MORE_ROOM * life_ / dt);
-    motion_.restart(x, v, budget_);
+    patches_.find(x, is_sparse ? ROOM : MORE_ROOM * budget_.life / dt);
+    motion_.restart(x, v, budget_.stray);
     motion_.foresee(x, v, dt);
-    life_ = steps_ * dt;
+    budget_.life = budget_.steps * dt;
     const double fastest = motion_.fastest();
     const double most = SWEEP * cloth_.mean_edge;
-    if (fastest * life_ > most) life_ = std::max(dt, most / fastest);
+    if (fastest * budget_.life > most) budget_.life = std::max(dt, most / fastest);
     ++builds_;
 
     std::vector<std::uint64_t> freed;
@@ -85,7 +85,7 @@ void Candidates::build(const Points& x, const Points& v, double t, double dt) {
     }
     sort_memories();
     set_boxes(x);
-    find_late(x, life_);
+    find_late(x, budget_.life);
     search_.build(x, late_, node_box_, own_);
     list_pairs(x);
     forget_parted_pairs();
@@ -96,13 +96,13 @@ void Candidates::build(const Points& x, const Points& v, double t, double dt) {
 void Candidates::set_boxes(const Points& x) {
     const auto& nodes = patches_.pieces().nodes;
     parallel::for_each(nodes.size(),
-                       [&](std::size_t i) { set_node_box(nodes[i], x[nodes[i]], life_); });
+                       [&](std::size_t i) { set_node_box(nodes[i], x[nodes[i]], budget_.life); });
 }
 
 /// @param time  for which the node is predicted [s]
 void Candidates::set_node_box(Index node, const Vec3& from, double time) {
     const Vec3 sweep = time * motion_.velocity(node);
-    own_[node] = budget_ * motion_.slack(node);
+    own_[node] = budget_.stray * motion_.slack(node);
     node_box_[node] = {from + sweep.cwiseMin(0.0), from + sweep.cwiseMax(0.0)};
     node_box_[node].inflate(0.5 * reach_ * cloth_.node_thickness[node] + own_[node]);
 }
@@ -119,7 +119,7 @@ void Candidates::find_late(const Points& x, double time) {
 void Candidates::list_pairs(const Points& x) {
     const auto pairs = patches_.pairs();
     chunks_.resize(std::max(chunks_.size(), ROUND));
-    const Outlook ahead{x, life_, true};
+    const Outlook ahead{x, budget_.life, true};
     std::size_t first = 0;
     const auto search = [&](std::size_t begin, std::size_t end, std::size_t c) {
         Chunk& out = chunks_[c];

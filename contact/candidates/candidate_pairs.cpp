@@ -82,7 +82,7 @@ double Candidates::closing_rate(const Pair& pair, const Vec3& apart, double gap,
 }
 
 void Candidates::tell_distance(std::size_t i, const Vec3& apart, double distance, const Points& x) {
-    const double left = life_ - motion_.age();
+    const double left = budget_.life - motion_.age();
     if (distance > static_cast<double>(watch_.reach[i]) && left > 0.0)
         watch_.set_approach(i, above(closing_rate(list_[i].pair, apart, distance, x, left)));
     watch_.sum[i] = distance + spent(i);

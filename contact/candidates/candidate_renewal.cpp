@@ -19,72 +19,73 @@ constexpr std::size_t ROWS = 2048, TRIANGLES = 4;  ///< a chunk, of pairs and of
 /// among them, by the same rules as in a build, with every node where it is predicted to be now.
 void Candidates::renew(const Points& x) {
     ++renewals_;
-    motion_.renew(strayed_, x);
+    motion_.renew(renewal_.strayed, x);
     find_renewed_triangles();
     drop_renewed_pairs();
     list_renewed_pairs(x);
-    for (const Index t : renewed_) is_renewed_[t] = 0;
+    for (const Index t : renewal_.renewed) renewal_.is_renewed[t] = 0;
 }
 
 void Candidates::find_renewed_triangles() {
-    is_renewed_.resize(cloth_.triangles.size(), 0);
-    renewed_.clear();
-    for (const Index n : strayed_)
+    renewal_.is_renewed.resize(cloth_.triangles.size(), 0);
+    renewal_.renewed.clear();
+    for (const Index n : renewal_.strayed)
         for (const Index t : cloth_.triangles_of(n)) {
-            if (is_renewed_[t]) continue;
-            is_renewed_[t] = 1;
-            renewed_.push_back(t);
+            if (renewal_.is_renewed[t]) continue;
+            renewal_.is_renewed[t] = 1;
+            renewal_.renewed.push_back(t);
         }
-    std::sort(renewed_.begin(), renewed_.end());
+    std::sort(renewal_.renewed.begin(), renewal_.renewed.end());
 }
 
 /// Their rows stay, as pairs that are infinitely far apart.
 void Candidates::drop_renewed_pairs() {
-    handed_on_.clear();
+    renewal_.handed_on.clear();
     const std::size_t chunks = parallel::chunk_count(list_.size(), ROWS);
-    dropped_.resize(std::max(dropped_.size(), chunks));
+    renewal_.dropped.resize(std::max(renewal_.dropped.size(), chunks));
     const auto find = [&](std::size_t begin, std::size_t end, std::size_t c) {
-        dropped_[c].clear();
+        renewal_.dropped[c].clear();
         for (std::size_t i = begin; i < end; ++i) {
-            if ((is_renewed_[watch_.first[i]] | is_renewed_[watch_.second[i]]) &&
+            if ((renewal_.is_renewed[watch_.first[i]] | renewal_.is_renewed[watch_.second[i]]) &&
                 watch_.sum[i] < INF)
-                dropped_[c].push_back(i);
+                renewal_.dropped[c].push_back(i);
         }
     };
     parallel::for_chunks(list_.size(), find, ROWS);
     for (std::size_t c = 0; c < chunks; ++c)
-        for (const std::size_t i : dropped_[c]) {
+        for (const std::size_t i : renewal_.dropped[c]) {
             Candidate& dropped = list_[i];
             if (dropped.memory >= 0)
-                handed_on_.emplace_back(dropped.key, std::exchange(dropped.memory, -1));
+                renewal_.handed_on.emplace_back(dropped.key, std::exchange(dropped.memory, -1));
             watch_.sum[i] = INF;
             ++dead_;
         }
-    std::sort(handed_on_.begin(), handed_on_.end());
+    std::sort(renewal_.handed_on.begin(), renewal_.handed_on.end());
 }
 
 void Candidates::list_renewed_pairs(const Points& x) {
-    const double rest_of_life = life_ - motion_.age();
-    for (const Index n : strayed_) set_node_box(n, motion_.predicted(n), rest_of_life);
-    predicted_.resize(x.size());
+    const double rest_of_life = budget_.life - motion_.age();
+    for (const Index n : renewal_.strayed) set_node_box(n, motion_.predicted(n), rest_of_life);
+    renewal_.predicted.resize(x.size());
     const auto& nodes = patches_.pieces().nodes;
-    parallel::for_each(nodes.size(),
-                       [&](std::size_t i) { predicted_[nodes[i]] = motion_.predicted(nodes[i]); });
-    find_late(predicted_, rest_of_life);
-    search_.renew(renewed_, predicted_, late_, node_box_, own_);
+    parallel::for_each(nodes.size(), [&](std::size_t i) {
+        renewal_.predicted[nodes[i]] = motion_.predicted(nodes[i]);
+    });
+    find_late(renewal_.predicted, rest_of_life);
+    search_.renew(renewal_.renewed, renewal_.predicted, late_, node_box_, own_);
 
     const Outlook ahead{x, rest_of_life, false};
-    const std::size_t count = parallel::chunk_count(renewed_.size(), TRIANGLES);
+    const std::size_t count = parallel::chunk_count(renewal_.renewed.size(), TRIANGLES);
     chunks_.resize(std::max(chunks_.size(), count));
     const auto search = [&](std::size_t begin, std::size_t end, std::size_t c) {
         Chunk& out = chunks_[c];
         out.list.clear();
         out.watch.clear();
         for (std::size_t i = begin; i < end; ++i) {
-            const Index mine = renewed_[i];
+            const Index mine = renewal_.renewed[i];
             // two renewed triangles find each other twice
             const auto is_the_others = [&](Index other) {
-                return is_renewed_[other] && other < mine;
+                return renewal_.is_renewed[other] && other < mine;
             };
             search_.for_each_near(
                 mine,
@@ -97,7 +98,7 @@ void Candidates::list_renewed_pairs(const Points& x) {
                 });
         }
     };
-    parallel::for_chunks(renewed_.size(), search, TRIANGLES);
+    parallel::for_chunks(renewal_.renewed.size(), search, TRIANGLES);
     const std::size_t first = list_.size();
     add_chunks(first, count);
     hand_on_memories(first);
@@ -107,12 +108,12 @@ void Candidates::list_renewed_pairs(const Points& x) {
 /// forgotten.
 void Candidates::hand_on_memories(std::size_t first) {
     for (std::size_t i = first; i < list_.size(); ++i) {
-        const auto known = std::lower_bound(handed_on_.begin(), handed_on_.end(),
+        const auto known = std::lower_bound(renewal_.handed_on.begin(), renewal_.handed_on.end(),
                                             std::pair(list_[i].key, Index{0}));
-        if (known == handed_on_.end() || known->first != list_[i].key) continue;
+        if (known == renewal_.handed_on.end() || known->first != list_[i].key) continue;
         list_[i].memory = std::exchange(known->second, -1);
     }
-    for (const auto& [key, memory] : handed_on_) {
+    for (const auto& [key, memory] : renewal_.handed_on) {
         if (memory < 0) continue;
         memories_[memory].short_by = memories_[memory].area = 0.0;
     }

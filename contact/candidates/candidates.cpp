@@ -38,18 +38,18 @@ Candidates::Candidates(const Cloth& cloth, double reach)
       patches_(cloth, margins(cloth, reach)),
       motion_(cloth, patches_.pieces()),
       search_(cloth, margins(cloth, reach), patches_.pieces()),
-      budget_(cloth.greatest_thickness),
+      budget_{cloth.greatest_thickness},
       node_box_(cloth.inverse_mass.size()),
       own_(node_box_.size(), 0.0) {}
 
 void Candidates::foresee(const Points& x, const Points& v, double t, double dt) {
     patches_.foresee(v, dt);
     motion_.foresee(x, v, dt);
-    const bool is_over = !patches_.pieces().nodes.empty() && motion_.age() + dt > life_;
+    const bool is_over = !patches_.pieces().nodes.empty() && motion_.age() + dt > budget_.life;
     if (is_over || !patches_.holds(x)) return build(x, v, t, dt);
-    if (motion_.stray() <= budget_) return;
-    motion_.list_strayed(budget_, strayed_);
-    if (static_cast<double>(strayed_.size()) >
+    if (motion_.stray() <= budget_.stray) return;
+    motion_.list_strayed(budget_.stray, renewal_.strayed);
+    if (static_cast<double>(renewal_.strayed.size()) >
         MOST_STRAYED * static_cast<double>(patches_.pieces().nodes.size()))
         return build(x, v, t, dt);
     renew(x);
@@ -96,15 +96,16 @@ PairMemory& Candidates::make_memory(std::size_t i) {
 /// Budget and life of the next lists, from how the last ones ended.
 void Candidates::set_budget(double dt) {
     if (builds_ > 0) {
-        if (list_.size() < FEW * cloth_.triangles.size()) budget_ *= ADAPTATION;
-        if (list_.size() > MANY * cloth_.triangles.size()) budget_ /= ADAPTATION;
+        if (list_.size() < FEW * cloth_.triangles.size()) budget_.stray *= ADAPTATION;
+        if (list_.size() > MANY * cloth_.triangles.size()) budget_.stray /= ADAPTATION;
         const bool is_worth_it =
-            motion_.age() + dt > life_ && list_.size() <= MANY * cloth_.triangles.size();
-        steps_ *= is_worth_it ? ADAPTATION : 1.0 / ADAPTATION;
+            motion_.age() + dt > budget_.life && list_.size() <= MANY * cloth_.triangles.size();
+        budget_.steps *= is_worth_it ? ADAPTATION : 1.0 / ADAPTATION;
     }
     const double least = LEAST_BUDGET * cloth_.greatest_thickness;
-    budget_ = std::clamp(budget_, least, std::max(least, GREATEST_BUDGET * cloth_.mean_edge));
-    steps_ = std::clamp(steps_, LEAST_LIFE, GREATEST_LIFE);
+    budget_.stray =
+        std::clamp(budget_.stray, least, std::max(least, GREATEST_BUDGET * cloth_.mean_edge));
+    budget_.steps = std::clamp(budget_.steps, LEAST_LIFE, GREATEST_LIFE);
 }
 
 }  // namespace corpuscle::contact

@@ -140,9 +140,9 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(patches_, motion_, budget_, steps_, life_, list_, watch_, memories_, sorted_,
-                crossing_, close_starts_, was_on_, barred_, builds_, renewals_, dead_, node_box_,
-                own_, search_);
+        archive(patches_, motion_, budget_, list_, watch_, memories_, sorted_, crossing_,
+                close_starts_, was_on_, barred_, builds_, renewals_, dead_, node_box_, own_,
+                search_);
     }
 
 private:
@@ -207,14 +207,33 @@ private:
     bool give_gentle_gap(std::size_t i, const Points& x, double t);
     void meet_gently(const Points& x, double t, std::span<const std::uint8_t> is_on);
 
+    /// How far nodes may stray until the lists are spent.
+    struct Budget {
+        double stray = 0.0;  ///< at which they are                                       [m]
+        double steps = 4.0;  ///< that they are meant to live
+        double life = 0.0;   ///< age at which they are                                   [s]
+
+        template <class Archive>
+        void visit_state(Archive& archive) {
+            archive(stray, steps, life);
+        }
+    };
+    /// What is listed anew between builds.
+    struct Renewal {
+        std::vector<Index> strayed, renewed;   ///< nodes, triangles, ascending
+        std::vector<std::uint8_t> is_renewed;  ///< by triangle
+        std::vector<std::pair<std::uint64_t, Index>>
+            handed_on;                                  ///< key and memory of dropped pairs
+        std::vector<std::vector<std::size_t>> dropped;  ///< by chunk: rows of those pairs
+        Points predicted;                               ///< N × 3                [m]
+    };
+
     const Cloth& cloth_;
     double reach_;
     PatchPairs patches_;
     Motion motion_;
     NearSearch search_;
-    double budget_;              ///< stray at which the lists are spent             [m]
-    double steps_ = 4.0;         ///< that they are meant to live
-    double life_ = 0.0;          ///< age at which they are spent                    [s]
+    Budget budget_;
     std::vector<Box> node_box_;  ///< of what they may reach                               [m]
     std::vector<double> own_;    ///< by node: its part of the budget                      [m]
     Points late_;                ///< N × 3                                                [m]
@@ -229,13 +248,8 @@ private:
     std::vector<std::uint64_t> barred_;  ///< pairs of crossing triangles, ascending
     std::size_t builds_ = 0, renewals_ = 0;
 
-    /// Of what is listed anew between builds.
-    std::vector<Index> strayed_, renewed_;                    ///< nodes, triangles, ascending
-    std::vector<std::uint8_t> is_renewed_;                    ///< by triangle
-    std::vector<std::pair<std::uint64_t, Index>> handed_on_;  ///< key and memory of dropped pairs
-    std::vector<std::vector<std::size_t>> dropped_;           ///< by chunk: rows of those pairs
-    Points predicted_;                                        ///< N × 3                     [m]
-    std::size_t dead_ = 0;                                    ///< rows of dropped pairs
+    Renewal renewal_;
+    std::size_t dead_ = 0;  ///< rows of dropped pairs
 };
 
 }  // namespace corpuscle::contact

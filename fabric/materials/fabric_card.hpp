@@ -37,21 +37,50 @@ struct StrainRestoration {
     [[nodiscard]] bool any() const { return share > 0.0 || share_curve >= 0 || course_curve >= 0; }
 };
 
+/// A second layer without direction.
+struct FabricLiner {
+    double liner_E = 0.0;      ///< EL                                                    [Pa]
+    double liner_nu = 0.0;     ///< PRL                                                   [-]
+    double liner_ratio = 0.0;  ///< LRATIO: liner thickness / fabric thickness            [-]
+    bool liner_waits = false;  ///< LNRC = 1: no compression until it has once been taut
+};
+
+/// Layers that do not stretch with the cloth's law, one on each side.
+struct FabricCoat {
+    double coat_E = 0.0;          ///< ECOAT                                                 [Pa]
+    double coat_thickness = 0.0;  ///< |TCOAT|, of the coat on each side                     [m]
+    bool coat_stretches = true;   ///< TCOAT > 0: it adds to the membrane; else it only bends
+
+    [[nodiscard]] bool has_coat() const { return coat_E > 0.0 && coat_thickness > 0.0; }
+};
+
+/// How the cloth leaks.
+struct FabricLeak {
+    double leak_area = 0.0;      ///< FLC > 0                                               [-]
+    double leak_velocity = 0.0;  ///< FAC > 0 (FVOPT 7/8), coefficient otherwise            [m/s]
+    Index leak_area_curve = -1;  ///< FLC < 0: row in Model::curves
+    Index leak_velocity_curve = -1;  ///< FAC < 0: row in Model::curves
+    int leak_option = 0;             ///< FVOPT
+    double leak_when_blocked = 0.0;  ///< ELA: share of the leak that blocked fabric keeps   [-]
+    bool leak_by_component = false;  ///< FAC's curve is over a component's pressure, not the bag's
+    bool leak_from_reference = false;  ///< A0REF = 1: the reference shape's area counts
+    std::optional<std::array<double, 4>> leak_growth;  ///< X0-X3, instead of FLC and FAC    [-]
+
+    [[nodiscard]] bool leaks() const {
+        const bool has_area = leak_area != 0.0 || leak_area_curve >= 0;
+        const bool has_velocity = leak_velocity != 0.0 || leak_velocity_curve >= 0;
+        return leak_growth.has_value() || (has_area && has_velocity);
+    }
+};
+
 /// Orthotropic woven fabric, *MAT_FABRIC (034): the card as the user means it, defaults resolved.
-struct FabricCard {
+struct FabricCard : FabricLiner, FabricCoat, FabricLeak {
     double density = NaN;  ///< RO                                                    [kg/m^3]
     double E_warp = NaN;   ///< EA                                                    [Pa]
     double E_weft = NaN;   ///< EB; the reader sets EB = EA, GAB = EA/2(1+PRBA) when EB = 0 [Pa]
     double nu_ba = 0.0;    ///< PRBA: strain along a from stress along b; nu_ab = nu_ba·EA/EB [-]
     double G = NaN;        ///< GAB                                                   [Pa]
     bool no_compression = false;    ///< CSE = 1: the smaller principal stress is never negative
-    double liner_E = 0.0;           ///< EL                                                    [Pa]
-    double liner_nu = 0.0;          ///< PRL                                                   [-]
-    double liner_ratio = 0.0;       ///< LRATIO: liner thickness / fabric thickness            [-]
-    bool liner_waits = false;       ///< LNRC = 1: no compression until it has once been taut
-    double coat_E = 0.0;            ///< ECOAT                                                 [Pa]
-    double coat_thickness = 0.0;    ///< |TCOAT|, of the coat on each side                     [m]
-    bool coat_stretches = true;     ///< TCOAT > 0: it adds to the membrane; else it only bends
     double damping = 0.0;           ///< DAMP: share of critical, on the strain rate           [-]
     int axes = 0;                   ///< AOPT: 0 nodes 1-2 (+ BETA), 2 vector A, 3 V × normal
     Vec3 a = Vec3::UnitX();         ///< A1-A3, for AOPT 2
@@ -61,22 +90,6 @@ struct FabricCard {
     double reference_birth = 0.0;   ///< RGBRTH > 0: the reference shape counts from then on   [s]
     StrainRestoration restoration;  ///< TSRFAC
     FabricCurves curves;            ///< instead of EA, EB, PRBA, GAB
-    double leak_area = 0.0;         ///< FLC > 0                                               [-]
-    double leak_velocity = 0.0;     ///< FAC > 0 (FVOPT 7/8), coefficient otherwise            [m/s]
-    Index leak_area_curve = -1;     ///< FLC < 0: row in Model::curves
-    Index leak_velocity_curve = -1;  ///< FAC < 0: row in Model::curves
-    int leak_option = 0;             ///< FVOPT
-    double leak_when_blocked = 0.0;  ///< ELA: share of the leak that blocked fabric keeps   [-]
-    bool leak_by_component = false;  ///< FAC's curve is over a component's pressure, not the bag's
-    bool leak_from_reference = false;  ///< A0REF = 1: the reference shape's area counts
-    std::optional<std::array<double, 4>> leak_growth;  ///< X0-X3, instead of FLC and FAC    [-]
-
-    [[nodiscard]] bool has_coat() const { return coat_E > 0.0 && coat_thickness > 0.0; }
-    [[nodiscard]] bool leaks() const {
-        const bool has_area = leak_area != 0.0 || leak_area_curve >= 0;
-        const bool has_velocity = leak_velocity != 0.0 || leak_velocity_curve >= 0;
-        return leak_growth.has_value() || (has_area && has_velocity);
-    }
 };
 
 /// Isotropic linear elastic membrane, *MAT_ELASTIC (001).

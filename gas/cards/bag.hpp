@@ -67,23 +67,27 @@ struct ChamberCard {
     std::vector<Index> parts;  ///< part rows whose shells close it
 };
 
+/// The deck's units as far as gas asks for them, and the air outside.
+struct AmbientCard {
+    double gas_constant = GAS_CONSTANT;     ///< R in deck units (UNIT)                 [J/(mol K)]
+    double second = 1.0;                    ///< one second in the deck's unit of time (UNIT)
+    double p_atm = ATMOSPHERE_PRESSURE;     ///< PATM                                   [Pa]
+    double T_atm = ATMOSPHERE_TEMPERATURE;  ///< TATM                                   [K]
+};
+
 /// One *AIRBAG_PARTICLE.
-struct BagCard {
+struct BagCard : AmbientCard {
     int id = 0;  ///< the _ID card's number, else order in the deck from 1
     std::string title;
     std::vector<Index> external_parts;  ///< SID1 without SID2: part rows whose shells close the bag
     std::vector<Index> internal_parts;  ///< SID2: part rows inside (tethers, diffusers, valves)
     std::size_t particles = 200000;     ///< NP
     bool show_particles = true;         ///< VISFLG
-    double gas_constant = GAS_CONSTANT;     ///< R in deck units (UNIT)                 [J/(mol K)]
-    double second = 1.0;                    ///< one second in the deck's unit of time (UNIT)
-    double p_atm = ATMOSPHERE_PRESSURE;     ///< PATM                                   [Pa]
-    double T_atm = ATMOSPHERE_TEMPERATURE;  ///< TATM                                   [K]
-    double all_in = 1e10;                   ///< TEND: all particles have entered       [s]
-    double switch_at = INF;                 ///< TSW: uniform pressure from then on [s]
-    std::vector<InflowCard> inflow;         ///< NGAS cards
-    std::vector<OrificeCard> orifices;      ///< NORIF cards
-    std::optional<InitialAirCard> air;      ///< IAIR other than 0
+    double all_in = 1e10;               ///< TEND: all particles have entered       [s]
+    double switch_at = INF;             ///< TSW: uniform pressure from then on [s]
+    std::vector<InflowCard> inflow;     ///< NGAS cards
+    std::vector<OrificeCard> orifices;  ///< NORIF cards
+    std::optional<InitialAirCard> air;  ///< IAIR other than 0
     std::array<Index, 3> frame{-1, -1,
                                -1};  ///< NID1-3: node rows that directions turn with; -1: none
     bool is_of_2007 = false;         ///< the cards mean what they meant in the course notes

@@ -44,6 +44,57 @@ struct Wrench {
     }
 };
 
+/// Impulse that wall points are owed.                                           by point
+struct DeferredImpulse {
+    std::vector<double> normal;    ///< Q                                           [N s]
+    Points along;                  ///< V                                           [N s]
+    std::vector<double> answered;  ///< D w A of the last release: to be smoothed   [N s]
+    std::vector<double> mass;      ///< of hits, kept as Q                          [kg]
+    std::vector<double> age;       ///< since the last hit                          [s]
+
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(normal, answered, along, mass, age);
+    }
+};
+
+/// Wall points of each node that has any, or that a jet pushes.
+struct NodePoints {
+    std::vector<Index> nodes;          ///< rows of x, once each
+    std::vector<Index> start, points;  ///< of `nodes`, compressed rows
+    std::vector<Index> place;          ///< N: in `nodes`, -1: not there
+
+    NodePoints() = default;
+    NodePoints(const WettedSurface& surface, std::span<const Index> jet_nodes, std::size_t count);
+};
+
+/// What jets have pushed nodes with.                                               by node
+struct WallJets {
+    std::vector<Index> nodes;
+    std::vector<std::uint8_t> held;
+    Points owed, force;    ///< [N s], [N]
+    Wrench wrench;         ///< that all of them are owed
+    double account = 0.0;  ///< what jets took beyond the work of their push          [J]
+
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(owed, wrench, account);
+    }
+};
+
+/// What the last release gave.
+struct WallRelease {
+    Points force;                  ///< points × 3                                  [N]
+    Points on_node;                ///< N × 3                                       [N]
+    std::vector<double> pressure;  ///< by point                                    [Pa]
+    Wrench wrench;
+
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(force, on_node, pressure, wrench);
+    }
+};
+
 /// What particles do to the walls: deferred impulse and an account of energy, at wall points.
 ///
 /// One hit on a light facet is a kick of tens of m/s, so what hits bring is smoothed, in space
@@ -101,7 +152,7 @@ public:
     /// Books the work of the last release on accounts; returns it.                       [J]
     double book(std::span<const Vec3> v_mid, double span);
     /// Force of the last release on a node.                                              [N]
-    [[nodiscard]] const Vec3& force(Index node) const { return node_force_[node]; }
+    [[nodiscard]] const Vec3& force(Index node) const { return released_.on_node[node]; }
 
     /// The gas at these points owes so much, by area: it is to pay, or is owed it (negative). [J]
     void charge(std::span<const Index> points, double energy);
@@ -111,11 +162,13 @@ public:
     [[nodiscard]] double taken() const { return taken_; }
 
     /// Pressure that particles exert at a point, smoothed.                                  [Pa]
-    [[nodiscard]] double pressure(std::size_t point) const { return pressure_[point]; }
+    [[nodiscard]] double pressure(std::size_t point) const { return released_.pressure[point]; }
     /// Mean over the points of a node's rooms: the pressure on its inside.                  [Pa]
     [[nodiscard]] double pressure_at_node(Index node) const;
     /// Has gas been at the point within the last few `time`?
-    [[nodiscard]] bool is_wet(std::size_t point) const { return age_[point] < dry_after_; }
+    [[nodiscard]] bool is_wet(std::size_t point) const {
+        return deferred_.age[point] < DRY_AFTER * time_;
+    }
 
     /// What the wall was owed when `done` of the last release had been given.
     [[nodiscard]] Wrench owed(double done = 1.0) const;
@@ -130,12 +183,14 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(kept_, answered_, along_, mass_, age_, account_, fresh_, force_, node_force_,
-                pressure_, arrived_, arrived_mass_, owed_, held_owed_, jet_owed_, jet_wrench_,
-                jet_account_, last_given_, taken_, hits_are_over_);
+        archive(deferred_, released_, jets_, account_, fresh_, arrived_, arrived_mass_, owed_,
+                held_owed_, taken_, hits_are_over_);
     }
 
 private:
+    /// Times of release after the last hit from which a point counts as one that gas has not reached.
+    static constexpr double DRY_AFTER = 4.0;
+
     [[nodiscard]] std::size_t side_of(const Hit& hit, std::span<const Vec3> x_0,
                                       std::span<const Vec3> x_1) const;
     void take_in(const Hit& hit, std::size_t side, std::span<const double> mass,
@@ -156,35 +211,22 @@ private:
     Recoil recoil_;
     std::vector<std::uint8_t> held_;        ///< by point
     std::vector<std::uint8_t> takes_part_;  ///< in smoothing, this step
-    std::vector<Index> jet_nodes_;
-    std::vector<Index> nodes_;                 ///< of all points and jets, once each
-    std::vector<Index> node_start_, of_node_;  ///< points of nodes_, compressed rows
-    std::vector<Index> place_;                 ///< N: in nodes_, -1: not there
-    double time_, dry_after_, extra_damping_;
+    double time_, extra_damping_;
 
     Points area_;               ///< points × 3, at t                                     [m^2]
     std::vector<double> size_;  ///< its norm                                             [m^2]
     std::vector<Brought> brought_;
-    std::vector<double> kept_;      ///< Q                                                [N s]
-    Points along_;                  ///< V                                                [N s]
-    std::vector<double> answered_;  ///< D w A of the last release: to be smoothed        [N s]
-    std::vector<double> mass_;      ///< of hits, kept as Q                               [kg]
-    std::vector<double> age_;       ///< since the last hit                               [s]
-    std::vector<double> account_;   ///< that hits are to get                             [J]
-    std::vector<double> fresh_;     ///< taken by hits since the last release             [J]
-    Points force_;                  ///< points × 3, of the last release                  [N]
-    Points node_force_;             ///< N × 3                                            [N]
-    std::vector<double> pressure_;  ///< [Pa]
-    Points arrived_;                ///< since the last release                           [N s]
+    DeferredImpulse deferred_;
+    WallRelease released_;
+    NodePoints by_node_;
+    WallJets jets_;
+    std::vector<double> account_;  ///< that hits are to get                             [J]
+    std::vector<double> fresh_;    ///< taken by hits since the last release             [J]
+    Points arrived_;               ///< since the last release                           [N s]
     std::vector<double> arrived_mass_;
-    std::vector<Wrench> owed_;     ///< by room; without held points
-    Wrench held_owed_;             ///< of held points: given at the next release
-    Points jet_owed_, jet_force_;  ///< by jet_nodes_                                  [N s], [N]
-    Wrench jet_wrench_;
-    double jet_account_ = 0.0;  ///< [J]
-    std::vector<std::uint8_t> jet_held_;
+    std::vector<Wrench> owed_;  ///< by room; without held points
+    Wrench held_owed_;          ///< of held points: given at the next release
     std::vector<Index> sides_;
-    Wrench last_given_;   ///< by the last release
     double taken_ = 0.0;  ///< [J]
     bool hits_are_over_ = false;
 };

@@ -56,17 +56,8 @@ struct LocalAxes {
 /// Which meaning of the cards the deck wants: today's, or that of the 2007 course notes.
 enum class Dialect { TODAY, NOTES_2007 };
 
-/// A model under construction: what keywords refer to each other by, and what the model itself does
-/// not keep.
-struct Draft {
-    explicit Draft(Model& under_construction) : model(under_construction) {}
-
-    Model& model;
-    Dialect dialect = Dialect::TODAY;
-    std::optional<gas::CollisionModel> collision;  ///< of all bags; none: the default
-    double mean_free_path = NaN;                   ///< of that model; NaN: its default      [m]
-    double force_decay = 1.0;  ///< SFFDC of *CONTROL_CPM, for bags that have none of their own  [-]
-
+/// By which keywords refer to each other.
+struct DraftNames {
     Registry nodes{"*NODE"}, shells{"*ELEMENT_SHELL"}, parts{"*PART"}, materials{"*MAT"},
         sections{"*SECTION_SHELL"}, curves{"*DEFINE_CURVE"}, vectors{"*DEFINE_VECTOR"},
         coordinates{"*DEFINE_COORDINATE"};
@@ -76,6 +67,32 @@ struct Draft {
     Registry boxes{"*DEFINE_BOX"};
     Registry transformations{"*DEFINE_TRANSFORMATION"};
     Registry cpm_vents{"*DEFINE_CPM_VENT"}, cpm_chambers{"*DEFINE_CPM_CHAMBER"};
+};
+
+/// Members of sets, in the order of their names.
+struct DraftSets {
+    std::vector<std::vector<Index>> node_set;                    ///< node rows
+    std::vector<std::vector<Index>> part_set;                    ///< part rows
+    std::vector<std::vector<Index>> shell_set;                   ///< shell rows
+    std::vector<std::vector<std::array<Index, 4>>> segment_set;  ///< node rows
+};
+
+/// Of airbags, until their keywords are all read.
+struct DraftAirbags {
+    std::optional<gas::CollisionModel> collision;  ///< of all bags; none: the default
+    double mean_free_path = NaN;                   ///< of that model; NaN: its default      [m]
+    double force_decay = 1.0;  ///< SFFDC of *CONTROL_CPM, for bags that have none of their own  [-]
+    std::vector<gas::VentCard> cpm_vent;                     ///< without parts
+    std::vector<std::vector<gas::ChamberCard>> cpm_chamber;  ///< of one bag each
+};
+
+/// A model under construction: what keywords refer to each other by, and what the model itself does
+/// not keep.
+struct Draft : DraftNames, DraftSets, DraftAirbags {
+    explicit Draft(Model& under_construction) : model(under_construction) {}
+
+    Model& model;
+    Dialect dialect = Dialect::TODAY;
 
     std::vector<Section> section;
     std::vector<std::uint8_t> part_has_solids;  ///< by part row
@@ -91,18 +108,11 @@ struct Draft {
     std::vector<RigidVelocity> inertia_start;  ///< of *PART_INERTIA, where nothing else says it
     std::vector<Index> rigid_owner;  ///< by node row: rigid part or -1; empty until it is asked for
     std::vector<LocalAxes> coordinate;
-    std::vector<std::pair<Index, Index>> local_constraints;      ///< rigid material, its axes: rows
-    Points vector;                                               ///< head - tail
-    std::vector<std::vector<Index>> node_set;                    ///< node rows
-    std::vector<std::vector<Index>> part_set;                    ///< part rows
-    std::vector<std::vector<Index>> shell_set;                   ///< shell rows
-    std::vector<std::vector<std::array<Index, 4>>> segment_set;  ///< node rows
+    std::vector<std::pair<Index, Index>> local_constraints;  ///< rigid material, its axes: rows
+    Points vector;                                           ///< head - tail
 
     std::vector<std::pair<Index, Place>> added_leaks;  ///< *MAT_ADD_AIRBAG_POROSITY_LEAKAGE
     std::vector<Index> body_load_parts;                ///< *LOAD_BODY_PARTS; none: all
-
-    std::vector<gas::VentCard> cpm_vent;                     ///< without parts
-    std::vector<std::vector<gas::ChamberCard>> cpm_chamber;  ///< of one bag each
 
     int frame_count = 0;  ///< NPLTC of *DATABASE_BINARY_D3PLOT, which needs the end time
 };

@@ -4,6 +4,10 @@
 # usage: sizes.sh [--strict]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+if ! git rev-parse --is-inside-work-tree >/dev/null 2>&1; then
+    echo "sizes: no git here to list the sources"
+    exit 77
+fi
 list=$(mktemp)
 trap 'rm -f "$list"' EXIT
 mapfile -t files < <(git ls-files 'solver/*.?pp' 'fabric/*.?pp' 'gas/*.?pp' 'contact/*.?pp' 'io/*.?pp' 'tools/*.?pp' 'tests/*.?pp')

@@ -11,6 +11,7 @@
 
 #include "solver/base/constants.hpp"
 #include "solver/base/vec.hpp"
+#include "tests/support/decks/random_plan.hpp"
 #include "tests/support/draw.hpp"
 
 namespace corpuscle::support {
@@ -28,29 +29,6 @@ constexpr std::array GASES{
     Gas{"air", 0.028965, 26.611, 7.468e-3, -1.157e-6},
     Gas{"N2", 0.0280134, 26.984, 5.910e-3, -3.377e-7}, Gas{"He", 0.0040026, 20.786, 0.0, 0.0},
     Gas{"Ar", 0.039948, 20.786, 0.0, 0.0}, Gas{"CO2", 0.0440095, 26.648, 42.262e-3, -142.40e-7}};
-
-enum PartId { WALL = 1, VENT = 2, POROUS = 3, FAR_WALL = 4, MEMBRANE = 5, HOLE = 6 };
-
-/// What the cards of a scene have to agree on.
-struct Plan {
-    bool is_rigid, has_chambers, has_hole, has_vent, is_porous, has_heat, switches;
-    int air;                                ///< IAIR
-    int particles;                          ///< NP, or more where a gas needs them
-    Vec3 side;                              ///< [m]
-    std::array<int, 3> cells;               ///< along each axis
-    double end;                             ///< [s]
-    std::array<std::vector<int>, 2> floor;  ///< shells at z = 0, by chamber
-    int next_curve = 1;
-    std::string curves;
-
-    [[nodiscard]] double volume() const { return side.prod(); }
-    /// A curve of points (x, y), its id.
-    int curve(const std::vector<std::array<double, 2>>& points) {
-        curves += fmt::format("*DEFINE_CURVE\n{}\n", next_curve);
-        for (const auto& [x, y] : points) curves += fmt::format("{:.6g}, {:.6g}\n", x, y);
-        return next_curve++;
-    }
-};
 
 Plan plan_of(Draw& draw) {
     Plan plan{};
@@ -76,72 +54,6 @@ Plan plan_of(Draw& draw) {
                : plan.particles < 2000 ? draw.log_in(3e-3, 30e-3)
                                        : draw.in(1e-3, 4e-3);
     return plan;
-}
-
-/// Nodes, shells and supports: the box from the origin to `side`, normals inward.
-std::string mesh(Plan& plan, bool has_triangles) {
-    std::string nodes = "*NODE\n", shells = "*ELEMENT_SHELL\n", held = "*SET_NODE_LIST\n1\n";
-    std::map<std::array<int, 3>, int> known;
-    int shell_count = 0;
-    const auto node = [&](const std::array<int, 3>& grid) {
-        const auto [at, is_new] = known.try_emplace(grid, static_cast<int>(known.size()) + 1);
-        if (is_new) {
-            Vec3 x;
-            for (std::size_t i = 0; i < 3; ++i)
-                x[static_cast<int>(i)] = plan.side[static_cast<int>(i)] * grid[i] / plan.cells[i];
-            nodes += fmt::format("{}, {:.9g}, {:.9g}, {:.9g}\n", at->second, x[0], x[1], x[2]);
-            if (plan.is_rigid || grid[2] == 0) held += fmt::format("{}\n", at->second);
-        }
-        return at->second;
-    };
-    const auto quad = [&](int part, const std::array<int, 4>& n) {
-        if (!has_triangles) {
-            shells += fmt::format("{}, {}, {}, {}, {}, {}\n", ++shell_count, part, n[0], n[1], n[2],
-                                  n[3]);
-            return;
-        }
-        for (const auto& [a, b, c] : {std::array{n[0], n[1], n[2]}, std::array{n[0], n[2], n[3]}})
-            shells += fmt::format("{}, {}, {}, {}, {}, {}\n", ++shell_count, part, a, b, c, c);
-    };
-    const auto part_at = [&](int axis, bool is_far, int i, int j, int x) {
-        const auto middle = [&](int k, int count) { return k == count / 2; };
-        if (plan.has_vent && axis == 0 && is_far && middle(i, plan.cells[1]) &&
-            middle(j, plan.cells[2]))
-            return VENT;
-        if (plan.is_porous && axis == 2 && is_far && 2 * x >= plan.cells[0]) return POROUS;
-        return plan.has_chambers && 2 * x >= plan.cells[0] ? FAR_WALL : WALL;
-    };
-    for (int axis = 0; axis < 3; ++axis) {
-        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-        const auto n = [&](int a) { return plan.cells[static_cast<std::size_t>(a)]; };
-        const auto face = [&](int level, bool is_far, bool is_inside) {
-            for (int i = 0; i < n(u); ++i)
-                for (int j = 0; j < n(v); ++j) {
-                    const auto corner = [&](int di, int dj) {
-                        std::array<int, 3> grid{};
-                        grid[static_cast<std::size_t>(axis)] = level;
-                        grid[static_cast<std::size_t>(u)] = i + di;
-                        grid[static_cast<std::size_t>(v)] = j + dj;
-                        return grid;
-                    };
-                    const auto low = corner(0, 0);
-                    const int x = axis == 0 ? (is_far ? n(0) : 0) : low[0];
-                    int part = part_at(axis, is_far, i, j, x);
-                    if (is_inside)
-                        part = plan.has_hole && i == n(u) / 2 && j == n(v) / 2 ? HOLE : MEMBRANE;
-                    const int a = node(low), b = node(corner(1, 0)), c = node(corner(1, 1)),
-                              d = node(corner(0, 1));
-                    if (axis == 2 && !is_far)
-                        plan.floor[part == FAR_WALL ? 1 : 0].push_back(shell_count + 1);
-                    quad(part, is_far ? std::array{a, d, c, b} : std::array{a, b, c, d});
-                }
-        };
-        face(0, false, false);
-        face(n(axis), true, false);
-        if (axis == 0 && plan.has_chambers) face(n(0) / 2, false, true);
-    }
-    const std::string dofs = "*BOUNDARY_SPC_SET\n1, 0, 1, 1, 1, 1, 1, 1\n";
-    return nodes + shells + held + dofs;
 }
 
 /// Cards of *MAT_FABRIC: 470 to 940 dtex polyamide, with what it leaks.
@@ -367,7 +279,7 @@ RandomScene random_scene(unsigned seed) {
     scene.deck += fmt::format(
         "*DATABASE_ABSTAT\n{0:.6g}\n*DATABASE_GLSTAT\n{0:.6g}\n*DATABASE_BINARY_D3PLOT\n{1:.6g}\n",
         plan.end / 50.0, plan.end / 2.0);
-    scene.deck += mesh(plan, draw.chance(0.3));
+    scene.deck += mesh_of(plan, draw.chance(0.3));
     scene.deck += parts(draw, plan);
     scene.deck += chambers(plan);
     if (!plan.is_rigid)

@@ -10,62 +10,12 @@
 #include "gas/collisions/collide.hpp"
 #include "gas/collisions/relax.hpp"
 #include "solver/base/parallel.hpp"
+#include "tests/unit/gas/collisions/collide_setup.hpp"
 #include "tests/unit/gas/random_gas.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::gas;
-
-namespace {
-
-const Vec3 BOX(1.0, 1.0, 1.0);
-const Grid CELLS = Grid::over(Vec3::Zero(), BOX - Vec3::Constant(1e-9), 0.2, 1000);
-
-/// The test case runs once for each.
-CollisionModel every_model() {
-    return GENERATE(CollisionModel::PAIRS, CollisionModel::LIN, CollisionModel::NTC,
-                    CollisionModel::SPHERES);
-}
-
-/// Time between collisions for models that ask: air at 300 K crosses a quarter of a cell.   [s]
-const double DT = 0.25 * CELLS.edge / std::sqrt(GAS_CONSTANT * 300.0 / 0.028);
-
-/// Collisions and free flight in a mirror box, 0.25 of a cell's edge between collisions.
-class Box {
-public:
-    Box(const Mixture& mixture, CollisionModel model)
-        : collider_(mixture.species(), mixture.moles_each(), 11, model) {}
-
-    void run(int steps, double c_T, Particles& gas) {
-        for (int i = 0; i < steps; ++i) {
-            collider_.find_groups(CELLS, {}, gas);
-            const double dt = 0.25 * CELLS.edge / c_T;
-            collider_.collide(step_++, dt, 1.0, gas);
-            drift_in_box(dt, BOX, gas);
-        }
-    }
-
-private:
-    Collider collider_;
-    std::uint64_t step_ = 0;
-};
-
-/// Distance of the sample from the Maxwell-Boltzmann distribution of speeds (eq. 26), times
-/// sqrt(n).
-double kolmogorov_smirnov(std::vector<double> speed, double mass, double kT) {
-    std::sort(speed.begin(), speed.end());
-    const double n = static_cast<double>(speed.size());
-    double worst = 0.0;
-    for (std::size_t i = 0; i < speed.size(); ++i) {
-        const double s = speed[i] / std::sqrt(kT / mass);
-        const double F = std::erf(s / std::numbers::sqrt2) -
-                         std::sqrt(2.0 / std::numbers::pi) * s * std::exp(-0.5 * s * s);
-        const double below = static_cast<double>(i) / n;
-        worst = std::max({worst, std::abs(F - below), std::abs(F - below - 1.0 / n)});
-    }
-    return worst * std::sqrt(n);
-}
-
-}  // namespace
+using namespace collide_setup;
 
 TEST_CASE("a collision step keeps mass, momentum and energy to rounding", "[gas]") {
     const auto model = every_model();
@@ -287,35 +237,4 @@ TEST_CASE("one pairing sweep halves the stress, LIN turns it round", "[gas]") {
     // Pairs: half of the motion is the partners' centre's, and keeps its stress.
     const double expected = model == CollisionModel::PAIRS ? 0.5 : -0.8;
     CHECK(anisotropy(gas) / before == Approx(expected).margin(0.1));  // noise: .04
-}
-
-TEST_CASE("stress relaxes as hard spheres of the chosen mean free path make it", "[gas]") {
-    // d(P - p I)/dt = -(p / eta) (P - p I), eta = 5 pi/32 rho c lambda, c = sqrt(8/pi) c_T [Chapman
-    // & Enskog, first approximation]: the stress falls by e within a time of 0.783 lambda / c_T.
-    const auto model = GENERATE(CollisionModel::NTC, CollisionModel::SPHERES);
-    const double lambda = GENERATE(0.1, 0.2);
-    const Mixture mixture = mixture_of({HELIUM});
-    const auto stress = [&](const Particles& gas) {
-        double x = 0.0, all = 0.0;
-        for (const Vec3& v : gas.v) {
-            x += v.x() * v.x();
-            all += v.squaredNorm();
-        }
-        return x / all - 1.0 / 3.0;
-    };
-    Particles gas = random_gas(40000, BOX, mixture, {300});
-    for (Vec3& v : gas.v) v.x() *= 1.2;
-    const double before = stress(gas);
-    double twice_energy = 0.0;
-    for (const Vec3& v : gas.v) twice_energy += v.squaredNorm() / 40000;
-
-    Collider collider(mixture.species(), mixture.moles_each(), 3, model, lambda);
-    const double dt = 0.05 * lambda / std::sqrt(twice_energy / 3.0);
-    for (std::uint64_t step = 0; step < 16; ++step) {
-        collider.find_groups(CELLS, {}, gas);
-        collider.collide(step, dt, 1.0, gas);
-        drift_in_box(dt, BOX, gas);
-    }
-    // Noise 5 %. Spheres miss partners in the next cell: the fewer, the shorter the steps.
-    CHECK(std::log(before / stress(gas)) == Approx(0.8 / 0.783).epsilon(0.15));
 }

@@ -1,0 +1,259 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// What the wall is given of what it is owed.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gas/wall_load/wall_load.hpp"
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle::gas {
+namespace {
+
+/// Answer of a gas to a wall that moves: dp/dw = -4 times the mass that hits it per area and time,
+/// since p = 2 int (v - w)² f dv over all that come.
+constexpr double ANSWER = 4.0;
+
+/// Share of a room's free wall that must be wet to bear the correction of momentum alone.
+constexpr double LEAST_WET = 0.25;
+
+/// Of a room's wall: what it was given and keeps, and the lever that its points have.
+struct Sums {
+    Wrench given, kept;
+    double area = 0.0;
+    Vec3 first = Vec3::Zero();
+    Mat3 second = Mat3::Zero();
+    Sums& operator+=(const Sums& o) {
+        given += o.given;
+        kept += o.kept;
+        area += o.area;
+        first += o.first;
+        second += o.second;
+        return *this;
+    }
+};
+}  // namespace
+
+void WallLoad::measure(std::span<const Vec3> x) {
+    surface_->point_areas(x, area_);
+    parallel::for_each(size_.size(), [&](std::size_t p) { size_[p] = area_[p].norm(); });
+}
+
+void WallLoad::release(double span, std::span<const Vec3> x, std::span<const Vec3> v,
+                       std::span<const double> mass, std::span<Vec3> f) {
+    measure(x);
+    recoil_.weigh(*surface_, mass);
+    const std::size_t points = size_.size();
+    parallel::for_each(points, [&](std::size_t p) {
+        if (!hits_are_over_)
+            deferred_.age[p] = arrived_mass_[p] > 0.0 ? 0.0 : deferred_.age[p] + span;
+        takes_part_[p] = held_[p] == 0 && is_wet(p) && size_[p] > 0.0;
+        const double own = arrived_[p].dot(normal(p)), along = own + deferred_.answered[p];
+        const Vec3 beside = arrived_[p] - own * normal(p);
+        const double per_area = takes_part_[p] != 0 ? 1.0 / size_[p] : 0.0;
+        brought_[p] = {along * per_area, arrived_mass_[p] * per_area,
+                       v[surface_->node(p)].dot(normal(p)), beside * per_area};
+        if (held_[p] != 0 || takes_part_[p] != 0) return;
+        deferred_.normal[p] += along;
+        deferred_.along[p] += beside;
+        deferred_.mass[p] += arrived_mass_[p];
+    });
+    smoother_.prepare(*surface_, area_, size_, takes_part_);
+    smoother_.spread(*surface_, brought_);
+    released_.wrench = owed();
+    // F = Q / time, with what has come in this step: late by `time` on average in steps of any
+    // length up to that.
+    const double share = std::min(1.0, span / time_);
+    release_points(share, span, v, mass);
+    release_jets(share, span, x);
+    balance_momentum(share, span, x);
+    held_owed_ = {};
+    released_.wrench -= owed();
+    parallel::for_each(by_node_.nodes.size(), [&](std::size_t i) {
+        Vec3 sum = Vec3::Zero();
+        for (Index k = by_node_.start[i]; k < by_node_.start[i + 1]; ++k)
+            sum += released_.force[by_node_.points[k]];
+        released_.on_node[by_node_.nodes[i]] = sum;
+    });
+    for (std::size_t j = 0; j < jets_.nodes.size(); ++j)
+        released_.on_node[jets_.nodes[j]] += jets_.force[j];
+    parallel::for_each(by_node_.nodes.size(), [&](std::size_t i) {
+        f[by_node_.nodes[i]] += released_.on_node[by_node_.nodes[i]];
+    });
+}
+
+/// Force of each point: what is kept is released, and the gas answers to flutter at once.
+void WallLoad::release_points(double share, double span, std::span<const Vec3> v,
+                              std::span<const double> mass) {
+    const double answer = ANSWER + extra_damping_ * std::sqrt(2.0 * std::numbers::pi);
+    parallel::for_each(size_.size(), [&](std::size_t p) {
+        const Vec3 n = normal(p);
+        if (held_[p] != 0) {
+            deferred_.mass[p] += arrived_mass_[p];
+            released_.force[p] = arrived_[p] / span;
+        } else {
+            if (takes_part_[p] != 0) {
+                deferred_.normal[p] += size_[p] * brought_[p].push;
+                deferred_.along[p] += size_[p] * brought_[p].beside;
+                deferred_.mass[p] += size_[p] * brought_[p].mass;
+            }
+            // D A, implicit in the motion that it damps: stable in any step.
+            const double damper = answer * share * deferred_.mass[p] / span;
+            const Index node = surface_->node(p);
+            const double flutter = v[node].dot(n) - brought_[p].speed;
+            const double damped = damper / (1.0 + damper * span / mass[node]) * flutter;
+            deferred_.answered[p] = span * damped;
+            const double given = share * deferred_.normal[p];
+            const Vec3 beside = share * deferred_.along[p];
+            deferred_.normal[p] -= given;
+            deferred_.along[p] -= beside;
+            released_.force[p] = (given / span - damped) * n + beside / span;
+        }
+        deferred_.mass[p] -= share * deferred_.mass[p];
+        released_.pressure[p] = size_[p] > 0.0 ? released_.force[p].dot(n) / size_[p] : 0.0;
+        arrived_[p].setZero();
+        arrived_mass_[p] = 0.0;
+    });
+}
+
+void WallLoad::release_jets(double share, double span, std::span<const Vec3> x) {
+    for (std::size_t j = 0; j < jets_.nodes.size(); ++j) {
+        const Vec3 given = jets_.held[j] != 0 ? jets_.owed[j] : Vec3(share * jets_.owed[j]);
+        jets_.owed[j] -= given;
+        jets_.force[j] = given / span;
+        Wrench done;
+        done.add(x[jets_.nodes[j]], given);
+        jets_.wrench -= done;
+    }
+}
+
+/// What each room's free wall is owed, less what its points keep, is given over its wetted points
+/// as a rigid field,
+///
+///     F_p = A_p (a + b × (x_p - c)),
+///
+/// c: their centre by area; a and b such that force and moment are right.
+void WallLoad::balance_momentum(double share, double span, std::span<const Vec3> x) {
+    const Vec3 origin = x[surface_->node(0)];
+    std::vector<double> wet(owed_.size(), 0.0), free(owed_.size(), 0.0);
+    for (std::size_t p = 0; p < size_.size(); ++p) {
+        if (held_[p] != 0) continue;
+        const Index room = surface_->room_of_point(p);
+        free[room] += size_[p];
+        if (takes_part_[p] != 0) wet[room] += size_[p];
+    }
+    for (std::size_t r = 0; r < owed_.size(); ++r) {
+        const auto room = static_cast<Index>(r);
+        const auto counts = [&](std::size_t p) {
+            return surface_->room_of_point(p) == room && held_[p] == 0;
+        };
+        // A few wet points have no lever: then all of the wall bears it.
+        const bool is_spread = wet[r] > LEAST_WET * free[r];
+        const auto bears = [&](std::size_t p) {
+            return counts(p) && size_[p] > 0.0 && (!is_spread || takes_part_[p] != 0);
+        };
+        const Sums sums = parallel::sum(size_.size(), Sums{}, [&](std::size_t p) {
+            Sums own;
+            if (!counts(p)) return own;
+            const Vec3& at = x[surface_->node(p)];
+            own.given.add(at, span * released_.force[p]);
+            own.kept.add(
+                at, (deferred_.normal[p] + deferred_.answered[p]) * normal(p) + deferred_.along[p]);
+            if (!bears(p)) return own;
+            const Vec3 d = at - origin;
+            own.area = size_[p];
+            own.first = size_[p] * d;
+            own.second = size_[p] * d * d.transpose();
+            return own;
+        });
+        Wrench& owed = owed_[r];
+        owed -= sums.given;
+        if (!(sums.area > 0.0)) continue;
+        const Vec3 centre = sums.first / sums.area;  // from origin
+        const Mat3 second = sums.second - sums.area * centre * centre.transpose();
+        const Mat3 inertia = second.trace() * Mat3::Identity() - second;
+        Wrench rest = owed;
+        rest -= sums.kept;
+        const Vec3 a = share * rest.linear / sums.area;
+        const Vec3 moment = share * (rest.angular - (origin + centre).cross(rest.linear));
+        constexpr double FLAT = 1e-3;  // of its size³: points on a line have no moment about it
+        const double size = inertia.trace();
+        const bool turns = inertia.determinant() > FLAT * size * size * size;
+        const Vec3 b = turns ? Vec3(inertia.inverse() * moment) : Vec3(Vec3::Zero());
+        parallel::for_each(size_.size(), [&](std::size_t p) {
+            if (!bears(p)) return;
+            const Vec3 d = x[surface_->node(p)] - origin - centre;
+            released_.force[p] += size_[p] / span * (a + b.cross(d));
+        });
+        Wrench corrected;
+        corrected.linear = sums.area * a;
+        corrected.angular = (origin + centre).cross(corrected.linear) + inertia * b;
+        owed -= corrected;
+    }
+}
+
+double WallLoad::book(std::span<const Vec3> v_mid, double span) {
+    double work = span * parallel::sum(size_.size(), 0.0, [&](std::size_t p) {
+                      const double own = released_.force[p].dot(v_mid[surface_->node(p)]);
+                      account_[p] += fresh_[p] - span * own;
+                      fresh_[p] = 0.0;
+                      return own;
+                  });
+    for (std::size_t j = 0; j < jets_.nodes.size(); ++j) {
+        const double own = span * jets_.force[j].dot(v_mid[jets_.nodes[j]]);
+        jets_.account -= own;
+        work += own;
+    }
+    pass_on_accounts();
+    return work;
+}
+
+/// Accounts of points that gas has left go to those of their room where it is, by area: a few
+/// particles would leave gains at one place, pay losses at another, and owe more than they hold.
+void WallLoad::pass_on_accounts() {
+    std::vector<double> left(owed_.size(), 0.0), wet(owed_.size(), 0.0);
+    for (std::size_t p = 0; p < account_.size(); ++p)
+        (is_wet(p) ? wet : left)[surface_->room_of_point(p)] += is_wet(p) ? size_[p] : account_[p];
+    for (std::size_t p = 0; p < account_.size(); ++p) {
+        const Index room = surface_->room_of_point(p);
+        if (wet[room] > 0.0)
+            account_[p] = is_wet(p) ? account_[p] + left[room] * size_[p] / wet[room] : 0.0;
+    }
+}
+
+double WallLoad::drain(std::size_t room, double share) {
+    double sum = 0.0;
+    for (std::size_t p = 0; p < account_.size(); ++p) {
+        if (surface_->room_of_point(p) != static_cast<Index>(room)) continue;
+        const double own = share * account_[p];
+        account_[p] -= own;
+        sum += own;
+    }
+    taken_ -= sum;
+    return sum;
+}
+
+double WallLoad::pressure_at_node(Index node) const {
+    const Index i = by_node_.place[node];
+    if (i < 0 || by_node_.start[i] == by_node_.start[i + 1]) return 0.0;
+    double sum = 0.0, size = 0.0;
+    for (Index k = by_node_.start[i]; k < by_node_.start[i + 1]; ++k) {
+        sum += size_[by_node_.points[k]] * released_.pressure[by_node_.points[k]];
+        size += size_[by_node_.points[k]];
+    }
+    return size > 0.0 ? sum / size : 0.0;
+}
+
+Wrench WallLoad::owed(double done) const {
+    Wrench sum = released_.wrench;
+    sum *= 1.0 - done;
+    sum += jets_.wrench;
+    sum += held_owed_;
+    for (const Wrench& room : owed_) sum += room;
+    return sum;
+}
+
+}  // namespace corpuscle::gas
