@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/response/crossing_guard.hpp"
+#include "contact/response/ccd_limiter.hpp"
 #include "contact/response/facet_load.hpp"
 #include "contact/response/implicit_response.hpp"
-#include "contact/response/pair_look.hpp"
+#include "contact/response/narrow_phase.hpp"
 #include "contact/response/stopping_impulses.hpp"
 
 namespace corpuscle::contact {
@@ -26,11 +26,11 @@ struct SurfaceContact::State {
     std::vector<ImpulseBooks> books;  ///< by card
     ImplicitResponse response;
     StoppingImpulses stops;
-    CrossingGuard guard;
+    CcdLimiter ccd;
     FacetLoad load;
     ContactList contacts;
-    Columns columns;
-    PairLook look;
+    ColumnColouring columns;
+    NarrowPhase narrow_phase;
     ContactCounts counts;
     std::vector<double> most;         ///< contact thickness now, by card                  [m]
     std::vector<double> least_gap;    ///< over its rest value, by chunk                   [-]
@@ -44,17 +44,17 @@ struct SurfaceContact::State {
           books(setup.cards.size()),
           response(cloth),
           stops(cloth, books),
-          guard(cloth),
+          ccd(cloth),
           load(cloth),
           columns(cloth),
-          look(cloth, REACH),
+          narrow_phase(cloth, REACH),
           most(setup.cards.size()),
           is_on(setup.cards.size(), 0) {}
 
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(pairs, books, response, guard, load, contacts, counts, most, is_on, t, dt_last,
-                span, is_started);
+        archive(pairs, books, response, ccd, load, contacts, counts, most, is_on, t, dt_last, span,
+                is_started);
     }
     bool look_at_cards(double now);
     void count();
@@ -99,7 +99,7 @@ void SurfaceContact::find(const Points& x, const Points& v, double t, double dt,
     s.counts.close_starts = s.pairs.close_starts().size();
     if (s.pairs.size() > 0) {
         s.columns.lay(x);
-        s.look.find({x, v, t, dt, bodies, s.is_on, s.most}, s.columns, s.pairs, s.contacts);
+        s.narrow_phase.find({x, v, t, dt, bodies, s.is_on, s.most}, s.columns, s.pairs, s.contacts);
     }
     s.columns.sort(s.contacts);
     s.count();
@@ -111,9 +111,9 @@ void SurfaceContact::State::count() {
     counts.searched = pairs.searched();
     counts.candidates = pairs.pairs();
     counts.near = counts.touching = 0;
-    counts.impacts = guard.impacts();
-    counts.clumps = guard.clumps();
-    counts.unstopped = guard.unstopped();
+    counts.impacts = ccd.impacts();
+    counts.clumps = ccd.clumps();
+    counts.unstopped = ccd.unstopped();
     const auto& solved = response.convergence();
     if (solved.steps > 0) {
         counts.residual = solved.sum / static_cast<double>(solved.steps);
@@ -147,7 +147,7 @@ bool SurfaceContact::respond(const Points& x, double dt, Points& v, std::span<Ri
     if (s.counts.near > 0) motion.begin();
     s.response.apply(s.span, dt, s.contacts, s.columns, s.pairs, motion, s.books, hold);
     s.columns.for_each(s.contacts, [&](const Contact& c) { s.load.add(c); });
-    s.guard.stop(s.t, dt, s.pairs, s.stops, s.load, motion);
+    s.ccd.stop(s.t, dt, s.pairs, s.stops, s.load, motion);
     motion.settle();
     return motion.has_begun();
 }

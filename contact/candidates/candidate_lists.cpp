@@ -58,7 +58,7 @@ void Candidates::meet_gently(const Points& x, double t, std::span<const std::uin
     for (std::size_t i = 0; i < list_.size(); ++i) {
         const auto card = static_cast<std::size_t>(list_[i].card);
         if (was_on_[card] || !is_on[card] || !give_gentle_gap(i, x, t)) continue;
-        close_starts_.push_back(std::minmax(watch_.first[i], watch_.second[i]));
+        close_starts_.push_back(std::minmax(verlet_.first[i], verlet_.second[i]));
     }
     std::sort(close_starts_.begin(), close_starts_.end());
     close_starts_.erase(std::unique(close_starts_.begin(), close_starts_.end()),
@@ -138,7 +138,7 @@ void Candidates::list_pairs(const Points& x) {
         rows = add_chunks(rows, parallel::chunk_count(count, CHUNK));
     }
     list_.resize(rows);
-    watch_.resize(rows);
+    verlet_.resize(rows);
     dead_ = 0;
 }
 
@@ -150,13 +150,13 @@ std::size_t Candidates::add_chunks(std::size_t rows, std::size_t count) {
     for (std::size_t c = 0; c < count; ++c) start[c + 1] = start[c] + chunks_[c].list.size();
     if (start[count] > list_.size()) {
         list_.resize(start[count]);
-        watch_.resize(start[count]);
+        verlet_.resize(start[count]);
     }
     const auto copy = [&](std::size_t c) {
         const auto to = static_cast<std::ptrdiff_t>(start[c]);
         std::copy(chunks_[c].list.begin(), chunks_[c].list.end(), list_.begin() + to);
         for (std::size_t k = 0; k < chunks_[c].watch.size(); ++k)
-            watch_.put(start[c] + k, chunks_[c].watch[k]);
+            verlet_.put(start[c] + k, chunks_[c].watch[k]);
     };
     parallel::for_each(count, copy, CHUNK);
     return start[count];

@@ -61,7 +61,7 @@ void Candidates::list(const Pair& pair, int card, std::uint64_t key, const Meeti
     const bool may_know = ahead.is_build && gap <= reach_ * thickness;
     const Index memory = may_know ? find_memory(key) : -1;
     const int side = cloth_.rules.side_of(card, cloth_.part[where.a], cloth_.part[where.b]);
-    Watch watch{gap, above(reach_ * thickness), above(approach), where.a, where.b};
+    VerletEntry watch{gap, above(reach_ * thickness), above(approach), where.a, where.b};
     watch.sum += motion_.age() * static_cast<double>(watch.approach) +
                  (motion_.way(where.a) + motion_.way(where.b));
     where.out.list.push_back({pair, memory, thickness, key, static_cast<std::int16_t>(card),
@@ -83,9 +83,9 @@ double Candidates::closing_rate(const Pair& pair, const Vec3& apart, double gap,
 
 void Candidates::tell_distance(std::size_t i, const Vec3& apart, double distance, const Points& x) {
     const double left = budget_.life - motion_.age();
-    if (distance > static_cast<double>(watch_.reach[i]) && left > 0.0)
-        watch_.set_approach(i, above(closing_rate(list_[i].pair, apart, distance, x, left)));
-    watch_.sum[i] = distance + spent(i);
+    if (distance > static_cast<double>(verlet_.reach[i]) && left > 0.0)
+        verlet_.set_approach(i, above(closing_rate(list_[i].pair, apart, distance, x, left)));
+    verlet_.sum[i] = distance + spent(i);
 }
 
 }  // namespace corpuscle::contact

@@ -46,8 +46,8 @@ void Candidates::drop_renewed_pairs() {
     const auto find = [&](std::size_t begin, std::size_t end, std::size_t c) {
         renewal_.dropped[c].clear();
         for (std::size_t i = begin; i < end; ++i) {
-            if ((renewal_.is_renewed[watch_.first[i]] | renewal_.is_renewed[watch_.second[i]]) &&
-                watch_.sum[i] < INF)
+            if ((renewal_.is_renewed[verlet_.first[i]] | renewal_.is_renewed[verlet_.second[i]]) &&
+                verlet_.sum[i] < INF)
                 renewal_.dropped[c].push_back(i);
         }
     };
@@ -57,7 +57,7 @@ void Candidates::drop_renewed_pairs() {
             Candidate& dropped = list_[i];
             if (dropped.memory >= 0)
                 renewal_.handed_on.emplace_back(dropped.key, std::exchange(dropped.memory, -1));
-            watch_.sum[i] = INF;
+            verlet_.sum[i] = INF;
             ++dead_;
         }
     std::sort(renewal_.handed_on.begin(), renewal_.handed_on.end());

@@ -61,7 +61,7 @@ double Candidates::thickness(std::size_t i) {
     if (!c.is_settled) {
         c.thickness = std::min(c.thickness, neighbours_thickness(c.pair));
         c.is_settled = true;
-        watch_.reach[i] = static_cast<float>(reach_ * c.thickness);
+        verlet_.reach[i] = static_cast<float>(reach_ * c.thickness);
     }
     return c.thickness;
 }

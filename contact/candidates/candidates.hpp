@@ -10,7 +10,7 @@
 
 #include "contact/candidates/motion.hpp"
 #include "contact/candidates/near_search.hpp"
-#include "contact/candidates/watch_list.hpp"
+#include "contact/candidates/verlet_list.hpp"
 #include "contact/culling/patch_pairs.hpp"
 #include "contact/geometry/distance.hpp"
 #include "contact/surface/cloth.hpp"
@@ -85,7 +85,7 @@ public:
 
     /// Modulus of both sides through their thickness, one behind the other.                    [Pa]
     [[nodiscard]] double modulus(std::size_t i) const {
-        const double a = cloth_.modulus[watch_.first[i]], b = cloth_.modulus[watch_.second[i]];
+        const double a = cloth_.modulus[verlet_.first[i]], b = cloth_.modulus[verlet_.second[i]];
         return 2.0 * a * b / (a + b);
     }
 
@@ -95,20 +95,20 @@ public:
     /// visit(i) for the pairs in rows begin ... end - 1 that may be within reach now.
     template <class Visit>
     void for_each_due(std::size_t begin, std::size_t end, Visit&& visit) const {
-        watch_.for_each_within<true>(begin, end, motion_.age(), motion_.ways(), visit);
+        verlet_.for_each_within<true>(begin, end, motion_.age(), motion_.ways(), visit);
     }
 
     /// Likewise those that may be within reach in the step ahead, if nodes go on as they did; after
     /// follow().
     template <class Visit>
     void for_each_due_ahead(std::size_t begin, std::size_t end, Visit&& visit) const {
-        watch_.for_each_within<true>(begin, end, motion_.age_ahead(), motion_.ways_ahead(), visit);
+        verlet_.for_each_within<true>(begin, end, motion_.age_ahead(), motion_.ways_ahead(), visit);
     }
 
     /// Likewise those that may meet in the step that was foreseen last.
     template <class Visit>
     void for_each_meeting(std::size_t begin, std::size_t end, Visit&& visit) const {
-        watch_.for_each_within<false>(begin, end, motion_.age(), motion_.ways_ahead(), visit);
+        verlet_.for_each_within<false>(begin, end, motion_.age(), motion_.ways_ahead(), visit);
     }
 
     /// Takes how far the sides of pair i are apart at the present x, as a vector and a distance.
@@ -140,7 +140,7 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(patches_, motion_, budget_, list_, watch_, memories_, sorted_, crossing_,
+        archive(patches_, motion_, budget_, list_, verlet_, memories_, sorted_, crossing_,
                 close_starts_, was_on_, barred_, builds_, renewals_, dead_, node_box_, own_,
                 search_);
     }
@@ -156,14 +156,14 @@ private:
     };
     struct Chunk {
         std::vector<Candidate> list;
-        std::vector<Watch> watch;
+        std::vector<VerletEntry> watch;
     };
 
     /// By what a pair's distance has shrunk at most since the lists were built, and more. [m]
     [[nodiscard]] double spent(std::size_t i) const {
-        return watch_.spent(i, motion_.age(), motion_.ways());
+        return verlet_.spent(i, motion_.age(), motion_.ways());
     }
-    [[nodiscard]] double least_distance(std::size_t i) const { return watch_.sum[i] - spent(i); }
+    [[nodiscard]] double least_distance(std::size_t i) const { return verlet_.sum[i] - spent(i); }
     void build(const Points& x, const Points& v, double t, double dt);
     void set_budget(double dt);
     void set_boxes(const Points& x);
@@ -238,7 +238,7 @@ private:
     std::vector<double> own_;    ///< by node: its part of the budget                      [m]
     Points late_;                ///< N × 3                                                [m]
     std::vector<Candidate> list_;
-    WatchList watch_;
+    VerletList verlet_;
     std::vector<Chunk> chunks_;
     std::vector<PairMemory> memories_, merged_;
     std::size_t sorted_ = 0;             ///< memories that are in the order of their keys

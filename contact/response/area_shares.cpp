@@ -30,7 +30,7 @@ AreaShares::AreaShares(const Cloth& cloth)
     }
 }
 
-void AreaShares::find(const Points& x, const Columns& columns, ContactList& contacts) {
+void AreaShares::find(const Points& x, const ColumnColouring& columns, ContactList& contacts) {
     if (columns.size() == 0) return;
     set_normals(x, columns, contacts);
     set_sides(contacts);
@@ -59,7 +59,8 @@ void AreaShares::find(const Points& x, const Columns& columns, ContactList& cont
 }
 
 /// Of the contacts' nodes.
-void AreaShares::set_normals(const Points& x, const Columns& columns, const ContactList& contacts) {
+void AreaShares::set_normals(const Points& x, const ColumnColouring& columns,
+                             const ContactList& contacts) {
     ++look_;
     columns.for_each(contacts, [&](const Contact& c) {
         for (const Index node : c.node) {
@@ -96,7 +97,7 @@ void AreaShares::set_sides(ContactList& contacts) const {
     });
 }
 
-void AreaShares::add_up(const Columns& columns, const ContactList& contacts) {
+void AreaShares::add_up(const ColumnColouring& columns, const ContactList& contacts) {
     ++look_;
     columns.for_each(contacts, [&](const Contact& c) {
         for (int i = 0; i < 4; ++i) {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/response/columns.hpp"
+#include "contact/response/column_colouring.hpp"
 #include "contact/surface/cloth.hpp"
 
 namespace corpuscle::contact {
@@ -31,14 +31,14 @@ public:
     explicit AreaShares(const Cloth& cloth);
 
     /// Sets the areas of all contacts.
-    void find(const Points& x, const Columns& columns, ContactList& contacts);
+    void find(const Points& x, const ColumnColouring& columns, ContactList& contacts);
 
 private:
-    void set_normals(const Points& x, const Columns& columns, const ContactList& contacts);
+    void set_normals(const Points& x, const ColumnColouring& columns, const ContactList& contacts);
     bool is_first_look(Index node) { return std::exchange(looked_at_[node], look_) != look_; }
     [[nodiscard]] double first_area(const Contact& contact) const;
     void set_sides(ContactList& contacts) const;
-    void add_up(const Columns& columns, const ContactList& contacts);
+    void add_up(const ColumnColouring& columns, const ContactList& contacts);
 
     const Cloth& cloth_;
     std::vector<double> area_;                ///< by node                               [m^2]

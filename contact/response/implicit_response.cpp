@@ -22,8 +22,9 @@ ImplicitResponse::ImplicitResponse(const Cloth& cloth) : cloth_(cloth), areas_(c
     }
 }
 
-void ImplicitResponse::apply(double span, double dt, ContactList& contacts, Columns& columns,
-                             Candidates& pairs, Movement& motion, std::vector<ImpulseBooks>& books,
+void ImplicitResponse::apply(double span, double dt, ContactList& contacts,
+                             ColumnColouring& columns, Candidates& pairs, Movement& motion,
+                             std::vector<ImpulseBooks>& books,
                              const std::function<void(bool is_last)>& hold) {
     for (ImpulseBooks& book : books) book.given.setZero();
     ++step_;
@@ -42,7 +43,7 @@ void ImplicitResponse::apply(double span, double dt, ContactList& contacts, Colu
 
 /// Makes contacts of pairs that are near and whose nodes are so fast that they may come within
 /// rest.
-void ImplicitResponse::take_up(double dt, ContactList& contacts, const Columns& columns,
+void ImplicitResponse::take_up(double dt, ContactList& contacts, const ColumnColouring& columns,
                                const Candidates& pairs, const Movement& motion) {
     contacts.for_each_chunk([&](std::size_t chunk) {
         for (const NearPair& near : contacts.near(chunk)) {
@@ -64,7 +65,7 @@ void ImplicitResponse::take_up(double dt, ContactList& contacts, const Columns& 
     });
 }
 
-double ImplicitResponse::solve_all(const Columns& columns, Movement& motion,
+double ImplicitResponse::solve_all(const ColumnColouring& columns, Movement& motion,
                                    const std::function<void(bool is_last)>& hold) {
     active_.resize(rows_.size());
     bool is_whole = true;
@@ -78,11 +79,11 @@ double ImplicitResponse::solve_all(const Columns& columns, Movement& motion,
     }
 }
 
-double ImplicitResponse::sweep(bool is_whole, const Columns& columns, Movement& motion) {
+double ImplicitResponse::sweep(bool is_whole, const ColumnColouring& columns, Movement& motion) {
     columns.for_each([&](std::size_t column) {
         Share& share = share_[column];
         share.changed = share.all = 0.0;
-        const bool is_alone = column == Columns::COUNT;
+        const bool is_alone = column == ColumnColouring::COUNT;
         std::uint32_t* const active = active_.data() + columns.begin(column);
         const auto bring = [&](std::size_t i) {
             Row& row = rows_[i];
@@ -161,7 +162,7 @@ double ImplicitResponse::solve_on_body(Row& row, Movement& motion) {
 
 /// Books what the impulses have taken, of all together exactly J · (velocity before + after) / 2,
 /// and remembers them.
-void ImplicitResponse::close(double span, const Columns& columns, Candidates& pairs,
+void ImplicitResponse::close(double span, const ColumnColouring& columns, Candidates& pairs,
                              const Movement& motion, std::vector<ImpulseBooks>& books) {
     columns.for_each([&](std::size_t column) {
         for (ImpulseBooks& book : share_[column].books) book = {};

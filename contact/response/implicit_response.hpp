@@ -9,7 +9,7 @@
 
 #include "contact/candidates/candidates.hpp"
 #include "contact/response/area_shares.hpp"
-#include "contact/response/columns.hpp"
+#include "contact/response/column_colouring.hpp"
 #include "contact/response/impulse_books.hpp"
 #include "contact/surface/movers.hpp"
 
@@ -46,8 +46,8 @@ public:
     /// @param columns  in which the contacts are sorted, then those too that this takes up
     /// @param books    by card
     /// @param hold     what else holds nodes, after each sweep and after the last
-    void apply(double span, double dt, ContactList& contacts, Columns& columns, Candidates& pairs,
-               Movement& motion, std::vector<ImpulseBooks>& books,
+    void apply(double span, double dt, ContactList& contacts, ColumnColouring& columns,
+               Candidates& pairs, Movement& motion, std::vector<ImpulseBooks>& books,
                const std::function<void(bool is_last)>& hold = {});
 
     /// How the sweeps went: what the last one of a step still changed, over all its impulses.
@@ -114,9 +114,9 @@ private:
         double changed = 0.0, all = 0.0;
         std::size_t active = 0;
     };
-    void take_up(double dt, ContactList& contacts, const Columns& columns, const Candidates& pairs,
-                 const Movement& motion);
-    void set_rows(double span, double dt, ContactList& contacts, const Columns& columns,
+    void take_up(double dt, ContactList& contacts, const ColumnColouring& columns,
+                 const Candidates& pairs, const Movement& motion);
+    void set_rows(double span, double dt, ContactList& contacts, const ColumnColouring& columns,
                   Candidates& pairs, Movement& motion);
     void recall(ContactList& contacts, Candidates& pairs);
     [[nodiscard]] const PairMemory* last(const Contact& contact, Candidates& pairs) const;
@@ -125,19 +125,19 @@ private:
     static void warm(double span, const PairMemory& memory, Row& row);
     void begin(Row& row, Movement& motion);
     /// Sweeps until little changes; returns what the last one did, over all impulses.
-    double solve_all(const Columns& columns, Movement& motion,
+    double solve_all(const ColumnColouring& columns, Movement& motion,
                      const std::function<void(bool is_last)>& hold);
     /// @param is_whole  over all rows; else over those that the last such sweep found to push
     /// @returns what it changed, over all impulses
-    double sweep(bool is_whole, const Columns& columns, Movement& motion);
+    double sweep(bool is_whole, const ColumnColouring& columns, Movement& motion);
     double solve(Row& row, Movement& motion);
     double solve_on_body(Row& row, Movement& motion);
-    void close(double span, const Columns& columns, Candidates& pairs, const Movement& motion,
-               std::vector<ImpulseBooks>& books);
+    void close(double span, const ColumnColouring& columns, Candidates& pairs,
+               const Movement& motion, std::vector<ImpulseBooks>& books);
 
     const Cloth& cloth_;
     AreaShares areas_;
-    std::array<Share, Columns::COUNT + 1> share_;
+    std::array<Share, ColumnColouring::COUNT + 1> share_;
     std::vector<Row> rows_;                     ///< in the columns' order
     std::vector<std::uint32_t> active_;         ///< rows that push, from each column's first on
     std::vector<std::vector<Contact*>> fresh_;  ///< by chunk: without a memory

@@ -44,7 +44,8 @@ void ImplicitResponse::recall(ContactList& contacts, Candidates& pairs) {
 }
 
 void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
-                                const Columns& columns, Candidates& pairs, Movement& motion) {
+                                const ColumnColouring& columns, Candidates& pairs,
+                                Movement& motion) {
     recall(contacts, pairs);
     contacts.for_each_apart([&](Contact& c) { c.exposure = exposure(cloth_, motion.x(), c); });
     areas_.find(motion.x(), columns, contacts);

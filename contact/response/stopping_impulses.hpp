@@ -10,7 +10,7 @@
 
 namespace corpuscle::contact {
 
-/// What the guard does to velocities: impulses between the two places of a pair, and clumps. Both
+/// What the CCD limiter does to velocities: impulses between the two places of a pair, and clumps. Both
 /// keep momentum, and what they take of the energy is booked exactly.
 class StoppingImpulses {
 public:

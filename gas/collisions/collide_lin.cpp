@@ -59,16 +59,16 @@ Mat3 inverse_of(const Mat3& L) {
 class GradientFit {
 public:
     /// None for a group that is too small, or all but in a plane.
-    static std::optional<GradientFit> of(const Swarm& swarm) {
-        if (swarm.size() < FIT_FROM) return std::nullopt;
-        const std::optional<Mat3> L = lower_factor(swarm.moment(swarm.dx, swarm.dx));
+    static std::optional<GradientFit> of(const CellSample& sample) {
+        if (sample.size() < FIT_FROM) return std::nullopt;
+        const std::optional<Mat3> L = lower_factor(sample.moment(sample.dx, sample.dx));
         if (!L) return std::nullopt;
         return GradientFit(inverse_of(*L));
     }
     /// Takes the gradient out of c and returns it: G = sum m c dxᵀ S⁻¹, S = sum m dx dxᵀ.  [1/s]
-    Mat3 take_out(Swarm& swarm) const {
-        const Mat3 G = swarm.moment(swarm.c, swarm.dx) * inverse_L_.transpose() * inverse_L_;
-        swarm.add_gradient(-G);
+    Mat3 take_out(CellSample& sample) const {
+        const Mat3 G = sample.moment(sample.c, sample.dx) * inverse_L_.transpose() * inverse_L_;
+        sample.add_gradient(-G);
         return G;
     }
     /// A gradient as thermal agitation makes it at kT: rows are normal with covariance kT S⁻¹.
@@ -128,44 +128,44 @@ Mat3 mapping(const Mat3& P, const Mat3& F, Random& draw) {
 /// temperature but slowly. They would lose angular momentum: so c, which has no gradient, is lent a
 /// thermal one, and whatever gradient it has afterwards is taken out. At equilibrium that leaves c
 /// as it was distributed.
-void exchange(const GradientFit& fit, double kT, Swarm& swarm, Random& draw) {
-    swarm.add_gradient(fit.thermal(kT, draw));
-    swarm.collide_unlike(draw);
-    fit.take_out(swarm);
+void exchange(const GradientFit& fit, double kT, CellSample& sample, Random& draw) {
+    sample.add_gradient(fit.thermal(kT, draw));
+    sample.collide_unlike(draw);
+    fit.take_out(sample);
 }
 
-bool collide_group(const CollisionStep& step, Swarm& swarm, Random& draw) {
-    const double E_all = swarm.translational();
-    if (is_rigid(swarm, E_all)) return relax(step.mixture, swarm, draw);
-    const std::optional<GradientFit> fit = GradientFit::of(swarm);
-    if (!fit) return collide_few(step, swarm, draw);
-    const double energy = E_all + swarm.internal() + swarm.heat;
+bool collide_group(const CollisionStep& step, CellSample& sample, Random& draw) {
+    const double E_all = sample.translational();
+    if (is_rigid(sample, E_all)) return relax(step.mixture, sample, draw);
+    const std::optional<GradientFit> fit = GradientFit::of(sample);
+    if (!fit) return collide_few(step, sample, draw);
+    const double energy = E_all + sample.internal() + sample.heat;
 
     // Motion in common: U and G. What is left is c, of energy E_0.
-    const Mat3 G = fit->take_out(swarm);
-    const Mat3 P_0 = swarm.moment(swarm.c, swarm.c);
+    const Mat3 G = fit->take_out(sample);
+    const Mat3 P_0 = sample.moment(sample.c, sample.c);
     const double E_0 = 0.5 * P_0.trace();
     const double E_gradient = E_all - E_0;
 
     // Its energy at equilibrium, E_1.
-    const double along_each_axis = static_cast<double>(swarm.size()) - lin::FITTED;
+    const double along_each_axis = static_cast<double>(sample.size()) - lin::FITTED;
     const double freedom = 3.0 * along_each_axis;
-    const bool has_heat = !is_rigid(swarm, E_0);
+    const bool has_heat = !is_rigid(sample, E_0);
     std::optional<double> E_1;
-    if (has_heat) E_1 = share(energy - E_gradient, freedom, step.mixture, swarm, draw);
+    if (has_heat) E_1 = share(energy - E_gradient, freedom, step.mixture, sample, draw);
     if (!E_1) {
-        swarm.add_gradient(G);
-        return leave_unrelaxed(swarm) || !has_heat;
+        sample.add_gradient(G);
+        return leave_unrelaxed(sample) || !has_heat;
     }
 
-    if (swarm.is_mixed()) exchange(*fit, 2.0 * E_0 / freedom, swarm, draw);
-    const Mat3 P = swarm.is_mixed() ? swarm.moment(swarm.c, swarm.c) : P_0;
+    if (sample.is_mixed()) exchange(*fit, 2.0 * E_0 / freedom, sample, draw);
+    const Mat3 P = sample.is_mixed() ? sample.moment(sample.c, sample.c) : P_0;
     const Mat3 A = along_each_axis >= STRESS_FROM
                        ? mapping(P, turned_factor(P_0, along_each_axis, draw), draw)
                        : random_rotation(draw);
     const double exact = std::sqrt(2.0 * *E_1 / (A * P * A.transpose()).trace());
-    swarm.transform(exact * A);
-    swarm.add_gradient(G);
+    sample.transform(exact * A);
+    sample.add_gradient(G);
     return true;
 }
 
@@ -182,9 +182,9 @@ void fetch(std::span<const Index> rows, const Particles& particles) {
 }  // namespace
 
 CollisionReport collide_lin_plainly(const CollisionStep& step, Particles& particles) {
-    return for_each_group(step, particles, [&](Swarm& swarm, Random& draw, auto rows) {
-        swarm.gather_places(rows, particles);
-        return collide_group(step, swarm, draw);
+    return for_each_group(step, particles, [&](CellSample& sample, Random& draw, auto rows) {
+        sample.gather_places(rows, particles);
+        return collide_group(step, sample, draw);
     });
 }
 
@@ -192,10 +192,11 @@ CollisionReport collide_lin_plainly(const CollisionStep& step, Particles& partic
 CollisionReport collide_lin(const CollisionStep& step, Particles& particles) {
     constexpr std::size_t GROUPS_A_CHUNK = 8, AHEAD = 2;
     const auto plainly = [&](std::size_t g) {
-        return collide_one_group(step, g, particles, [&](Swarm& swarm, Random& draw, auto rows) {
-            swarm.gather_places(rows, particles);
-            return collide_group(step, swarm, draw);
-        });
+        return collide_one_group(step, g, particles,
+                                 [&](CellSample& sample, Random& draw, auto rows) {
+                                     sample.gather_places(rows, particles);
+                                     return collide_group(step, sample, draw);
+                                 });
     };
     const auto some = [&](std::size_t chunk) {
         CollisionReport report;

@@ -10,9 +10,9 @@ namespace corpuscle::gas {
 /// translation are shared out anew. Collision steps of c_T dt / h = .25 or so, c_T = sqrt(R T / M),
 /// give a mean free path of about a cell h.
 CollisionReport collide_pairs(const CollisionStep& step, Particles& particles) {
-    return for_each_group(step, particles, [&](Swarm& swarm, Random& draw, auto) {
-        swarm.collide_pairs(draw);
-        return relax(step.mixture, swarm, draw);
+    return for_each_group(step, particles, [&](CellSample& sample, Random& draw, auto) {
+        sample.collide_pairs(draw);
+        return relax(step.mixture, sample, draw);
     });
 }
 

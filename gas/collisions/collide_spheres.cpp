@@ -31,8 +31,8 @@ struct Contact {
 };
 
 /// When spheres p and q meet; INF when they do not, or are apart from each other.
-double time_of_contact(const Swarm& swarm, std::size_t p, std::size_t q, double d) {
-    const Vec3 r = swarm.dx[q] - swarm.dx[p], g = swarm.c[q] - swarm.c[p];
+double time_of_contact(const CellSample& sample, std::size_t p, std::size_t q, double d) {
+    const Vec3 r = sample.dx[q] - sample.dx[p], g = sample.c[q] - sample.c[p];
     const double closing = -g.dot(r), g2 = g.squaredNorm();
     if (!(closing > 0.0)) return INF;
     const double gap = r.squaredNorm() - d * d;
@@ -41,21 +41,21 @@ double time_of_contact(const Swarm& swarm, std::size_t p, std::size_t q, double 
     return inside > 0.0 ? gap / (closing + std::sqrt(inside)) : INF;
 }
 
-void bounce_all(double dt, double d, Swarm& swarm) {
+void bounce_all(double dt, double d, CellSample& sample) {
     thread_local std::vector<Contact> contacts;
     thread_local std::vector<std::uint8_t> has_met;
     contacts.clear();
-    has_met.assign(swarm.size(), 0);
-    for (std::size_t p = 0; p < swarm.size(); ++p)
-        for (std::size_t q = p + 1; q < swarm.size(); ++q)
-            if (const double t = time_of_contact(swarm, p, q, d); t <= dt)
+    has_met.assign(sample.size(), 0);
+    for (std::size_t p = 0; p < sample.size(); ++p)
+        for (std::size_t q = p + 1; q < sample.size(); ++q)
+            if (const double t = time_of_contact(sample, p, q, d); t <= dt)
                 contacts.push_back({t, p, q});
     std::sort(contacts.begin(), contacts.end());
     for (const auto& [t, p, q] : contacts) {
         if (has_met[p] || has_met[q]) continue;
         has_met[p] = has_met[q] = 1;
-        const Vec3 r = swarm.dx[q] - swarm.dx[p] + t * (swarm.c[q] - swarm.c[p]);
-        swarm.bounce(p, q, r.normalized());
+        const Vec3 r = sample.dx[q] - sample.dx[p] + t * (sample.c[q] - sample.c[p]);
+        sample.bounce(p, q, r.normalized());
     }
 }
 
@@ -63,10 +63,10 @@ void bounce_all(double dt, double d, Swarm& swarm) {
 
 CollisionReport collide_spheres(const CollisionStep& step, Particles& particles) {
     const double diameter = std::sqrt(step.cross_section / std::numbers::pi);
-    return for_each_group(step, particles, [&](Swarm& swarm, Random& draw, auto rows) {
-        swarm.gather_places(rows, particles);
-        bounce_all(step.dt, diameter, swarm);
-        return relax(step.mixture, swarm, draw);
+    return for_each_group(step, particles, [&](CellSample& sample, Random& draw, auto rows) {
+        sample.gather_places(rows, particles);
+        bounce_all(step.dt, diameter, sample);
+        return relax(step.mixture, sample, draw);
     });
 }
 

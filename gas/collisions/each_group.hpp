@@ -2,29 +2,29 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "gas/collisions/cell_sample.hpp"
 #include "gas/collisions/collide.hpp"
-#include "gas/collisions/swarm.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/base/random.hpp"
 
 namespace corpuscle::gas {
 
-/// Gathers a group, has `collide_one(swarm, draw, rows)` change its c and e, and scatters it back.
+/// Gathers a group, has `collide_one(sample, draw, rows)` change its c and e, and scatters it back.
 /// What is drawn depends on the step and the group's number alone. `collide_one` returns false when
 /// the group could not be relaxed.
 template <class CollideOne>
 CollisionReport collide_one_group(const CollisionStep& step, std::size_t group,
                                   Particles& particles, CollideOne&& collide_one) {
-    thread_local Swarm swarm;
+    thread_local CellSample sample;
     const auto rows = step.groups[group];
-    swarm.gather(rows, step.mixture, particles);
-    const double thermal = swarm.translational() + swarm.internal();
+    sample.gather(rows, step.mixture, particles);
+    const double thermal = sample.translational() + sample.internal();
     const Heat heat = step.heat_of(rows, particles);
-    swarm.heat = (heat.factor - 1.0) * thermal + heat.per_mass * swarm.mass;
+    sample.heat = (heat.factor - 1.0) * thermal + heat.per_mass * sample.mass;
     CollisionReport report{thermal};
     Random draw(step.seed, Stream::COLLISION, step.step, group);
-    if (!collide_one(swarm, draw, rows)) report.unrelaxed = 1;
-    swarm.scatter(rows, particles);
+    if (!collide_one(sample, draw, rows)) report.unrelaxed = 1;
+    sample.scatter(rows, particles);
     return report;
 }
 

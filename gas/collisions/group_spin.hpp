@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "gas/collisions/swarm.hpp"
+#include "gas/collisions/cell_sample.hpp"
 
 namespace corpuscle::gas {
 
@@ -18,8 +18,8 @@ namespace corpuscle::gas {
 /// On a line I has no inverse along it, at one point none at all: nothing turns there.
 class GroupSpin {
 public:
-    explicit GroupSpin(const Swarm& swarm) {
-        const Mat3 S = swarm.moment(swarm.dx, swarm.dx);
+    explicit GroupSpin(const CellSample& sample) {
+        const Mat3 S = sample.moment(sample.dx, sample.dx);
         const Eigen::SelfAdjointEigenSolver<Mat3> I(S.trace() * Mat3::Identity() - S);
         axes_ = I.eigenvectors();
         for (int k = 0; k < 3; ++k) {
@@ -32,11 +32,11 @@ public:
     [[nodiscard]] double freedom() const { return freedom_; }
 
     /// Takes the rotation out of c and returns it as a velocity gradient.                   [1/s]
-    Mat3 take_out(Swarm& swarm) const {
-        const Mat3 Q = swarm.moment(swarm.c, swarm.dx);
+    Mat3 take_out(CellSample& sample) const {
+        const Mat3 Q = sample.moment(sample.c, sample.dx);
         const Vec3 J(Q(2, 1) - Q(1, 2), Q(0, 2) - Q(2, 0), Q(1, 0) - Q(0, 1));
         const Mat3 G = gradient(axes_ * per_inertia_.cwiseProduct(axes_.transpose() * J));
-        swarm.add_gradient(-G);
+        sample.add_gradient(-G);
         return G;
     }
     /// A rotation as thermal agitation makes it at kT: omega is normal with covariance kT I⁻¹.

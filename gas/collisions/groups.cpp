@@ -6,7 +6,7 @@
 #include <array>
 #include <limits>
 
-#include "gas/collisions/sight.hpp"
+#include "gas/collisions/visibility.hpp"
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {

@@ -21,39 +21,39 @@ Mat3 random_rotation(Random& draw) {
         .toRotationMatrix();
 }
 
-bool leave_unrelaxed(Swarm& swarm) {
-    swarm.add_internal(swarm.heat);
+bool leave_unrelaxed(CellSample& sample) {
+    sample.add_internal(sample.heat);
     return false;
 }
 
-bool collide_few(const CollisionStep& step, Swarm& swarm, Random& draw) {
-    const double E_all = swarm.translational();
-    const double energy = E_all + swarm.internal() + swarm.heat;
-    const GroupSpin spin(swarm);
-    const Mat3 G = spin.take_out(swarm);
-    const double E_0 = swarm.translational();
-    const double freedom = 3.0 * (static_cast<double>(swarm.size()) - 1.0) - spin.freedom();
+bool collide_few(const CollisionStep& step, CellSample& sample, Random& draw) {
+    const double E_all = sample.translational();
+    const double energy = E_all + sample.internal() + sample.heat;
+    const GroupSpin spin(sample);
+    const Mat3 G = spin.take_out(sample);
+    const double E_0 = sample.translational();
+    const double freedom = 3.0 * (static_cast<double>(sample.size()) - 1.0) - spin.freedom();
     if (freedom < 1.0 || E_0 <= lin::FLATTEST * lin::FLATTEST * E_all) {
-        swarm.add_gradient(G);
-        swarm.add_internal(swarm.heat);
+        sample.add_gradient(G);
+        sample.add_internal(sample.heat);
         return true;
     }
     const std::optional<double> E_1 =
-        share(energy - (E_all - E_0), freedom, step.mixture, swarm, draw);
+        share(energy - (E_all - E_0), freedom, step.mixture, sample, draw);
     if (!E_1) {
-        swarm.add_gradient(G);
-        return leave_unrelaxed(swarm);
+        sample.add_gradient(G);
+        return leave_unrelaxed(sample);
     }
-    if (swarm.size() == 2) {
-        swarm.scale(-1.0);  // all that a line leaves
+    if (sample.size() == 2) {
+        sample.scale(-1.0);  // all that a line leaves
     } else {
-        swarm.add_gradient(spin.thermal(2.0 * E_0 / freedom, draw));
-        if (swarm.is_mixed()) swarm.collide_unlike(draw);
-        swarm.transform(random_rotation(draw));
-        spin.take_out(swarm);
+        sample.add_gradient(spin.thermal(2.0 * E_0 / freedom, draw));
+        if (sample.is_mixed()) sample.collide_unlike(draw);
+        sample.transform(random_rotation(draw));
+        spin.take_out(sample);
     }
-    swarm.scale(std::sqrt(*E_1 / swarm.translational()));
-    swarm.add_gradient(G);
+    sample.scale(std::sqrt(*E_1 / sample.translational()));
+    sample.add_gradient(G);
     return true;
 }
 

@@ -12,9 +12,9 @@ namespace corpuscle::gas {
 
 double thermal_energy(std::span<const Index> rows, const Mixture& mixture,
                       const Particles& particles) {
-    thread_local Swarm swarm;
-    swarm.gather(rows, mixture, particles);
-    return swarm.translational() + swarm.internal();
+    thread_local CellSample sample;
+    sample.gather(rows, mixture, particles);
+    return sample.translational() + sample.internal();
 }
 
 double thermal_energy(const Lists& groups, const Mixture& mixture, const Particles& particles) {
@@ -33,17 +33,17 @@ double equilibrium_temperature(double energy, double freedom, double half_heat,
     return content.temperature(energy, guess > 0.0 && guess < 5000.0 ? guess : 300.0);
 }
 
-bool is_rigid(const Swarm& swarm, double translational) {
-    return translational <= RIGID * 0.5 * swarm.mass * swarm.U.squaredNorm();
+bool is_rigid(const CellSample& sample, double translational) {
+    return translational <= RIGID * 0.5 * sample.mass * sample.U.squaredNorm();
 }
 
-std::optional<double> share(double energy, double freedom, const Mixture& mixture, Swarm& swarm,
-                            Random& draw) {
+std::optional<double> share(double energy, double freedom, const Mixture& mixture,
+                            CellSample& sample, Random& draw) {
     const double chance = nearly_normal(draw);
-    const EnergyPolynomial& internal_at = swarm.internal_at();
+    const EnergyPolynomial& internal_at = sample.internal_at();
     const double T = equilibrium_temperature(energy, freedom, mixture.half_heat(), internal_at);
     if (!(T > 0.0)) return std::nullopt;
-    const double internal = swarm.set_internal(T, mixture, MEMORY);
+    const double internal = sample.set_internal(T, mixture, MEMORY);
 
     const double C_t = freedom * mixture.half_heat(), C_i = internal_at.slope(T);
     const double least = std::min(internal, energy - internal);
@@ -54,23 +54,23 @@ std::optional<double> share(double energy, double freedom, const Mixture& mixtur
         SCATTER * mixture.half_heat() * C_t * internal_at.curvature(T) * scatter * scatter;
     // In groups of two or three the tails are cut, evenly, so that no part is used up.
     const double more = std::clamp(spread * chance - less, -MOST_NOISE * least, MOST_NOISE * least);
-    swarm.warm_internal(more, T, mixture);
-    return energy - swarm.internal();
+    sample.warm_internal(more, T, mixture);
+    return energy - sample.internal();
 }
 
-bool relax(const Mixture& mixture, Swarm& swarm, Random& draw) {
-    const double translational = swarm.translational();
-    if (is_rigid(swarm, translational)) {
-        swarm.add_internal(swarm.heat);
+bool relax(const Mixture& mixture, CellSample& sample, Random& draw) {
+    const double translational = sample.translational();
+    if (is_rigid(sample, translational)) {
+        sample.add_internal(sample.heat);
         return true;
     }
-    const double energy = translational + swarm.internal() + swarm.heat;
-    const double freedom = 3.0 * (static_cast<double>(swarm.size()) - 1.0);
-    const std::optional<double> left = share(energy, freedom, mixture, swarm, draw);
+    const double energy = translational + sample.internal() + sample.heat;
+    const double freedom = 3.0 * (static_cast<double>(sample.size()) - 1.0);
+    const std::optional<double> left = share(energy, freedom, mixture, sample, draw);
     if (left)
-        swarm.scale(std::sqrt(*left / translational));
+        sample.scale(std::sqrt(*left / translational));
     else
-        swarm.add_internal(swarm.heat);
+        sample.add_internal(sample.heat);
     return left.has_value();
 }
 

@@ -4,8 +4,8 @@
 
 #include <optional>
 
+#include "gas/collisions/cell_sample.hpp"
 #include "gas/collisions/groups.hpp"
-#include "gas/collisions/swarm.hpp"
 
 namespace corpuscle::gas {
 
@@ -35,11 +35,11 @@ inline constexpr double MOST_NOISE =
 /// collisions.
 inline constexpr double SCATTER = 0.64;
 
-/// Of the energy of a swarm's common motion: (the rounding of c = v - U, some 1e-16 v, times 1000)²
+/// Of the energy of a sample's common motion: (the rounding of c = v - U, some 1e-16 v, times 1000)²
 inline constexpr double RIGID = 1e-26;
 
 /// Is c nothing but rounding? A lone particle and a cold jet have no thermal motion to be scaled.
-bool is_rigid(const Swarm& swarm, double translational);
+bool is_rigid(const CellSample& sample, double translational);
 
 /// Shares `energy` between translation and internal energy as at equilibrium (eq. 18-21): sets e
 /// and returns what is left for translation, exactly. None, and nothing done, when no temperature
@@ -48,13 +48,13 @@ bool is_rigid(const Swarm& swarm, double translational);
 /// At a given energy the shares fluctuate, with variance k T² C_t C_i / (C_t + C_i) (C: the two
 /// parts' heat capacities), and so they do here. Without this the groups' common motion, that
 /// compression and relaxation damp, would be colder than the gas.
-std::optional<double> share(double energy, double freedom, const Mixture& mixture, Swarm& swarm,
-                            Random& draw);
+std::optional<double> share(double energy, double freedom, const Mixture& mixture,
+                            CellSample& sample, Random& draw);
 
-/// Shares out a swarm's thermal energy and its heat: one factor on c, a new e each. Exact in energy
-/// and momentum. The heat of a rigid swarm goes to its internal energy, evenly by mass; so it does
+/// Shares out a sample's thermal energy and its heat: one factor on c, a new e each. Exact in energy
+/// and momentum. The heat of a rigid sample goes to its internal energy, evenly by mass; so it does
 /// where no temperature holds the energy, and false is returned.
-bool relax(const Mixture& mixture, Swarm& swarm, Random& draw);
+bool relax(const Mixture& mixture, CellSample& sample, Random& draw);
 
 /// Close to standard normal, never beyond 3.5: the sum of four uniform numbers. Noise needs no
 /// tails.

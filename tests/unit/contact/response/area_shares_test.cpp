@@ -14,7 +14,8 @@ namespace {
 constexpr double GAP = 0.99e-3, REST = 1e-3;
 
 /// All contacts of nodes of the upper sheet with triangles of the lower one, which is larger.
-ContactList contacts_of(const Cloth& cloth, const Points& x, Index below, Columns& columns) {
+ContactList contacts_of(const Cloth& cloth, const Points& x, Index below,
+                        ColumnColouring& columns) {
     ContactList contacts;
     contacts.clear(1);
     columns.lay(x);
@@ -37,7 +38,7 @@ ContactList contacts_of(const Cloth& cloth, const Points& x, Index below, Column
 struct Pressed {
     support::Sheet sheets = two_sheets();
     Cloth cloth = support::cloth_of(sheets);
-    Columns columns{cloth};
+    ColumnColouring columns{cloth};
     ContactList contacts = contacts_of(cloth, sheets.x, BELOW, columns);
     AreaShares areas{cloth};
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "contact/response/columns.hpp"
+#include "contact/response/column_colouring.hpp"
 #include "tests/support/scenes/spring_cloth.hpp"
 
 using namespace corpuscle;
@@ -20,7 +20,7 @@ struct Pile {
     support::SpringCloth cloth{sheet};
     Cloth fixed{cloth.setup({}, sheet.x)};
     ContactList contacts;
-    Columns columns{fixed};
+    ColumnColouring columns{fixed};
 
     Pile() {
         const std::size_t count = sheet.triangles.size();

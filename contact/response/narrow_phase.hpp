@@ -5,17 +5,17 @@
 #include <span>
 
 #include "contact/candidates/candidates.hpp"
-#include "contact/response/columns.hpp"
+#include "contact/response/column_colouring.hpp"
 #include "contact/surface/contact_list.hpp"
 #include "contact/surface/movers.hpp"
 
 namespace corpuscle::contact {
 
 /// Looks at candidate pairs: which are near, which touch.
-class PairLook {
+class NarrowPhase {
 public:
     /// @param reach  gap below which pairs are kept, in contact thicknesses
-    PairLook(const Cloth& cloth, double reach) : cloth_(cloth), reach_(reach) {}
+    NarrowPhase(const Cloth& cloth, double reach) : cloth_(cloth), reach_(reach) {}
 
     struct Scene {
         const Points &x, &v;                  ///< N × 3                                  [m, m/s]
@@ -26,7 +26,7 @@ public:
         std::span<const double> most;         ///< contact thickness now, by card          [m]
     };
     /// Fills the list, which is empty.
-    void find(const Scene& scene, const Columns& columns, Candidates& pairs,
+    void find(const Scene& scene, const ColumnColouring& columns, Candidates& pairs,
               ContactList& contacts) const;
 
 private:
@@ -40,8 +40,8 @@ private:
         double now;   ///< [m]
         double rate;  ///< at which it grows                                               [m/s]
     };
-    void take(const Found& found, const Scene& scene, const Columns& columns, Candidates& pairs,
-              ContactList& contacts, std::size_t chunk) const;
+    void take(const Found& found, const Scene& scene, const ColumnColouring& columns,
+              Candidates& pairs, ContactList& contacts, std::size_t chunk) const;
     [[nodiscard]] RestGap rest_gap(double thickness, double t, PairMemory* memory) const;
 
     const Cloth& cloth_;

@@ -1,6 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "contact/response/columns.hpp"
+#include "contact/response/column_colouring.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ constexpr std::size_t FEW_CHUNKS = 8, COLUMNS = 16;  ///< of contacts; a chunk
 
 constexpr unsigned ACROSS = 16;  ///< names along each axis, then they are used again: even
 
-/// Columns of one colour are next to each other; the colour tells even from odd along both axes.
+/// ColumnColouring of one colour are next to each other; the colour tells even from odd along both axes.
 std::uint16_t name(unsigned i, unsigned j) {
     const unsigned colour = (i & 1U) | (j & 1U) << 1U;
     return static_cast<std::uint16_t>(colour << 6U | i >> 1U << 3U | j >> 1U);
@@ -26,7 +26,7 @@ std::uint16_t name(unsigned i, unsigned j) {
 
 }  // namespace
 
-void Columns::lay(const Points& x) {
+void ColumnColouring::lay(const Points& x) {
     per_width_ = cloth_.mean_edge > 0.0 ? 1.0 / (WIDTH * cloth_.mean_edge) : 0.0;
     Vec3 low = Vec3::Constant(INF), high = -low;
     for (const Index n : cloth_.nodes) {
@@ -38,7 +38,7 @@ void Columns::lay(const Points& x) {
     axis_ = {(thinnest + 1) % 3, (thinnest + 2) % 3};
 }
 
-std::uint16_t Columns::of(const Contact& contact, const Points& x) const {
+std::uint16_t ColumnColouring::of(const Contact& contact, const Points& x) const {
     if (contact.on_body) return Contact::ALONE;
     std::array<unsigned, 2> at{};
     for (std::size_t k = 0; k < 2; ++k) {
@@ -53,7 +53,7 @@ std::uint16_t Columns::of(const Contact& contact, const Points& x) const {
     return name(at[0], at[1]);
 }
 
-void Columns::sort(const ContactList& contacts) {
+void ColumnColouring::sort(const ContactList& contacts) {
     const std::size_t chunks = contacts.chunks();
     next_.resize(chunks);
     contacts.for_each_chunk([&](std::size_t c) {

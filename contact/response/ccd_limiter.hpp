@@ -17,9 +17,9 @@ namespace corpuscle::contact {
 /// collides then, in tangles of many layers, is joined into rigid clumps for this step [Provot
 /// 1997, impact zones], which always ends: nodes of one clump do not move against each other.
 /// Momentum is kept, energy only lost. Pairs that touch exactly (gap 0) are beyond help.
-class CrossingGuard {
+class CcdLimiter {
 public:
-    explicit CrossingGuard(const Cloth& cloth);
+    explicit CcdLimiter(const Cloth& cloth);
 
     /// Changes velocities so that the step is safe. Pairs whose card is off at t are left alone.
     /// @param load  takes what stops the others

@@ -1,6 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "contact/response/crossing_guard.hpp"
+#include "contact/response/ccd_limiter.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -25,14 +25,14 @@ Corners moves(const Pair& pair, double dt, const Movement& motion) {
 
 }  // namespace
 
-CrossingGuard::CrossingGuard(const Cloth& cloth)
+CcdLimiter::CcdLimiter(const Cloth& cloth)
     : cloth_(cloth), mass_(cloth.inverse_mass), changed_(mass_.size(), 0), parent_(mass_.size()) {
     for (double& m : mass_) m = m > 0.0 ? 1.0 / m : 0.0;
     std::iota(parent_.begin(), parent_.end(), 0);
 }
 
-void CrossingGuard::stop(double t, double dt, Candidates& pairs, StoppingImpulses& impulses,
-                         FacetLoad& load, Movement& motion) {
+void CcdLimiter::stop(double t, double dt, Candidates& pairs, StoppingImpulses& impulses,
+                      FacetLoad& load, Movement& motion) {
     // Impulses change velocities, and so what may meet: look again until nothing new has to be
     // stopped.
     for (int look = 0;; ++look) {
@@ -51,8 +51,8 @@ void CrossingGuard::stop(double t, double dt, Candidates& pairs, StoppingImpulse
 
 /// Stops the listed pairs, by impulses for so many rounds, then by clumps.
 /// @returns whether there was anything to stop
-bool CrossingGuard::stop_dangers(int rounds, double dt, Candidates& pairs,
-                                 StoppingImpulses& impulses, FacetLoad& load, Movement& motion) {
+bool CcdLimiter::stop_dangers(int rounds, double dt, Candidates& pairs, StoppingImpulses& impulses,
+                              FacetLoad& load, Movement& motion) {
     checked_ = 0;
     int n = 0;
     for (; find_impacts(dt, pairs, motion); ++n) {
@@ -70,7 +70,7 @@ bool CrossingGuard::stop_dangers(int rounds, double dt, Candidates& pairs,
     return n > 0;
 }
 
-void CrossingGuard::list_dangers(double t, const Candidates& pairs) {
+void CcdLimiter::list_dangers(double t, const Candidates& pairs) {
     const std::size_t chunks = parallel::chunk_count(pairs.size(), CHUNK);
     near_.resize(std::max(near_.size(), chunks));
     found_.resize(near_.size());
@@ -90,7 +90,7 @@ void CrossingGuard::list_dangers(double t, const Candidates& pairs) {
 /// Finds impacts among the pairs that may meet, after the first round only where a velocity has
 /// changed since.
 /// @returns whether there are any
-bool CrossingGuard::find_impacts(double dt, const Candidates& pairs, const Movement& motion) {
+bool CcdLimiter::find_impacts(double dt, const Candidates& pairs, const Movement& motion) {
     const auto search = [&](std::size_t begin, std::size_t, std::size_t) {
         found_[begin].clear();
         for (const std::size_t i : near_[begin]) {
@@ -110,8 +110,8 @@ bool CrossingGuard::find_impacts(double dt, const Candidates& pairs, const Movem
 }
 
 /// Stops each pair as it is at its time of impact.
-void CrossingGuard::stop_impacts(double dt, const Candidates& pairs, StoppingImpulses& impulses,
-                                 FacetLoad& load, Movement& motion) {
+void CcdLimiter::stop_impacts(double dt, const Candidates& pairs, StoppingImpulses& impulses,
+                              FacetLoad& load, Movement& motion) {
     for (const auto& some : found_)
         for (const auto& [i, time] : some) {
             const Pair& pair = pairs[i];
@@ -137,8 +137,8 @@ void CrossingGuard::stop_impacts(double dt, const Candidates& pairs, StoppingImp
 /// several places of a body are several: else a form, the pack under it and the housing that this
 /// rests on would stop dead as one whenever a few layers are tangled.
 /// @returns whether anything was joined that was not before
-bool CrossingGuard::make_clumps(const Candidates& pairs, StoppingImpulses& impulses,
-                                Movement& motion) {
+bool CcdLimiter::make_clumps(const Candidates& pairs, StoppingImpulses& impulses,
+                             Movement& motion) {
     bool is_new = false;
     for (const auto& some : found_)
         for (const auto& impact : some) {
@@ -161,7 +161,7 @@ bool CrossingGuard::make_clumps(const Candidates& pairs, StoppingImpulses& impul
 }
 
 /// Name of the clump that a node belongs to.
-Index CrossingGuard::root(Index node) {
+Index CcdLimiter::root(Index node) {
     while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
     return node;
 }

@@ -1,6 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "contact/response/pair_look.hpp"
+#include "contact/response/narrow_phase.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr double MARGIN = 1.25;
 
 /// Rows that are due, whose nearest places are found four at a time, edges and others apart. What
 /// they need lies far apart in memory: it is asked for well ahead.
-class PairLook::Batch {
+class NarrowPhase::Batch {
 public:
     [[nodiscard]] bool is_full() const { return count_ == found_.size(); }
     void add(std::size_t row, const Candidates& pairs) {
@@ -67,8 +67,8 @@ private:
     std::array<Kind, 2> kind_;
 };
 
-void PairLook::find(const Scene& scene, const Columns& columns, Candidates& pairs,
-                    ContactList& contacts) const {
+void NarrowPhase::find(const Scene& scene, const ColumnColouring& columns, Candidates& pairs,
+                       ContactList& contacts) const {
     contacts.clear(pairs.size());
     const auto look = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
         Batch batch;
@@ -87,8 +87,8 @@ void PairLook::find(const Scene& scene, const Columns& columns, Candidates& pair
     parallel::for_chunks(pairs.size(), look, ContactList::CHUNK);
 }
 
-void PairLook::take(const Found& found, const Scene& scene, const Columns& columns,
-                    Candidates& pairs, ContactList& contacts, std::size_t chunk) const {
+void NarrowPhase::take(const Found& found, const Scene& scene, const ColumnColouring& columns,
+                       Candidates& pairs, ContactList& contacts, std::size_t chunk) const {
     const auto& [row, places, gap] = found;
     const int card = pairs.card(row);
     if (!scene.is_on[card]) return;
@@ -118,7 +118,7 @@ void PairLook::take(const Found& found, const Scene& scene, const Columns& colum
 }
 
 /// A pair that began nearer than its thickness starts with the gap that it had.
-PairLook::RestGap PairLook::rest_gap(double thickness, double t, PairMemory* memory) const {
+NarrowPhase::RestGap NarrowPhase::rest_gap(double thickness, double t, PairMemory* memory) const {
     if (memory == nullptr || memory->short_by == 0.0) return {thickness, 0.0};
     const double missing = memory->short_by * std::exp(-(t - memory->born) / cloth_.growth_time);
     if (missing < 1e-6 * thickness) {

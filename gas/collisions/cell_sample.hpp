@@ -30,7 +30,7 @@ struct Columns {
 
 /// The particles of one group, gathered, and seen from their common centre: what collision models
 /// work on. Keeps its memory from group to group.
-class Swarm {
+class CellSample {
 public:
     /// Everything but places.
     void gather(std::span<const Index> rows, const Mixture& mixture, const Particles& particles);

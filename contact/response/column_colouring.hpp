@@ -19,11 +19,11 @@ namespace corpuscle::contact {
 /// of columns each of which all threads work on at once. What reaches farther (large facets), and
 /// what touches a rigid body, is worked on alone, after all others. The order does not depend on
 /// the number of threads.
-class Columns {
+class ColumnColouring {
 public:
     static constexpr std::size_t COUNT = 256;  ///< names of columns; those that are far apart share
 
-    explicit Columns(const Cloth& cloth) : cloth_(cloth) {}
+    explicit ColumnColouring(const Cloth& cloth) : cloth_(cloth) {}
 
     /// Lays the columns for cloth at x.
     void lay(const Points& x);

@@ -1,6 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "gas/collisions/swarm.hpp"
+#include "gas/collisions/cell_sample.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -26,8 +26,8 @@ double total(const Four& a) {
 
 }  // namespace
 
-void Swarm::gather(std::span<const Index> rows, const Mixture& mixture,
-                   const Particles& particles) {
+void CellSample::gather(std::span<const Index> rows, const Mixture& mixture,
+                        const Particles& particles) {
     n_ = rows.size();
     padded_ = (n_ + 3) / 4 * 4;
     c.resize(padded_);
@@ -63,7 +63,7 @@ void Swarm::gather(std::span<const Index> rows, const Mixture& mixture,
     U += rest;
 }
 
-void Swarm::gather_places(std::span<const Index> rows, const Particles& particles) {
+void CellSample::gather_places(std::span<const Index> rows, const Particles& particles) {
     dx.resize(padded_);
     const Vec3 near = particles.x[rows[0]];
     for (std::size_t i = 0; i < n_; ++i) dx.set(i, particles.x[rows[i]] - near);
@@ -73,7 +73,7 @@ void Swarm::gather_places(std::span<const Index> rows, const Particles& particle
 }
 
 /// Subtracts the mean by mass. The padding takes part in the subtraction but weighs nothing.
-void Swarm::centre(Columns& a, Vec3& mean) const {
+void CellSample::centre(Columns& a, Vec3& mean) const {
     for (int k = 0; k < 3; ++k) {
         std::vector<double>& column = a.along[k];
         Four sum{};
@@ -83,14 +83,14 @@ void Swarm::centre(Columns& a, Vec3& mean) const {
     }
 }
 
-void Swarm::scatter(std::span<const Index> rows, Particles& particles) const {
+void CellSample::scatter(std::span<const Index> rows, Particles& particles) const {
     for (std::size_t i = 0; i < n_; ++i) {
         particles.v[rows[i]] = U + c[i];
         particles.e[rows[i]] = e[i];
     }
 }
 
-double Swarm::translational() const {
+double CellSample::translational() const {
     Four sum{};
     for (std::size_t i = 0; i < padded_; i += 4) {
         const Four x = load(c.along[0], i), y = load(c.along[1], i), z = load(c.along[2], i);
@@ -99,15 +99,15 @@ double Swarm::translational() const {
     return 0.5 * total(sum);
 }
 
-double Swarm::least_mass() const {
+double CellSample::least_mass() const {
     return *std::min_element(m_.begin(), m_.begin() + static_cast<std::ptrdiff_t>(n_));
 }
 
-double Swarm::internal() const {
+double CellSample::internal() const {
     return std::accumulate(e.begin(), e.begin() + static_cast<std::ptrdiff_t>(n_), 0.0);
 }
 
-Mat3 Swarm::moment(const Columns& a, const Columns& b) const {
+Mat3 CellSample::moment(const Columns& a, const Columns& b) const {
     std::array<std::array<Four, 3>, 3> sum{};
     for (std::size_t i = 0; i < padded_; i += 4) {
         const Four m = load(m_, i);
@@ -124,7 +124,7 @@ Mat3 Swarm::moment(const Columns& a, const Columns& b) const {
     return out;
 }
 
-double Swarm::set_internal(double T, const Mixture& mixture, double memory) {
+double CellSample::set_internal(double T, const Mixture& mixture, double memory) {
     if (!is_mixed_) {
         const auto n = static_cast<double>(n_);
         const double each = internal_at_(T) / n - memory * internal() / n;
@@ -146,22 +146,22 @@ double Swarm::set_internal(double T, const Mixture& mixture, double memory) {
     return internal();
 }
 
-void Swarm::warm_internal(double energy, double T, const Mixture& mixture) {
+void CellSample::warm_internal(double energy, double T, const Mixture& mixture) {
     const double rise = energy / internal_at_.slope(T);
     for (std::size_t i = 0; i < n_; ++i)
         e[i] += rise * mixture.particle_internal(species_[i]).slope(T);
 }
 
-void Swarm::scale(double factor) {
+void CellSample::scale(double factor) {
     for (auto& column : c.along)
         for (double& ci : column) ci *= factor;
 }
 
-void Swarm::add_internal(double energy) {
+void CellSample::add_internal(double energy) {
     for (std::size_t i = 0; i < n_; ++i) e[i] += energy * (m_[i] / mass);
 }
 
-void Swarm::transform(const Mat3& A) {
+void CellSample::transform(const Mat3& A) {
     double* const x = c.along[0].data();
     double* const y = c.along[1].data();
     double* const z = c.along[2].data();
@@ -173,7 +173,7 @@ void Swarm::transform(const Mat3& A) {
     }
 }
 
-void Swarm::add_gradient(const Mat3& G) {
+void CellSample::add_gradient(const Mat3& G) {
     for (int k = 0; k < 3; ++k) {
         double* const to = c.along[k].data();
         const double *x = dx.along[0].data(), *y = dx.along[1].data(), *z = dx.along[2].data();
@@ -182,7 +182,7 @@ void Swarm::add_gradient(const Mat3& G) {
     }
 }
 
-void Swarm::collide_pairs(Random& draw) {
+void CellSample::collide_pairs(Random& draw) {
     const auto n = static_cast<std::uint32_t>(n_);
     shuffled_.resize(n);
     std::iota(shuffled_.begin(), shuffled_.end(), 0);
@@ -195,7 +195,7 @@ void Swarm::collide_pairs(Random& draw) {
     }
 }
 
-void Swarm::collide_unlike(Random& draw) {
+void CellSample::collide_unlike(Random& draw) {
     const auto n = static_cast<std::uint32_t>(n_);
     shuffled_.resize(n);
     std::iota(shuffled_.begin(), shuffled_.end(), 0);
@@ -212,7 +212,7 @@ void Swarm::collide_unlike(Random& draw) {
 }
 
 /// n_: all of other kinds are paired.
-std::size_t Swarm::nearest_unlike(std::size_t p) const {
+std::size_t CellSample::nearest_unlike(std::size_t p) const {
     std::size_t best = n_;
     double least = INF;
     const Vec3 at = dx[p];
@@ -226,7 +226,7 @@ std::size_t Swarm::nearest_unlike(std::size_t p) const {
     return best;
 }
 
-void Swarm::collide_pair(std::size_t p, std::size_t q, Random& draw) {
+void CellSample::collide_pair(std::size_t p, std::size_t q, Random& draw) {
     const double share = m_[q] / (m_[p] + m_[q]);
     const Vec3 apart = c[p] - c[q];
     const Vec3 centre = c[q] + (1.0 - share) * apart;
@@ -235,7 +235,7 @@ void Swarm::collide_pair(std::size_t p, std::size_t q, Random& draw) {
     c.set(q, centre - (1.0 - share) * turned);
 }
 
-void Swarm::bounce(std::size_t p, std::size_t q, const Vec3& n) {
+void CellSample::bounce(std::size_t p, std::size_t q, const Vec3& n) {
     const double share = m_[q] / (m_[p] + m_[q]);
     const Vec3 change = 2.0 * (c[q] - c[p]).dot(n) * n;
     c.set(p, c[p] + share * change);

@@ -11,17 +11,17 @@
 namespace corpuscle::contact {
 
 /// When a pair has to be looked at.
-struct Watch {
+struct VerletEntry {
     double sum;           ///< distance when it was last known, and what was spent then      [m]
     float reach;          ///< gap from which it matters, at least                           [m]
     float approach;       ///< rate at which the gap is predicted to shrink, at most       [m/s]
     Index first, second;  ///< triangles
 };
 
-/// Watches, each of its numbers in a row of its own: all are read in every step, four at a time.
-class WatchList {
+/// Entries, each of their numbers in a row of its own: all are read in every step, four at a time.
+class VerletList {
 public:
-    std::vector<double> sum;           ///< as in Watch
+    std::vector<double> sum;           ///< as in VerletEntry
     std::vector<float> reach;          ///< likewise
     std::vector<Index> first, second;  ///< likewise
 
@@ -32,7 +32,7 @@ public:
         first.resize(size);
         second.resize(size);
     }
-    void put(std::size_t row, const Watch& watch) {
+    void put(std::size_t row, const VerletEntry& watch) {
         sum[row] = watch.sum;
         reach[row] = watch.reach;
         approach_[row] = watch.approach;
