@@ -112,7 +112,7 @@ void SurfaceContact::State::count() {
     counts.candidates = pairs.pairs();
     counts.near = counts.touching = 0;
     counts.impacts = ccd.impacts();
-    counts.clumps = ccd.clumps();
+    counts.impact_zones = ccd.impact_zones();
     counts.unstopped = ccd.unstopped();
     const auto& solved = response.convergence();
     if (solved.steps > 0) {

@@ -26,7 +26,7 @@ struct ContactCounts {
     std::size_t close_starts = 0;  ///< pairs nearer than the contact thickness at the start
     double least_gap = INF;        ///< smallest gap over its rest value so far                 [-]
     std::size_t impacts = 0;       ///< pairs stopped at the last moment, so far
-    std::size_t clumps = 0;        ///< tangles joined for a step, so far
+    std::size_t impact_zones = 0;  ///< tangles joined for a step, so far
     double residual = 0.0;         ///< that sweeps left of a step's impulses, mean so far       [-]
     double worst_residual = 0.0;   ///< the greatest so far                                    [-]
     double sweeps = 0.0;           ///< a step with contacts, mean so far

@@ -45,8 +45,8 @@ StepReport Simulation::step(const Observer& observe) {
         hole.flow(t, dt, nodes.x, scene_.airbags.uniform);
     if (!scene_.airbags.uniform.empty())                                        lap("uniform bags");
 
-    // 5. Ledger and clock
-    scene_.ledger.turn_page();
+    // 5. Energy balance and clock
+    scene_.ledger.commit();
     nodes.x.swap(nodes.x_1);
     scene_.clock.advance(dt);
     if (limit.who == StepLimit::Who::END) scene_.clock.t = scene_.model.end_time;

@@ -95,7 +95,8 @@ void print_contact(const Simulation& simulation, const contact::SurfaceContact& 
         "the end; {} pairs stopped at the last moment, least gap {:.3g} of its rest value\n",
         counts.builds, counts.searched, counts.candidates, counts.near, counts.touching,
         counts.impacts, counts.least_gap);
-    if (counts.clumps > 0) fmt::print("    {} tangles moved as one for a step\n", counts.clumps);
+    if (counts.impact_zones > 0)
+        fmt::print("    {} tangles moved as one for a step\n", counts.impact_zones);
     if (counts.sweeps > 0.0)
         fmt::print(
             "    {:.1f} sweeps a step leave {:.2g} of its impulses in the mean, {:.2g} at worst\n",
@@ -188,7 +189,7 @@ void Summary::write(const Simulation& simulation, const std::string& folder) con
         contact = fmt::format(
             "\"pairs_stopped\": {}, \"tangles\": {}, \"unstopped\": {}, \"sweeps\": {}, "
             "\"residual\": {}, \"worst_residual\": {}",
-            counts.impacts, counts.clumps, counts.unstopped, io::json(counts.sweeps),
+            counts.impacts, counts.impact_zones, counts.unstopped, io::json(counts.sweeps),
             io::json(counts.residual), io::json(counts.worst_residual));
     }
     io::replace_text(std::filesystem::path(folder) / "run.json",

@@ -13,8 +13,8 @@ namespace corpuscle::contact {
 namespace {
 
 constexpr std::size_t CHUNK = 1024;  ///< candidates
-constexpr int ROUNDS = 8;            ///< of impulses before clumps are made
-constexpr int LOOKS = 4;             ///< at new dangers, before they are met with clumps at once
+constexpr int ROUNDS = 8;            ///< of impulses before impact zones are made
+constexpr int LOOKS = 4;      ///< at new dangers, before they are met with impact zones at once
 constexpr double KEPT = 0.5;  ///< part of the way to the impact that a stopped pair may still go
 
 Corners moves(const Pair& pair, double dt, const Movement& motion) {
@@ -49,7 +49,7 @@ void CcdLimiter::stop(double t, double dt, Candidates& pairs, StoppingImpulses& 
     is_hub_ = false;
 }
 
-/// Stops the listed pairs, by impulses for so many rounds, then by clumps.
+/// Stops the listed pairs, by impulses for so many rounds, then by impact zones.
 /// @returns whether there was anything to stop
 bool CcdLimiter::stop_dangers(int rounds, double dt, Candidates& pairs, StoppingImpulses& impulses,
                               FacetLoad& load, Movement& motion) {
@@ -60,8 +60,8 @@ bool CcdLimiter::stop_dangers(int rounds, double dt, Candidates& pairs, Stopping
         checked_ = ++round_;
         if (n < rounds && joined_.empty()) {
             stop_impacts(dt, pairs, impulses, load, motion);
-        } else if (!make_clumps(pairs, impulses, motion)) {
-            // what hits a body in several places upsets each other: now it is one clump
+        } else if (!join_zones(pairs, impulses, motion)) {
+            // what hits a body in several places upsets each other: now it is one impact zone
             if (!std::exchange(is_hub_, true)) continue;
             for (const auto& some : found_) unstopped_ += some.size();
             return false;
@@ -133,12 +133,11 @@ void CcdLimiter::stop_impacts(double dt, const Candidates& pairs, StoppingImpuls
         }
 }
 
-/// Joins the nodes of all pairs that collide, with clumps that they belong to already. Clumps in
+/// Joins the nodes of all pairs that collide, with impact zones that they belong to already. Zones in
 /// several places of a body are several: else a form, the pack under it and the housing that this
 /// rests on would stop dead as one whenever a few layers are tangled.
 /// @returns whether anything was joined that was not before
-bool CcdLimiter::make_clumps(const Candidates& pairs, StoppingImpulses& impulses,
-                             Movement& motion) {
+bool CcdLimiter::join_zones(const Candidates& pairs, StoppingImpulses& impulses, Movement& motion) {
     bool is_new = false;
     for (const auto& some : found_)
         for (const auto& impact : some) {
@@ -154,13 +153,13 @@ bool CcdLimiter::make_clumps(const Candidates& pairs, StoppingImpulses& impulses
                      [&](Index a, Index b) { return root(a) < root(b); });
     for (std::size_t i = 0, j = 0; i < joined_.size(); i = j) {
         while (j < joined_.size() && root(joined_[j]) == root(joined_[i])) mark(joined_[j++]);
-        impulses.clump(std::span(joined_).subspan(i, j - i), mass_, motion);
-        ++clumps_;
+        impulses.join_zone(std::span(joined_).subspan(i, j - i), mass_, motion);
+        ++zones_;
     }
     return is_new;
 }
 
-/// Name of the clump that a node belongs to.
+/// Name of the impact zone that a node belongs to.
 Index CcdLimiter::root(Index node) {
     while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
     return node;

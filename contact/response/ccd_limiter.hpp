@@ -14,8 +14,8 @@ namespace corpuscle::contact {
 /// through another between x and x + dt v.
 ///
 /// Pairs with a time of impact in the step are stopped by impulses, for a few rounds; what still
-/// collides then, in tangles of many layers, is joined into rigid clumps for this step [Provot
-/// 1997, impact zones], which always ends: nodes of one clump do not move against each other.
+/// collides then, in tangles of many layers, is joined into rigid impact zones for this step [Provot
+/// 1997, impact zones], which always ends: nodes of one impact zone do not move against each other.
 /// Momentum is kept, energy only lost. Pairs that touch exactly (gap 0) are beyond help.
 class CcdLimiter {
 public:
@@ -27,7 +27,7 @@ public:
               Movement& motion);
 
     [[nodiscard]] std::size_t impacts() const { return impacts_; }  ///< stopped by impulses so far
-    [[nodiscard]] std::size_t clumps() const { return clumps_; }    ///< made so far
+    [[nodiscard]] std::size_t impact_zones() const { return zones_; }  ///< made so far
 
     /// Pairs that could not be stopped, summed over the steps: held nodes drive them through each
     /// other.
@@ -36,7 +36,7 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(impacts_, clumps_, unstopped_);
+        archive(impacts_, zones_, unstopped_);
     }
 
 private:
@@ -51,9 +51,9 @@ private:
     bool find_impacts(double dt, const Candidates& pairs, const Movement& motion);
     void stop_impacts(double dt, const Candidates& pairs, StoppingImpulses& impulses,
                       FacetLoad& load, Movement& motion);
-    bool make_clumps(const Candidates& pairs, StoppingImpulses& impulses, Movement& motion);
+    bool join_zones(const Candidates& pairs, StoppingImpulses& impulses, Movement& motion);
     Index root(Index node);
-    /// @returns whether they were of two clumps before
+    /// @returns whether they were of two impact zones before
     bool unite(Index node, Index other) {
         const Index a = root(node), b = root(other);
         parent_[std::max(a, b)] = std::min(a, b);
@@ -72,10 +72,10 @@ private:
     std::vector<std::vector<Impact>> found_;      ///< by chunk
     std::vector<unsigned> changed_;  ///< round in which a node's velocity was changed last
     unsigned round_ = 0, checked_ = 0;
-    std::vector<Index> parent_;  ///< of a node in its clump
-    std::vector<Index> joined_;  ///< nodes in clumps
-    bool is_hub_ = false;        ///< all that hits a body, wherever, is one clump with it
-    std::size_t impacts_ = 0, clumps_ = 0, unstopped_ = 0;
+    std::vector<Index> parent_;  ///< of a node in its impact zone
+    std::vector<Index> joined_;  ///< nodes in impact zones
+    bool is_hub_ = false;        ///< all that hits a body, wherever, is one impact zone with it
+    std::size_t impacts_ = 0, zones_ = 0, unstopped_ = 0;
 };
 
 }  // namespace corpuscle::contact

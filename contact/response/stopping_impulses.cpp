@@ -8,7 +8,7 @@
 namespace corpuscle::contact {
 namespace {
 
-constexpr int BODY_SWEEPS = 4;  ///< over the nodes of a clump that a rigid body is part of
+constexpr int BODY_SWEEPS = 4;  ///< over the nodes of an impact zone that a rigid body is part of
 
 }  // namespace
 
@@ -19,8 +19,8 @@ void StoppingImpulses::raise_rate(double rate, Contact& c, Movement& motion) {
     rub(c, motion);
 }
 
-void StoppingImpulses::clump(std::span<const Index> nodes, std::span<const double> mass,
-                             Movement& motion) {
+void StoppingImpulses::join_zone(std::span<const Index> nodes, std::span<const double> mass,
+                                 Movement& motion) {
     const auto on_body =
         std::find_if(nodes.begin(), nodes.end(), [&](Index n) { return cloth_.body[n] >= 0; });
     if (on_body != nodes.end()) return clump_round(cloth_.body[*on_body], nodes, motion);

@@ -10,7 +10,7 @@
 
 namespace corpuscle::contact {
 
-/// What the CCD limiter does to velocities: impulses between the two places of a pair, and clumps. Both
+/// What the CCD limiter does to velocities: impulses between the two places of a pair, and impact zones. Both
 /// keep momentum, and what they take of the energy is booked exactly.
 class StoppingImpulses {
 public:
@@ -23,8 +23,8 @@ public:
     void raise_rate(double rate, Contact& contact, Movement& motion);
 
     /// Gives nodes one velocity, that of their momentum, or the held ones' if there are any: a
-    /// rigid clump. Nodes that touch a rigid body move with it.
-    void clump(std::span<const Index> nodes, std::span<const double> mass, Movement& motion);
+    /// rigid impact zone. Nodes that touch a rigid body move with it.
+    void join_zone(std::span<const Index> nodes, std::span<const double> mass, Movement& motion);
 
 private:
     void rub(Contact& contact, Movement& motion);

@@ -99,14 +99,14 @@ void EnergyAudit::book_restored(SceneState& scene) {
 
 /// What walls, contacts and joints have got in this kick.
 void EnergyAudit::book_impulses(SceneState& scene, double span) {
-    scene.impulses.walls.turn_page();
+    scene.impulses.walls.commit();
     for (std::size_t w = 0; w < scene.obstacles.walls.size(); ++w)
         scene.impulses.walls.give(w, scene.obstacles.walls[w].impulse());
-    scene.impulses.contacts.turn_page();
+    scene.impulses.contacts.commit();
     for (std::size_t c = 0; c < scene.impulses.contacts.size(); ++c)
         scene.impulses.contacts.give(c, span * scene.obstacles.contact->force(static_cast<int>(c)));
-    scene.impulses.joints.turn_page();
-    scene.impulses.turnings.turn_page();
+    scene.impulses.joints.commit();
+    scene.impulses.turnings.commit();
     if (scene.bodies.joints) {
         const std::vector<RigidJoints::Given> given = scene.bodies.joints->take_given();
         for (std::size_t j = 0; j < given.size(); ++j) {

@@ -19,7 +19,7 @@ public:
     [[nodiscard]] std::size_t size() const { return after_.size(); }
 
     /// The next kick begins where the last ended.
-    void turn_page() { before_ = after_; }
+    void commit() { before_ = after_; }
     /// In the kick at t.                                                                  [N s]
     void give(std::size_t i, const Vec3& impulse) { after_[i] += impulse; }
 

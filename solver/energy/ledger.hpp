@@ -39,7 +39,7 @@ public:
     void open(const EnergyBooks& instant) { start_ = balance(instant).total; }
 
     /// The next step's kick begins where the last ended.
-    void turn_page() { before = after; }
+    void commit() { before = after; }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>

@@ -113,7 +113,7 @@ void crumple() {
         print();
     }
     const ContactCounts& counts = contact.counts();
-    fmt::print("{} impacts, {} clumps, {} unstopped\n", counts.impacts, counts.clumps,
+    fmt::print("{} impacts, {} clumps, {} unstopped\n", counts.impacts, counts.impact_zones,
                counts.unstopped);
 }
 
