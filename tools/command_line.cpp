@@ -169,6 +169,41 @@ void add_report(CLI::App& app, ReportArguments& to) {
         "  corpuscle report driver_bag_flat.out --png pictures");
 }
 
+void add_verify(CLI::App& app, VerifyArguments& to) {
+    CLI::App& command = *app.add_subcommand(
+        "verify",
+        "run the cases of models/verification and hold them to what is known exactly: one table, "
+        "and one page with errors, their uncertainty, orders of convergence, costs and verdicts");
+    command.add_option("CASE", to.names, "cases to run; default: all");
+    auto* const quick = command.add_flag("--quick", to.quick, "some minutes; the default");
+    command.add_flag("--full", to.full, "more particles, finer meshes, more seeds: some hours")
+        ->excludes(quick);
+    command.add_flag("--list", to.only_list, "say which cases there are; run nothing");
+    command.add_option("-o,--output", to.output,
+                       "page to write (.html), or a table in Markdown (.md); default: "
+                       "verification.html");
+    command.add_option("-j,--workers", to.workers, "runs at a time; default: one a core")
+        ->check(CLI::PositiveNumber);
+    command.add_option("--runs", to.folder,
+                       "folder for the runs; those that it has are not made again; default: the "
+                       "page's name with .runs");
+    command.add_option("--cases", to.cases,
+                       "folder of cases; default: models/verification of the source tree or "
+                       "installation that the program is in");
+    command.add_option("--known", to.known,
+                       "CASE/QUANTITY that is known to miss its budget: it stays red, but the "
+                       "exit status does not count it")
+        ->allow_extra_args(false)
+        ->take_all();
+    command.footer(
+        "Examples:\n"
+        "  corpuscle verify --quick\n"
+        "  corpuscle verify --full -o full.html -j 8\n"
+        "  corpuscle verify sod fast_piston -o tubes.html\n"
+        "  corpuscle verify --list\n"
+        "Exit status 0 when every budget holds, 1 when one is missed or a run failed.");
+}
+
 }  // namespace
 
 CommandLine::CommandLine()
@@ -184,7 +219,8 @@ CommandLine::CommandLine()
         "  corpuscle mesh head.stl -o head.k\n"
         "  corpuscle new --from disc.stl -o bag.k\n"
         "  corpuscle study oop.toml\n"
-        "  corpuscle report driver_bag_flat.out");
+        "  corpuscle report driver_bag_flat.out\n"
+        "  corpuscle verify --quick");
 
     add_run(app, run);
     add_check(app, check, check_as_json);
@@ -195,6 +231,7 @@ CommandLine::CommandLine()
     add_study(app, study);
     add_export(app, exports);
     add_report(app, report);
+    add_verify(app, verify);
 }
 
 }  // namespace corpuscle::tools

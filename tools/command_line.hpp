@@ -26,6 +26,7 @@ struct CommandLine {
     StudyArguments study;
     ExportArguments exports;
     ReportArguments report;
+    VerifyArguments verify;
 };
 
 }  // namespace corpuscle::tools

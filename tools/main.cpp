@@ -69,6 +69,7 @@ int run(int argc, char** argv) {
     if (command == "report") return tools::report(line.report);
     if (command == "study") return tools::study(line.study);
     if (command == "responses") return tools::responses(line.responses);
+    if (command == "verify") return tools::verify_program(line.verify);
     return tools::mesh(line.mesh);
 }
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 
-#include "tests/support/fast_piston.hpp"
 #include "tests/support/gas/piston_box.hpp"
+#include "tools/verify/exact/fast_piston.hpp"
 
 namespace corpuscle::benchmark {
 

@@ -3,7 +3,7 @@
 // Prints the pressure on the fast piston by the 1-D Euler equations, for tools/figures.
 #include <fmt/core.h>
 
-#include "tests/support/fast_piston.hpp"
+#include "tools/verify/exact/fast_piston.hpp"
 
 int main() {
     std::vector<double> times;

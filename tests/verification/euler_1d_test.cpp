@@ -4,9 +4,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "tests/support/euler_1d.hpp"
-#include "tests/support/exact_riemann.hpp"
-#include "tests/support/fast_piston.hpp"
+#include "tools/verify/exact/euler_1d.hpp"
+#include "tools/verify/exact/exact_riemann.hpp"
+#include "tools/verify/exact/fast_piston.hpp"
 
 using namespace corpuscle;
 using oracle::EulerTube;

@@ -73,6 +73,18 @@ struct ReportArguments {
     std::string png;     ///< folder for pictures; empty: none
 };
 
+struct VerifyArguments {
+    std::vector<std::string> names;  ///< of cases; empty: all
+    bool quick = false;              ///< as without either
+    bool full = false;
+    bool only_list = false;
+    std::string output;              ///< page or Markdown; empty: verification.html
+    std::string folder;              ///< of the runs; empty: the page's name with .runs
+    std::string cases;               ///< empty: models/verification beside the program
+    std::vector<std::string> known;  ///< CASE/QUANTITY that is known to miss its budget
+    int workers = 0;                 ///< runs at a time; 0: one a core
+};
+
 int run(const RunArguments& arguments);
 int check(const DeckArguments& arguments, bool as_json = false);
 int mesh(const MeshArguments& arguments);
@@ -82,6 +94,7 @@ int responses(const ResponsesArguments& arguments);
 int study(const StudyArguments& arguments);
 int export_results(const ExportArguments& arguments);
 int report(const ReportArguments& arguments);
+int verify_program(const VerifyArguments& arguments);
 
 /// The deck's scene with its -D values and --until, on the threads that are asked for.
 /// @throws InputError with file and line of each fault, also of those that only the scene shows.

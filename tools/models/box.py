@@ -92,7 +92,19 @@ def two_rooms(name, size, cells, comment):
                 "Written by tools/models/box.py: change it there."])
 
 
+def sod():
+    mesh = box((1.0, 0.1, 0.1), (60, 6, 6), lambda *face: WALLS, membrane_at=30)
+    mesh.node_sets[HELD] = ("every node is held", list(mesh.nodes))
+    for number in range(15 * 9):
+        i, j, k = number // 9, number // 3 % 3, number % 3
+        mesh.node((i + 0.5) / 30, (j + 0.5) / 30, (k + 0.5) / 30, number=100001 + number)
+    mesh.write(MODELS / "verification" / "sod" / "mesh.k",
+               ["A tube of 1 x 0.1 x 0.1, a membrane (part 2) at 0.5, 135 orifices left of it; lengths in m.",
+                "Written by tools/models/box.py: change it there."])
+
+
 if __name__ == "__main__":
+    sod()
     helium_air()
     fast_piston()
     tank("vented_tank", lambda axis, end, i, j: axis == 0 and end and i in (2, 3) and j in (2, 3),

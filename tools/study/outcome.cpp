@@ -97,11 +97,11 @@ std::string key_of(const Study& study, const Row& row) {
                        study.until ? fmt::format("{}", *study.until) : "its end");
 }
 
-void write_status(const Study& study, const Row& row, int status, double seconds,
+void write_status(const Study& study, const Row& row, int status, const Cost& cost,
                   const std::string& reason) {
-    io::replace_text(
-        folder_of(study, row) / "status",
-        fmt::format("{}\n{}\n{:.3f}\n{}\n", key_of(study, row), status, seconds, reason));
+    io::replace_text(folder_of(study, row) / "status",
+                     fmt::format("{}\n{}\n{:.3f}\n{}\n{:.3f}\n", key_of(study, row), status,
+                                 cost.seconds, reason, cost.cpu_seconds));
 }
 
 Outcome read_outcome(const Study& study, const Row& row) {
@@ -113,13 +113,15 @@ Outcome read_outcome(const Study& study, const Row& row) {
     if (!std::getline(in, key) || !std::getline(in, status) || !std::getline(in, seconds) ||
         key != key_of(study, row))
         return outcome;
+    std::string cpu;
     std::getline(in, outcome.reason);
+    std::getline(in, cpu);
     const auto code = io::parse_integer(status);
     const auto wall = io::parse_real(seconds);
     if (!code || !wall) return outcome;
     outcome.is_finished = true;
     outcome.status = *code;
-    outcome.seconds = *wall;
+    outcome.cost = {*wall, io::parse_real(cpu).value_or(NaN)};
     if (outcome.status == 0) read_responses(study, folder_of(study, row), outcome);
     return outcome;
 }

@@ -6,15 +6,21 @@
 #include <string>
 #include <vector>
 
+#include "solver/base/vec.hpp"
 #include "tools/study/study.hpp"
 
 namespace corpuscle::study {
 
+struct Cost {
+    double seconds = 0.0;      ///< by the clock
+    double cpu_seconds = NaN;  ///< of all threads
+};
+
 /// How a run of the study ended, as STUDY/run_0001/status tells.
 struct Outcome {
-    bool is_finished = false;        ///< else it is missing, and the rest means nothing
-    int status = 0;                  ///< exit status of the run
-    double seconds = 0.0;            ///< by the clock
+    bool is_finished = false;  ///< else it is missing, and the rest means nothing
+    int status = 0;            ///< exit status of the run
+    Cost cost;
     std::string reason;              ///< of a failure
     std::vector<double> responses;   ///< NaN: none
     std::vector<std::string> units;  ///< of the responses, "" where there is none
@@ -30,7 +36,7 @@ struct Outcome {
 [[nodiscard]] std::vector<std::string> definitions_of(const Study& study, const Row& row);
 
 /// Puts the end of a run on the disk, in one stroke.
-void write_status(const Study& study, const Row& row, int status, double seconds,
+void write_status(const Study& study, const Row& row, int status, const Cost& cost,
                   const std::string& reason);
 
 /// What the disk knows of a run. A response that the results do not hold makes a normal run one

@@ -77,7 +77,7 @@ void write_csv(const Table& table) {
         text += fmt::format("{},{}", row.number, row.point + 1);
         for (const double value : row.values) add(text, cell(value));
         text += fmt::format(",{},{},{}", row.seed, state_of(outcome),
-                            outcome.is_finished ? cell(outcome.seconds) : "");
+                            outcome.is_finished ? cell(outcome.cost.seconds) : "");
         for (const double value : outcome.responses) add(text, cell(value));
         add(text, cell(outcome.reason));
         text += "\n";
@@ -99,7 +99,7 @@ void write_h5(const Table& table) {
         for (std::size_t k = 0; k < n; ++k) {
             const Outcome& outcome = table.outcomes[k];
             status[k] = outcome.is_finished ? outcome.status : -1;
-            seconds[k] = outcome.seconds;
+            seconds[k] = outcome.cost.seconds;
             point[k] = static_cast<std::int32_t>(table.rows[k].point + 1);
             seed[k] = table.rows[k].seed;
         }

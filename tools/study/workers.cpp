@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -100,48 +101,54 @@ std::string reason_of(const fs::path& log, int wait_status) {
     return verdict.empty() ? before : verdict;
 }
 
+double seconds_of(const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 class Workers {
 public:
-    Workers(const Study& study, const std::string& program, const Ended& ended)
-        : study_(study), program_(program), ended_(ended) {}
+    using Ended = std::function<void(const Job&, int status)>;
+    Workers(int most, const std::string& program, const Ended& ended)
+        : most_(static_cast<std::size_t>(most)), program_(program), ended_(ended) {}
     ~Workers() { stop(); }
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
 
-    [[nodiscard]] bool is_full() const {
-        return at_work_.size() >= static_cast<std::size_t>(study_.workers);
-    }
+    [[nodiscard]] bool is_full() const { return at_work_.size() >= most_; }
     [[nodiscard]] bool is_idle() const { return at_work_.empty(); }
 
-    void begin(const Row& row) {
-        const fs::path folder = folder_of(study_, row);
+    void begin(const Job& job) {
+        const auto& [study, row] = job;
+        const fs::path folder = folder_of(*study, row);
         fs::create_directories(folder);
         // one that has an end is made anew, one that was broken off goes on
         const bool has_end = fs::remove(folder / "status");
-        const bool goes_on = was_begun(study_, row) && !has_end;
-        const pid_t child = start(command_of(study_, row, program_, goes_on), folder / "log.txt");
-        at_work_.emplace(child, Job{row, Clock::now()});
+        const bool goes_on = was_begun(*study, row) && !has_end;
+        const pid_t child = start(command_of(*study, row, program_, goes_on), folder / "log.txt");
+        at_work_.emplace(child, Begun{job, Clock::now()});
     }
     /// Waits for the end of one run.
     void wait() {
         int status = 0;
-        const pid_t child = ::waitpid(-1, &status, 0);
+        rusage used{};
+        const pid_t child = ::wait4(-1, &status, 0, &used);
         if (interrupted) throw SystemError("interrupted");
-        const auto job = at_work_.find(child);
-        if (job == at_work_.end()) return;
-        const Row row = job->second.row;
-        const double seconds =
-            std::chrono::duration<double>(Clock::now() - job->second.begun).count();
-        at_work_.erase(job);
+        const auto found = at_work_.find(child);
+        if (found == at_work_.end()) return;
+        const Job job = found->second.job;
+        const auto& [study, row] = job;
+        const Cost cost{std::chrono::duration<double>(Clock::now() - found->second.begun).count(),
+                        seconds_of(used.ru_utime) + seconds_of(used.ru_stime)};
+        at_work_.erase(found);
         const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-        write_status(study_, row, code, seconds,
-                     code == 0 ? "" : reason_of(folder_of(study_, row) / "log.txt", status));
-        ended_(row, code);
+        write_status(*study, row, code, cost,
+                     code == 0 ? "" : reason_of(folder_of(*study, row) / "log.txt", status));
+        ended_(job, code);
     }
 
 private:
-    struct Job {
-        Row row;
+    struct Begun {
+        Job job;
         Clock::time_point begun;
     };
     void stop() {
@@ -151,27 +158,35 @@ private:
         at_work_.clear();
     }
 
-    const Study& study_;
+    std::size_t most_;
     const std::string& program_;
     const Ended& ended_;
-    std::map<pid_t, Job> at_work_;
+    std::map<pid_t, Begun> at_work_;
 };
 
 }  // namespace
 
-void make_runs(const Study& study, const std::vector<Row>& rows, const std::string& program,
-               const Ended& ended) {
+void make_jobs(const std::vector<Job>& jobs, int workers, const std::string& program,
+               const std::function<void(const Job&, int status)>& ended) {
     struct sigaction on_stop {};
     on_stop.sa_handler = [](int) { interrupted = 1; };  // no SA_RESTART: waitpid must return
     ::sigaction(SIGINT, &on_stop, nullptr);
     ::sigaction(SIGTERM, &on_stop, nullptr);
-    Workers workers(study, program, ended);
-    for (const Row& row : rows) {
-        while (workers.is_full()) workers.wait();
+    Workers team(workers, program, ended);
+    for (const Job& job : jobs) {
+        while (team.is_full()) team.wait();
         if (interrupted) throw SystemError("interrupted");
-        workers.begin(row);
+        team.begin(job);
     }
-    while (!workers.is_idle()) workers.wait();
+    while (!team.is_idle()) team.wait();
+}
+
+void make_runs(const Study& study, const std::vector<Row>& rows, const std::string& program,
+               const Ended& ended) {
+    std::vector<Job> jobs;
+    for (const Row& row : rows) jobs.push_back({&study, row});
+    make_jobs(jobs, study.workers, program,
+              [&](const Job& job, int status) { ended(job.row, status); });
 }
 
 std::string this_program() {

@@ -13,6 +13,16 @@ namespace corpuscle::study {
 /// A run has ended: its row and its exit status.
 using Ended = std::function<void(const Row&, int status)>;
 
+/// A run of one of several studies.
+struct Job {
+    const Study* study;
+    Row row;
+};
+
+/// Makes the jobs in order, `workers` at a time; as make_runs.
+void make_jobs(const std::vector<Job>& jobs, int workers, const std::string& program,
+               const std::function<void(const Job&, int status)>& ended);
+
 /// Makes the runs, `study.workers` at a time, each a process of its own whose words go to
 /// run_0001/log.txt, and writes the status of each.
 ///

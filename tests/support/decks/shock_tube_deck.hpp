@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "tests/support/decks/heavy_sheet.hpp"
-#include "tests/support/euler_1d.hpp"
 #include "tests/support/gas/air.hpp"
+#include "tools/verify/exact/euler_1d.hpp"
 
 /// Decks of a shock tube 1 x 0.1 x 0.1 m: gas at rest on both sides of a membrane at x = 0.5 m that
 /// passes all gas from OPENS on. SI units.

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "tests/support/decks/shock_tube_deck.hpp"
-#include "tests/support/exact_riemann.hpp"
+#include "tools/verify/exact/exact_riemann.hpp"
 
 namespace corpuscle::test {
 

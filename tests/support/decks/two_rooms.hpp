@@ -9,7 +9,7 @@
 
 #include "tests/support/decks/box_deck.hpp"
 #include "tests/support/gas/air.hpp"
-#include "tests/support/stirred_tank.hpp"
+#include "tools/verify/exact/stirred_tank.hpp"
 
 /// Decks of a rigid box of 0.1 m that a closed membrane at x = 0.05 m parts into rooms A and B of
 /// air: A from x = 0, with a vent of 11.1 cm² in the middle of its far wall.

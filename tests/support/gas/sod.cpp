@@ -8,8 +8,8 @@
 #include <ctime>
 #include <utility>
 
-#include "tests/support/exact_riemann.hpp"
 #include "tests/support/gas/piston_box.hpp"
+#include "tools/verify/exact/exact_riemann.hpp"
 
 namespace corpuscle::oracle {
 

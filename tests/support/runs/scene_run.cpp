@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "io/results/hdf5.hpp"
-#include "tests/support/runs/frame_crossings.hpp"
+#include "tools/verify/frame_crossings.hpp"
 
 namespace corpuscle::test {
 namespace {
@@ -129,7 +129,7 @@ void SceneRun::read() {
         const auto all = file.read<double>("/history/energy/" + name);
         return all.empty() ? std::vector<double>{0.0} : all;
     };
-    crossings = frame_crossings(directory_ / "out/results.h5").crossings;
+    crossings = verify::frame_crossings(directory_ / "out/results.h5").crossings;
     worst_residual = largest(series("residual"));
     under_way = largest(series("smoothing"));
     brought_in = series("inflow").back() + std::max(0.0, series("external").back());

@@ -207,7 +207,7 @@ TEST_CASE("the table tells responses, means and spread", "[study]") {
                 0.1 * n, {{Vec3(0, 0, 0), Vec3(9, 0, 0), Vec3(-10.0 * row.number, 0, 0)}}, n == 4);
         results.append(scene::sample(scene::layout(), 0));
         results.finish("normal");
-        study::write_status(s, row, 0, 1.5, "");
+        study::write_status(s, row, 0, {1.5}, "");
     }
     const study::Table table = study::gather(s);
     CHECK(table.outcomes[0].responses[0] == Approx(10.0));
@@ -279,7 +279,7 @@ TEST_CASE("a body that met nothing has no time to contact, and its run went well
     for (int n = 0; n <= 4; ++n)
         results.observe(0.1 * n, {{Vec3(n, 0, 0), Vec3(10, 0, 0), Vec3::Zero()}}, n == 4);
     results.finish("normal");
-    study::write_status(s, row, 0, 1.0, "");
+    study::write_status(s, row, 0, {1.0}, "");
     const study::Outcome outcome = study::read_outcome(s, row);
     CHECK(outcome.status == 0);
     CHECK(std::isnan(outcome.responses[0]));

@@ -9,7 +9,7 @@
 #include "io/results/hdf5.hpp"
 #include "tests/support/case_report.hpp"
 #include "tests/support/decks/layers_deck.hpp"
-#include "tests/support/runs/frame_crossings.hpp"
+#include "tools/verify/frame_crossings.hpp"
 
 namespace contact_law_setup {
 

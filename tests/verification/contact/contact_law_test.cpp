@@ -12,8 +12,8 @@
 #include "io/results/hdf5.hpp"
 #include "tests/support/case_report.hpp"
 #include "tests/support/decks/layers_deck.hpp"
-#include "tests/support/runs/frame_crossings.hpp"
 #include "tests/verification/contact/contact_law_setup.hpp"
+#include "tools/verify/frame_crossings.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::test;
@@ -66,7 +66,7 @@ TEST_CASE("layers that coincide at the start part without a kick, and cross nowh
     const DeckRun run(fmt::format("coincide_{}_{}", count, is_alike),
                       deck.text("layers in one place", cards, 6e-3, 2e-4));
     REQUIRE(run.status() == 0);
-    CHECK(frame_crossings(run.results()).crossings == 0);
+    CHECK(verify::frame_crossings(run.results()).crossings == 0);
     const std::size_t last = last_frame(run);
     const double exact = (count - 1) * deck.thickness / (1.0 + PRESSURE / (THROUGH * deck.modulus));
     const double height = std::abs(layer_state(run, deck, deck.layers.size() - 1, last).mean_x.z() -

@@ -7,8 +7,8 @@
 #include "io/results/hdf5.hpp"
 #include "tests/support/case_report.hpp"
 #include "tests/support/decks/layers_deck.hpp"
-#include "tests/support/runs/frame_crossings.hpp"
 #include "tests/verification/contact/contact_law_setup.hpp"
+#include "tools/verify/frame_crossings.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::test;
@@ -31,7 +31,7 @@ double rebound(double speed, double step) {
     const DeckRun run(fmt::format("rebound_{}", static_cast<int>(100 * step)),
                       deck.text("a plate on a held sheet", cards, 15e-3, 1e-3));
     REQUIRE(run.status() == 0);
-    CHECK(frame_crossings(run.results()).crossings == 0);
+    CHECK(verify::frame_crossings(run.results()).crossings == 0);
     return layer_state(run, deck, 1, last_frame(run)).mean_v.z();
 }
 
@@ -100,7 +100,7 @@ std::vector<double> bounce(double step) {
     const DeckRun run(fmt::format("bounce_{}", static_cast<int>(100 * step)),
                       deck.text("a ball between taut sheets", ball.cards(), 75e-3, 0.5e-3));
     REQUIRE(run.status() == 0);
-    CHECK(frame_crossings(run.results()).crossings == 0);
+    CHECK(verify::frame_crossings(run.results()).crossings == 0);
     std::vector<double> speeds;
     const std::size_t first = deck.ids(1).node_end - 1;
     double last = 0.0;
@@ -148,7 +148,7 @@ TEST_CASE("a sheet at 100 m/s is stopped by a stack, at any step", "[contact][im
                           deck.text("a sheet flies onto a stack",
                                     deck.velocity(top, {0.0, 0.0, -100.0}), 2e-3, 1e-4));
         REQUIRE(run.status() == 0);
-        CHECK(frame_crossings(run.results()).crossings == 0);
+        CHECK(verify::frame_crossings(run.results()).crossings == 0);
         const double back = layer_state(run, deck, top, last_frame(run)).mean_v.z();
         report(fmt::format("sheet at 100 m/s on ten layers, TSSFAC {}: speed after [m/s]", step),
                0.0, back);

@@ -40,7 +40,9 @@ TEST_CASE("every deck of the models is read without a fault", "[models]") {
             CHECK(warning.find("(CA) = 30.0: read in degrees") != std::string::npos);
         }
         CHECK(!model.title.empty());
-        CHECK(fs::exists(entry.path().parent_path() / "README.md"));
+        CHECK((fs::exists(entry.path().parent_path() / "README.md") ||
+               fs::exists(entry.path().parent_path() / "case.toml") ||
+               fs::exists(entry.path().parent_path().parent_path() / "README.md")));
     }
     CHECK(decks >= 14);
 }

@@ -7,10 +7,10 @@
 
 #include "tests/support/case_report.hpp"
 #include "tests/support/decks/box_deck.hpp"
-#include "tests/support/euler_duct.hpp"
 #include "tests/support/gas/air.hpp"
 #include "tests/support/runs/deck_run.hpp"
-#include "tests/support/stirred_tank.hpp"
+#include "tools/verify/exact/euler_duct.hpp"
+#include "tools/verify/exact/stirred_tank.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::test;

@@ -7,8 +7,8 @@
 #include "tests/support/case_report.hpp"
 #include "tests/support/decks/heavy_sheet.hpp"
 #include "tests/support/decks/shock_tube_deck.hpp"
-#include "tests/support/exact_riemann.hpp"
 #include "tests/support/gas/air.hpp"
+#include "tools/verify/exact/exact_riemann.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::test;

@@ -24,9 +24,9 @@
 #include "io/results/hdf5.hpp"
 #include "solver/base/error.hpp"
 #include "tests/support/decks/random_recipe.hpp"
-#include "tests/support/runs/frame_crossings.hpp"
 #include "tools/fold/bag_deck.hpp"
 #include "tools/fold/fold.hpp"
+#include "tools/verify/frame_crossings.hpp"
 
 using namespace corpuscle;
 namespace fs = std::filesystem;
@@ -157,7 +157,7 @@ Outcome deploy(const std::string& recipe_text, const fs::path& folder) {
     double worst = 0.0;
     for (const double r : series("/history/energy/residual")) worst = std::max(worst, std::abs(r));
     outcome.residual = worst / series("/history/energy/inflow").back();
-    const test::FrameCrossings crossed = test::frame_crossings(folder / "out/results.h5");
+    const verify::FrameCrossings crossed = verify::frame_crossings(folder / "out/results.h5");
     outcome.frames = crossed.frames;
     outcome.crossings = crossed.crossings;
     return outcome;
@@ -203,7 +203,7 @@ TEST_CASE("bags of random recipes deploy", "[.long]") {
 TEST_CASE("frames of a run do not cross", "[.frames]") {
     const char* results = std::getenv("RESULTS");
     REQUIRE(results != nullptr);
-    const test::FrameCrossings found = test::frame_crossings(results);
+    const verify::FrameCrossings found = verify::frame_crossings(results);
     fmt::print("{}: {} crossings in {} frames, {} in one at most\n", results, found.crossings,
                found.frames, found.worst);
     CHECK(found.crossings == 0);

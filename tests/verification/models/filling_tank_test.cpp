@@ -9,8 +9,8 @@
 #include <string>
 
 #include "solver/base/curve.hpp"
-#include "tests/support/filling_tank.hpp"
 #include "tests/support/runs/model_run.hpp"
+#include "tools/verify/exact/filling_tank.hpp"
 
 using namespace corpuscle;
 using corpuscle::test::ModelRun;

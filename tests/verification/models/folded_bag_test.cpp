@@ -9,8 +9,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "tests/support/runs/frame_crossings.hpp"
 #include "tests/support/runs/model_run.hpp"
+#include "tools/verify/frame_crossings.hpp"
 
 using namespace corpuscle;
 
@@ -18,7 +18,7 @@ TEST_CASE("the folded driver bag opens without a crossing or a lost particle", "
     const test::ModelRun run("driver_bag_folded",
                              "-D NP=10000 -D ENDTIM=0.5 -D DTPLOT=0.05 --quiet");
     REQUIRE(run.status() == 0);
-    const test::FrameCrossings found = test::frame_crossings(run.results());
+    const verify::FrameCrossings found = verify::frame_crossings(run.results());
     CHECK(found.frames >= 11);
     CHECK(found.crossings == 0);
 
@@ -54,7 +54,7 @@ TEST_CASE("the folded driver bag opens alike with all seeds, in steps of its she
         const test::ModelRun run("driver_bag_folded",
                                  fmt::format("-D TSW=15 --quiet --seed {}", seed));
         REQUIRE(run.status() == 0);
-        const test::FrameCrossings found = test::frame_crossings(run.results());
+        const verify::FrameCrossings found = verify::frame_crossings(run.results());
         CHECK(found.crossings == 0);
         at_20.push_back(1e6 * run.mean("/history/airbag/1/pressure", 19.5, 20.5));
         at_30.push_back(1e6 * run.mean("/history/airbag/1/pressure", 29.0, 30.0));
@@ -75,7 +75,7 @@ TEST_CASE("the folded driver bag opens alike with all seeds, in steps of its she
 TEST_CASE("layers of the folded driver bag do not cross at any step", "[.full][model][folded]") {
     const test::ModelRun run("driver_bag_folded", "-D ENDTIM=5 -D DTPLOT=1e-6 -D NP=20000 --quiet");
     REQUIRE(run.status() == 0);
-    const test::FrameCrossings found = test::frame_crossings(run.results());
+    const verify::FrameCrossings found = verify::frame_crossings(run.results());
     fmt::print("{} frames, {} crossings\n", found.frames, found.crossings);
     CHECK(static_cast<double>(found.frames) >= run.of_run("steps"));
     CHECK(found.crossings == 0);

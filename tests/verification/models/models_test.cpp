@@ -8,9 +8,9 @@
 #include "io/results/hdf5.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/curve.hpp"
-#include "tests/support/fast_piston.hpp"
 #include "tests/support/geometry/inside.hpp"
 #include "tests/support/runs/model_run.hpp"
+#include "tools/verify/exact/fast_piston.hpp"
 
 using namespace corpuscle;
 using corpuscle::test::ModelRun;

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "tests/support/runs/model_run.hpp"
-#include "tests/support/stirred_tank.hpp"
+#include "tools/verify/exact/stirred_tank.hpp"
 
 using namespace corpuscle;
 using corpuscle::test::ModelRun;

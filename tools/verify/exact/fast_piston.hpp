@@ -4,7 +4,7 @@
 
 #include "solver/base/constants.hpp"
 #include "solver/base/curve.hpp"
-#include "tests/support/euler_1d.hpp"
+#include "tools/verify/exact/euler_1d.hpp"
 
 /// The course notes' "Quick adiabatic expansion" (models/fast_piston) as a 1-D tube.
 namespace corpuscle::oracle::fast_piston {

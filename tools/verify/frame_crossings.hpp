@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 
-namespace corpuscle::test {
+namespace corpuscle::verify {
 
 struct FrameCrossings {
     std::size_t frames = 0;
@@ -16,4 +16,4 @@ struct FrameCrossings {
 /// Counts exactly (contact/broad_phase/intersections.hpp) where shells cross in the frames of a results.h5.
 [[nodiscard]] FrameCrossings frame_crossings(const std::filesystem::path& results);
 
-}  // namespace corpuscle::test
+}  // namespace corpuscle::verify

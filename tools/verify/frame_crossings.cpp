@@ -1,13 +1,13 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "tests/support/runs/frame_crossings.hpp"
+#include "tools/verify/frame_crossings.hpp"
 
 #include <algorithm>
 
 #include "contact/broad_phase/intersections.hpp"
 #include "io/results/hdf5.hpp"
 
-namespace corpuscle::test {
+namespace corpuscle::verify {
 
 FrameCrossings frame_crossings(const std::filesystem::path& results) {
     const io::Hdf5Reader file(results);
@@ -36,4 +36,4 @@ FrameCrossings frame_crossings(const std::filesystem::path& results) {
     return all;
 }
 
-}  // namespace corpuscle::test
+}  // namespace corpuscle::verify

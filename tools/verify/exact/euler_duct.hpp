@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "tests/support/euler_1d.hpp"
+#include "tools/verify/exact/euler_1d.hpp"
 
 namespace corpuscle::oracle {
 

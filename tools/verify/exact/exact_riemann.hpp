@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "tests/support/euler_1d.hpp"
+#include "tools/verify/exact/euler_1d.hpp"
 
 namespace corpuscle::oracle {
 

@@ -1,6 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "tests/support/exact_riemann.hpp"
+#include "tools/verify/exact/exact_riemann.hpp"
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "tests/support/euler_duct.hpp"
+#include "tools/verify/exact/euler_duct.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "tests/support/exact_riemann.hpp"
+#include "tools/verify/exact/exact_riemann.hpp"
 
 namespace corpuscle::oracle {
 

@@ -1,6 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "tests/support/euler_1d.hpp"
+#include "tools/verify/exact/euler_1d.hpp"
 
 #include <algorithm>
 #include <cmath>

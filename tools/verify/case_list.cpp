@@ -1,0 +1,27 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "tools/verify/case_list.hpp"
+
+#include <fmt/format.h>
+
+#include "solver/base/error.hpp"
+
+namespace corpuscle::verify {
+
+Method method_of(const Card& card) {
+    static const std::map<std::string, Method> ALL{
+        {"box_at_rest", box_at_rest},
+        {"fast_piston", fast_piston},
+        {"helium_air", helium_air},
+        {"slow_piston", slow_piston},
+        {"sod", sod},
+        {"vented_tank", vented_tank},
+    };
+    const auto found = ALL.find(card.method);
+    if (found == ALL.end())
+        throw InputError(
+            fmt::format("{}/case.toml: no code compares by method {}", card.name, card.method));
+    return found->second;
+}
+
+}  // namespace corpuscle::verify

@@ -1,0 +1,24 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "tools/verify/measured_run.hpp"
+
+namespace corpuscle::verify {
+
+/// What compares the runs of a level with the exact answer: one of the functions in
+/// tools/verify/cases, by the card's `method`. @throws InputError where there is none
+using Method = Findings (*)(const Runs&);
+[[nodiscard]] Method method_of(const Card& card);
+
+/// cases/boxes.cpp
+Findings box_at_rest(const Runs&);
+Findings helium_air(const Runs&);
+Findings slow_piston(const Runs&);
+/// cases/flows.cpp
+Findings sod(const Runs&);
+Findings fast_piston(const Runs&);
+/// cases/outflow.cpp
+Findings vented_tank(const Runs&);
+
+}  // namespace corpuscle::verify
