@@ -24,6 +24,8 @@ Loads::Loads(const Model& model) {
         }
         pressure_.push_back(std::move(pressure));
     }
+    for (const NodeLoad& load : model.node_loads)
+        node_.push_back({load.nodes, load.axis, load.scale, model.curves[load.curve]});
 }
 
 namespace {
@@ -75,6 +77,10 @@ void Loads::find_force(double t, const Points& x, const std::vector<double>& mas
             const Vec3 corner = -p / 3.0 * vector_area(x[c[0]], x[c[1]], x[c[2]]);
             for (const Index node : c) f[node] += corner;
         }
+    }
+    for (const Node& load : node_) {
+        const double force = load.scale * load.curve(t);
+        for (const Index node : load.nodes) f[node][load.axis] += force;
     }
 }
 

@@ -18,7 +18,7 @@ public:
     /// @param shell_mass  E                                                            [kg]
     void share_mass(const Model& model, const std::vector<double>& shell_mass);
 
-    [[nodiscard]] bool empty() const { return body_.empty() && pressure_.empty(); }
+    [[nodiscard]] bool empty() const { return body_.empty() && pressure_.empty() && node_.empty(); }
 
     /// What the frame's acceleration gives to a part at t: -a(t).                        [m/s^2]
     [[nodiscard]] Vec3 acceleration(double t, Index part) const;
@@ -28,6 +28,7 @@ public:
     ///     body: -m a(t) (a frame that accelerates upward pulls bodies down), m of its parts
     ///     pressure: -p(t) A n / 3 a corner, so positive pressure presses against the facet's
     ///     normal
+    ///     node: F(t) along an axis
     void find_force(double t, const Points& x, const std::vector<double>& mass, Points& f) const;
 
 private:
@@ -48,7 +49,14 @@ private:
         Curve curve;  ///< empty: constant 1
     };
     std::vector<Body> body_;
+    struct Node {
+        std::vector<Index> nodes;
+        int axis;
+        double scale;
+        Curve curve;
+    };
     std::vector<Pressure> pressure_;
+    std::vector<Node> node_;
 };
 
 }  // namespace corpuscle

@@ -126,6 +126,27 @@ struct PressureLoad {
     double arrival = 0.0;                      ///< AT                                        [s]
 };
 
+/// *LOAD_NODE_POINT, _SET: a force on each of some nodes, F = SF · curve(t).
+struct NodeLoad {
+    std::vector<Index> nodes;  ///< rows
+    int axis = 0;              ///< DOF 1 to 3: 0 x, 1 y, 2 z
+    Index curve = -1;          ///< force over time                                       [N]
+    double scale = 1.0;        ///< SF
+};
+
+/// *ELEMENT_MASS: mass that a node has beside that of its shells.
+struct NodeMass {
+    Index node = -1;    ///< row
+    double mass = 0.0;  ///< [kg]
+};
+
+/// *DAMPING_PART_MASS: f = -SF · curve(t) m v on the nodes of a part, m being the part's share.
+struct PartDamping {
+    Index part = -1;     ///< row
+    Index curve = -1;    ///< over time                                                   [1/s]
+    double scale = 1.0;  ///< SF
+};
+
 /// Output intervals; NaN: not asked for.                                                       [s]
 struct OutputIntervals {
     double frames = NaN;            ///< *DATABASE_BINARY_D3PLOT
@@ -142,6 +163,7 @@ struct ModelMesh {
     std::vector<fabric::Material> materials;
     std::vector<ReferenceGeometry> references;
     std::vector<ShellReference> shell_references;  ///< go before `references`
+    std::vector<NodeMass> node_masses;
 };
 
 /// Rigid bodies, and what joins them and nodes.
@@ -161,6 +183,8 @@ struct ModelLoads {
     std::vector<PrescribedMotion> motions;
     std::vector<BodyLoad> body_loads;
     std::vector<PressureLoad> pressure_loads;
+    std::vector<NodeLoad> node_loads;
+    std::vector<PartDamping> part_dampings;
     double mass_damping = 0.0;      ///< *DAMPING_GLOBAL VALDMP                        [1/s]
     Index mass_damping_curve = -1;  ///< *DAMPING_GLOBAL LCID                          [1/s]
 };

@@ -21,6 +21,30 @@ void SceneState::find_damping() {
     const double d = mass_damping();
     for (std::size_t n = 0; n < nodes.size(); ++n)
         forces.damping.f[n] = -d * nodes.mass[n] * nodes.v[n];
+    for (std::size_t k = 0; k < forces.damped_mass.size(); ++k) {
+        const double own = part_damping(k);
+        for (std::size_t n = 0; n < nodes.size(); ++n)
+            if (nodes.mass[n] > 0.0)  // no rigid body's
+                forces.damping.f[n] -= own * forces.damped_mass[k][n] * nodes.v[n];
+    }
+}
+
+double SceneState::part_damping(std::size_t k) const {
+    const PartDamping& damping = model.part_dampings[k];
+    return damping.scale * model.curves[damping.curve](clock.t);
+}
+
+/// Mass that the shells of each damped part give to nodes; those of rigid parts are damped as one.
+void SceneState::find_damped_mass() {
+    forces.damped_mass.assign(model.part_dampings.size(), std::vector<double>(nodes.size(), 0.0));
+    for (std::size_t k = 0; k < forces.damped_mass.size(); ++k)
+        for (std::size_t s = 0; s < model.shells.size(); ++s) {
+            const Shell& shell = model.shells[s];
+            if (shell.part != model.part_dampings[k].part) continue;
+            const int corners = shell.is_triangle() ? 3 : 4;
+            for (int c = 0; c < corners; ++c)
+                forces.damped_mass[k][shell.nodes[c]] += cloth.shell_mass[s] / corners;
+        }
 }
 
 /// What cloth and bodies may touch until t + dt.
@@ -44,8 +68,10 @@ void SceneState::kick(double dt, double span) {
 void SceneState::move_bodies(double dt, double span) {
     if (bodies.all.empty()) return;
     for (std::size_t b = 0; b < bodies.all.size(); ++b) {
-        const RigidBody::Field field{loads.acceleration(clock.t, bodies.all[b].part()),
-                                     mass_damping()};
+        const Index part = bodies.all[b].part();
+        RigidBody::Field field{loads.acceleration(clock.t, part), mass_damping()};
+        for (std::size_t k = 0; k < model.part_dampings.size(); ++k)
+            if (model.part_dampings[k].part == part) field.damping += part_damping(k);
         bodies.all[b].advance(clock.t, dt, span, field, nodes);
         bodies.movers[b] = bodies.all[b].mover();
     }

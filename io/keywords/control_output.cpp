@@ -14,6 +14,22 @@ void control_termination(Cards& cards, Draft& draft) {
     c.noted("DTMIN ENDENG ENDMAS NOSOL", "this way to stop early is not watched");
 }
 
+void control_dynamic_relaxation(Cards& cards, Draft&) {
+    Card c = cards.next("NRCYCK DRTOL DRFCTR DRTERM TSSFDR IRELAL EDTTL IDRFLG");
+    const int phase = c.integer("IDRFLG");
+    if (phase != 0 && phase != -999)
+        c.fault("IDRFLG", "0: there is no phase of dynamic relaxation before the run");
+    c.harmless("NRCYCK DRTOL DRFCTR DRTERM TSSFDR IRELAL EDTTL");
+    cards.abandon();
+}
+
+void termination(Cards& cards, Draft&) {
+    Card c = cards.next("ID STOP MAXC MINC");
+    c.noted("ID", "this does not end the run: it goes on to ENDTIM");
+    c.harmless_all();
+    cards.abandon();
+}
+
 void control_timestep(Cards& cards, Draft& draft) {
     {
         Card c = cards.next("DTINIT TSSFAC=0.9 ISDO TSLIMT DT2MS LCTM ERODE MS1ST");

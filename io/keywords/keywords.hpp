@@ -131,6 +131,14 @@ void load_segment_set(Cards&, Draft&);
 void load_shell_element(Cards&, Draft&);
 void load_shell_set(Cards&, Draft&);
 void damping_global(Cards&, Draft&);
+void damping_part_mass(Cards&, Draft&);
+void damping_part_stiffness(Cards&, Draft&);
+void load_node_point(Cards&, Draft&);
+void load_node_set(Cards&, Draft&);
+void element_mass(Cards&, Draft&);
+void element_mass_node_set(Cards&, Draft&);
+void control_dynamic_relaxation(Cards&, Draft&);
+void termination(Cards&, Draft&);
 // links.cpp, joined_nodes.cpp
 void element_beam(Cards&, Draft&);
 void element_discrete(Cards&, Draft&);

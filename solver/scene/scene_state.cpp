@@ -61,7 +61,7 @@ SceneState::SceneState(Model of, std::uint64_t draw)
     build_contacts();
     build_walls();
     if (!loads.empty()) forces.loads.f.assign(count, Vec3::Zero());
-    if (model.mass_damping != 0.0 || model.mass_damping_curve >= 0)
+    if (model.mass_damping != 0.0 || model.mass_damping_curve >= 0 || !model.part_dampings.empty())
         forces.damping.f.assign(count, Vec3::Zero());
     ledger.before.kinetic = ledger.after.kinetic = kinetic_energy();
 }
@@ -75,7 +75,9 @@ void SceneState::build_cloth() {
     fabric::MembraneSetup setup{model.shells, model.parts,    model.materials, cloth.reference,
                                 cloth.active, model.x.size(), model.curves,    model.x};
     nodes.mass = fabric::lumped_mass(setup);
+    for (const NodeMass& added : model.node_masses) nodes.mass[added.node] += added.mass;
     cloth.shell_mass = fabric::shell_mass(setup);
+    find_damped_mass();
     loads.share_mass(model, cloth.shell_mass);
     cloth.active_shells =
         static_cast<std::size_t>(std::count(cloth.active.begin(), cloth.active.end(), 1));

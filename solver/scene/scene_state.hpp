@@ -83,6 +83,7 @@ struct KickVelocities {
 
 struct SceneForces {
     ForceShare fabric, loads, damping;
+    std::vector<std::vector<double>> damped_mass;  ///< by *DAMPING_PART_MASS: N              [kg]
 };
 
 struct SceneImpulses {
@@ -111,6 +112,9 @@ struct SceneState {
     void kick(double dt, double span);
     void stop_at_obstacles(double dt);
     [[nodiscard]] double mass_damping() const;  ///< d of *DAMPING_GLOBAL at t          [1/s]
+    /// d of the k-th *DAMPING_PART_MASS at t.                                          [1/s]
+    [[nodiscard]] double part_damping(std::size_t k) const;
+    void find_damped_mass();
 
     /// The next step and who limits it.
     /// @param without_start  as if there were no DTINIT

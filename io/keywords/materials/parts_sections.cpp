@@ -173,6 +173,9 @@ void part(Cards& cards, Draft& draft) {
             Card c = cards.next("FS FD DC VC OPTT SFT=1 SSF=1 CPARM8");
             if (const double t = c.real("OPTT", NON_NEGATIVE); t > 0.0)
                 draft.model.parts.back().contact_thickness = t;
+            c.noted("FS FD DC VC",
+                    "friction is that of the contact's card: a part's counts with its FS = -1, "
+                    "which is refused");
         }
     }
 }

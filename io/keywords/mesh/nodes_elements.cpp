@@ -61,4 +61,29 @@ void element_shell(Cards& cards, Draft& draft) {
     }
 }
 
+void element_mass(Cards& cards, Draft& draft) {
+    static const Layout layout("EID:8 NID:8 MASS:16 PID:8");
+    while (cards.rows()) {
+        Card c = cards.next(layout);
+        const Index node = c.row("NID", draft.nodes);
+        const double mass = c.real("MASS", NON_NEGATIVE);
+        c.harmless("EID PID");
+        if (node >= 0) draft.model.node_masses.push_back({node, mass});
+    }
+}
+
+/// The mass is that of each node.
+void element_mass_node_set(Cards& cards, Draft& draft) {
+    static const Layout layout("EID:8 NSID:8 MASS:16 PID:8");
+    while (cards.rows()) {
+        Card c = cards.next(layout);
+        const Index set = c.row("NSID", draft.node_sets);
+        const double mass = c.real("MASS", NON_NEGATIVE);
+        c.harmless("EID PID");
+        if (set < 0) continue;
+        for (const Index node : draft.node_set[static_cast<std::size_t>(set)])
+            draft.model.node_masses.push_back({node, mass});
+    }
+}
+
 }  // namespace corpuscle::io::keywords

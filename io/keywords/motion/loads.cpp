@@ -118,6 +118,60 @@ void load_shell_set(Cards& cards, Draft& draft) {
     }
 }
 
+namespace {
+
+/// Rows of DOF, LCID and SF, for nodes.
+void node_load(Cards& cards, Draft& draft, bool is_set) {
+    static const Layout layout("NID DOF LCID SF=1 CID M1 M2 M3");
+    while (cards.rows()) {
+        Card c = cards.next(layout);
+        NodeLoad load;
+        const Index row = c.row("NID", is_set ? draft.node_sets : draft.nodes);
+        load.axis = c.choice("DOF", {1, 2, 3}, {4, 5, 6, 7, 8}) - 1;
+        load.curve = c.row("LCID", draft.curves);
+        load.scale = c.real("SF");
+        c.harmless("M1 M2 M3");  // of loads that follow three nodes
+        if (row < 0 || load.curve < 0) continue;
+        load.nodes = is_set ? draft.node_set[static_cast<std::size_t>(row)] : std::vector{row};
+        draft.model.node_loads.push_back(std::move(load));
+    }
+}
+
+}  // namespace
+
+void load_node_point(Cards& cards, Draft& draft) {
+    node_load(cards, draft, /*is_set=*/false);
+}
+void load_node_set(Cards& cards, Draft& draft) {
+    node_load(cards, draft, /*is_set=*/true);
+}
+
+void damping_part_mass(Cards& cards, Draft& draft) {
+    const bool is_set = cards.block().keyword.starts_with("DAMPING_PART_MASS_SET");
+    while (cards.rows()) {
+        Card c = cards.next("PID LCID SF=1 FLAG");
+        const Index row = c.row("PID", is_set ? draft.part_sets : draft.parts);
+        const Index curve = c.row("LCID", draft.curves);
+        const double scale = c.real("SF", NON_NEGATIVE);
+        if (c.integer("FLAG") != 0) c.fault("FLAG", "0: damping by direction is not acted on yet");
+        if (row < 0 || curve < 0) continue;
+        for (const Index part :
+             is_set ? draft.part_set[static_cast<std::size_t>(row)] : std::vector{row})
+            draft.model.part_dampings.push_back({part, curve, scale});
+    }
+}
+
+void damping_part_stiffness(Cards& cards, Draft& draft) {
+    const bool is_set = cards.block().keyword.starts_with("DAMPING_PART_STIFFNESS_SET");
+    while (cards.rows()) {
+        Card c = cards.next("PID COEF");
+        c.row("PID", is_set ? draft.part_sets : draft.parts);
+        c.noted("COEF",
+                "stiffness damping is not acted on: oscillations of single elements last longer "
+                "(DAMP of *MAT_FABRIC damps them)");
+    }
+}
+
 void damping_global(Cards& cards, Draft& draft) {
     Card c = cards.next("LCID VALDMP STX STY STZ SRX SRY SRZ");
     draft.model.mass_damping_curve = c.row_or_none("LCID", draft.curves);

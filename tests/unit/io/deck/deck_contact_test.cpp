@@ -101,5 +101,8 @@ TEST_CASE("*PART_CONTACT gives a part its contact thickness", "[io]") {
     CHECK(model.parts.at(2).contact_thickness == 0.1);
     CHECK(model.parts.at(2).thickness == 0.3);
     CHECK(std::isnan(model.parts.at(0).contact_thickness));
-    CHECK(contains(only_fault("*PART_CONTACT\nx\n3,1,1\n0.3\n"), "(FS) = 0.3"));
+    const Model rough =
+        folder.read(small_deck("*PART_CONTACT\nx\n3,1,1\n0.3\n*ELEMENT_SHELL\n14,3,2,5,6,6\n"));
+    CHECK(any_contains(rough.warnings, "(FS) = 0.3"));
+    CHECK(contains(only_fault("*PART_CONTACT\nx\n3,1,1\n0,0,0,0,0,2.0\n"), "(SFT) = 2.0"));
 }
