@@ -103,8 +103,49 @@ def sod():
                 "Written by tools/models/box.py: change it there."])
 
 
+def vent_by_chamber():
+    def part(axis, end, i, j):
+        if axis == 0 and not end and i in (2, 3) and j in (2, 3):
+            return 4
+        # along y and z, x is the second and the first of the face's two axes
+        if axis == 0:
+            return 2 if end else 1
+        return 1 if (j if axis == 1 else i) < 3 else 2
+
+    mesh = box((0.1, 0.1, 0.1), (6, 6, 6), part, membrane_at=3)
+    mesh.shells = {n: (3 if n > 6 * 36 else part_id, corners)
+                   for n, (part_id, corners) in mesh.shells.items()}
+    mesh.node_sets[HELD] = ("every node is held", list(mesh.nodes))
+    mesh.write(MODELS / "verification" / "vent_by_chamber" / "mesh.k",
+               ["A box of 1 litre; chambers' walls are parts 1 and 2, the membrane at x = 0.05 part 3,",
+                "a vent in the wall at x = 0 part 4; lengths in m.",
+                "Written by tools/models/box.py: change it there."])
+
+
+def far_vent():
+    mesh = box((1.0, 0.1, 0.1), (60, 6, 6), lambda axis, end, i, j: 1 if axis else 3 if end else 2)
+    mesh.node_sets[HELD] = ("every node is held", list(mesh.nodes))
+    mesh.write(MODELS / "verification" / "far_vent" / "mesh.k",
+               ["A duct of 1 x 0.1 x 0.1; the end at x = 0 is part 2, that at x = 1 part 3; lengths in m.",
+                "Written by tools/models/box.py: change it there."])
+
+
+def piston_wave():
+    mesh = box((1.0, 0.1, 0.1), (1, 6, 6), lambda axis, end, i, j: 1 if axis else PISTON if end else 3)
+    moved = [n for n, x in mesh.nodes.items() if x[0] > 0.0]
+    mesh.node_sets[HELD] = ("the closed end", [n for n in mesh.nodes if n not in moved])
+    mesh.node_sets[MOVED] = ("the piston, with the rim that the side walls share", moved)
+    mesh.write(MODELS / "verification" / "piston_wave" / "mesh.k",
+               ["A tube of 1 x 0.1 x 0.1; the end at x = 0 is part 3, the piston at x = 1 part 2; lengths in m.",
+                "The side walls run from end to end in one quad: they stretch.",
+                "Written by tools/models/box.py: change it there."])
+
+
 if __name__ == "__main__":
     sod()
+    vent_by_chamber()
+    far_vent()
+    piston_wave()
     helium_air()
     fast_piston()
     tank("vented_tank", lambda axis, end, i, j: axis == 0 and end and i in (2, 3) and j in (2, 3),

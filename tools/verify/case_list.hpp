@@ -15,10 +15,19 @@ using Method = Findings (*)(const Runs&);
 Findings box_at_rest(const Runs&);
 Findings helium_air(const Runs&);
 Findings slow_piston(const Runs&);
+Findings closed_membrane(const Runs&);
+Findings two_inflators(const Runs&);
+Findings tank_test(const Runs&);
 /// cases/flows.cpp
 Findings sod(const Runs&);
+Findings vacuum(const Runs&);
 Findings fast_piston(const Runs&);
+Findings piston_wave(const Runs&);
 /// cases/outflow.cpp
 Findings vented_tank(const Runs&);
+Findings effusion(const Runs&);
+Findings porous_tank(const Runs&);
+Findings vent_by_chamber(const Runs&);
+Findings far_vent(const Runs&);
 
 }  // namespace corpuscle::verify

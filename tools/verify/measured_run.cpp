@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
 #include "io/text/text.hpp"
+#include "solver/base/constants.hpp"
 #include "solver/base/curve.hpp"
 #include "solver/base/error.hpp"
 
@@ -89,6 +91,32 @@ double MeasuredRun::particle_steps() const {
             for (const double n : inside) particles += n / static_cast<double>(inside.size());
         }
     return steps() * particles;
+}
+
+double greatest_change(const MeasuredRun& run, const std::string& path, double from, double to) {
+    const auto time = run.time(), value = run.read(path);
+    double start = NaN, worst = 0.0;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        if (time[i] < from || time[i] > to) continue;
+        if (std::isnan(start)) start = value[i];
+        worst = std::max(worst, std::abs(value[i] / start - 1.0));
+    }
+    return std::isnan(start) ? NaN : worst;
+}
+
+Estimate maxwell_distance(const Runs& runs, int species, double T, double molar_mass) {
+    std::vector<double> speeds;
+    for (const MeasuredRun& run : runs) {
+        const std::string frame = run.frames().back() + "particles/";
+        const auto of = run.read(frame + "species");
+        const auto v = run.vectors(frame + "velocity");
+        for (std::size_t i = 0; i < v.size(); ++i)
+            if (of[i] == species) speeds.push_back(v[i].norm());
+    }
+    const double a = std::sqrt(GAS_CONSTANT * T / molar_mass);
+    return {kolmogorov_smirnov(std::move(speeds),
+                               [a](double speed) { return maxwell_below(speed, a); }),
+            NaN};
 }
 
 Findings by_run(const Runs& runs,

@@ -51,8 +51,17 @@ private:
     std::unique_ptr<io::Hdf5Reader> results_;
 };
 
+/// Greatest relative change of a history from its first sample after `from`, until `to`.
+[[nodiscard]] double greatest_change(const MeasuredRun& run, const std::string& path, double from,
+                                     double to);
+
 /// The runs of a level, which differ in their seeds.
 using Runs = std::vector<MeasuredRun>;
+/// Kolmogorov and Smirnov's distance of a gas's speeds in the last frames of all runs together from
+/// Maxwell's distribution.
+/// @param species  as in frames
+[[nodiscard]] Estimate maxwell_distance(const Runs& runs, int species, double T, double molar_mass);
+
 /// Errors by the names of quantities; signed where their sign tells.
 using Findings = std::map<std::string, Estimate>;
 

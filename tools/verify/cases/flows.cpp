@@ -1,7 +1,7 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 //
-// Waves in gas, against the Euler equations: Sod's tube, the fast piston.
+// Waves in gas, against the Euler equations: Sod's tube, vacuum, the fast piston, a shock of a piston.
 
 #include <algorithm>
 #include <array>
@@ -124,6 +124,27 @@ Findings sod(const Runs& runs) {
             {"pressure", ensemble_error(found, truth, [](auto& of) { return of.pressure; })}};
 }
 
+/// The same tube with nothing right of the membrane: the fan ends in vacuum.
+///     c/c0 = 2/(gamma+1) - (gamma-1)/(gamma+1) x/(c0 t),   rho/rho0 = (c/c0)^(2/(gamma-1))
+Findings vacuum(const Runs& runs) {
+    constexpr double OPENS = 3e-3, GAMMA = 1.4;
+    const double c0 = std::sqrt(GAMMA * GAS_CONSTANT * T / MOLAR_MASS);
+    std::vector<Profile> found, truth;
+    for (const MeasuredRun& run : runs) {
+        const auto time = run.time();
+        const double t = time.back() - *std::lower_bound(time.begin(), time.end(), OPENS);
+        found.push_back(measured(run));
+        Profile fan;
+        for (std::size_t b = 0; b < SLABS; ++b) {
+            const double x = (static_cast<double>(b) + 0.5) / SLABS - 0.5;
+            const double c = (2.0 - (GAMMA - 1.0) * x / (c0 * t)) / (GAMMA + 1.0);
+            fan.density[b] = std::pow(std::clamp(c, 0.0, 1.0), 2.0 / (GAMMA - 1.0));
+        }
+        truth.push_back(fan);
+    }
+    return {{"density", ensemble_error(found, truth, [](auto& of) { return of.density; })}};
+}
+
 /// models/fast_piston: the piston's pressure by Euler's equations on 400 cells.
 Findings fast_piston(const Runs& runs) {
     namespace piston = oracle::fast_piston;
@@ -152,6 +173,32 @@ Findings fast_piston(const Runs& runs) {
             {"pressure", std::sqrt(sum) / piston::PRESSURE},
             {"plateau", (run.mean(pressure, PLATEAU[0], PLATEAU[1]) - plateau) / piston::PRESSURE},
             {"stopped", (run.mean(pressure, STOPPED[0], STOPPED[1]) - stopped) / piston::PRESSURE}};
+    });
+}
+
+/// A piston runs into air at rest at 60 m/s: a shock at W ahead of it [Toro, 3.1.3],
+///     W = (gamma+1)/4 u + sqrt(((gamma+1)/4 u)² + c²),   p - p0 = rho0 W u,
+/// which comes back from the closed end.
+Findings piston_wave(const Runs& runs) {
+    constexpr double GAMMA = 28.0 / (28.0 - GAS_CONSTANT), P0 = 101325.0, U = 60.0;
+    const double rho = P0 * MOLAR_MASS / (GAS_CONSTANT * T), c = std::sqrt(GAMMA * P0 / rho);
+    const double g = 0.25 * (GAMMA + 1.0) * U, W = g + std::sqrt(g * g + c * c);
+    const double rise = rho * W * U, arrives = 1.0 / W;
+    // gas that runs at u against a wall: the state between equal streams
+    const double rho_1 = rho * W / (W - U);
+    const oracle::Gas1D left{rho_1, U, P0 + rise}, right{rho_1, -U, P0 + rise};
+    const double echo = oracle::exact_riemann(GAMMA, left, right, 0.0).pressure - P0;
+    return by_run(runs, [&](const MeasuredRun& run) {
+        const std::string near = "/history/airbag/1/part/2/pressure",
+                          far = "/history/airbag/1/part/3/pressure";
+        // as much impulse as if the full rise had come at once, at the time of arrival
+        const double until = 1.5 * arrives;
+        const double impulse = (run.mean(far, 0.0, until) - P0) * until;
+        const double begin = until - impulse / echo;
+        return std::map<std::string, double>{
+            {"speed", (1.0 / begin) / W - 1.0},
+            {"impedance", (run.mean(near, 0.0, 1.7 * arrives) - P0) / rise - 1.0},
+            {"echo", (run.mean(far, 1.2 * arrives, 1.7 * arrives) - P0) / echo - 1.0}};
     });
 }
 

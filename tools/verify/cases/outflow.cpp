@@ -3,9 +3,11 @@
 //
 // Tanks that empty through vents and cloth, against the differential equations of a stirred tank.
 
+#include <algorithm>
 #include <cmath>
 
 #include "tools/verify/case_list.hpp"
+#include "tools/verify/exact/euler_duct.hpp"
 #include "tools/verify/exact/stirred_tank.hpp"
 
 namespace corpuscle::verify {
@@ -23,14 +25,14 @@ oracle::StirredTank tank_at_opening(const MeasuredRun& run,
     return {std::move(gases), run.at(BAG + "energy", OPENS), run.at(BAG + "volume", OPENS)};
 }
 
-/// Greatest relative error of a history over all samples after the tank has opened.
+/// Greatest relative error of a history over all samples after `opens`.
 template <class Share, class Value>
 double worst_error(const MeasuredRun& run, oracle::StirredTank tank, const std::string& path,
-                   Share&& share, Value&& value) {
+                   Share&& share, Value&& value, double opens = OPENS) {
     const auto time = run.time(), measured = run.read(path);
-    double worst = 0.0, now = OPENS;
+    double worst = 0.0, now = opens;
     for (std::size_t i = 0; i < time.size(); ++i) {
-        if (time[i] <= OPENS) continue;
+        if (time[i] <= opens) continue;
         tank.empty(time[i] - now, 50, share);
         now = time[i];
         worst = std::max(worst, std::abs(measured[i] / value(tank) - 1.0));
@@ -55,6 +57,103 @@ Findings vented_tank(const Runs& runs) {
         return std::map<std::string, double>{
             {"mass", worst_error(run, tank, BAG + "mass", share, mass)},
             {"temperature", worst_error(run, tank, BAG + "temperature", share, heat)}};
+    });
+}
+
+/// models/vented_tank with a small plain vent: gas at rest effuses, with 1/2 R T / M more than u.
+Findings effusion(const Runs& runs) {
+    constexpr double AREA = 0.1 * 0.1 / 9.0, M = 0.028, CP = 28.0, STEPS = 20.0;
+    const double pi = std::acos(-1.0), cv = (CP - GAS_CONSTANT) / M, R = GAS_CONSTANT / M;
+    return by_run(runs, [&](const MeasuredRun& run) {
+        const double C23 = run.parameter("C23"), volume = run.at(BAG + "volume", OPENS);
+        const auto time = run.time(), mass = run.read(BAG + "mass"),
+                   temperature = run.read(BAG + "temperature");
+        double m = run.at(BAG + "mass", OPENS), T = run.at(BAG + "temperature", OPENS);
+        double now = OPENS, worst_m = 0.0, worst_T = 0.0;
+        for (std::size_t i = 0; i < time.size(); ++i) {
+            if (time[i] <= OPENS) continue;
+            const double dt = (time[i] - now) / STEPS;
+            for (int k = 0; k < STEPS; ++k) {
+                // cv m dT = -(R T / 2) dm, by the midpoint rule
+                const auto rate = [&](double at_T) {
+                    return C23 * AREA / volume * std::sqrt(R * at_T / (2.0 * pi));
+                };
+                const double T_middle = T - 0.25 * dt * rate(T) * R / cv * T;
+                const double out = rate(T_middle) * dt;
+                m *= std::exp(-out);
+                T *= std::exp(-0.5 * R / cv * out);
+            }
+            now = time[i];
+            worst_m = std::max(worst_m, std::abs(mass[i] / m - 1.0));
+            worst_T = std::max(worst_T, std::abs(temperature[i] / T - 1.0));
+        }
+        return std::map<std::string, double>{{"mass", worst_m}, {"temperature", worst_T}};
+    });
+}
+
+/// models/porous_tank: both gases leave in proportion to their densities.
+Findings porous_tank(const Runs& runs) {
+    const auto share = [](const oracle::StirredTank& now) {
+        const double velocity =
+            60.0 * std::clamp((now.pressure() - P_ATM) / (4.0 * P_ATM), 0.0, 1.0);
+        return 6.0 * 0.1 * 0.1 * 0.1 * velocity / now.volume;
+    };
+    return by_run(runs, [&](const MeasuredRun& run) {
+        const oracle::StirredTank tank =
+            tank_at_opening(run, {{0.028, 28.0, 0.0}, {0.004, 20.79, 0.0}});
+        const auto error = [&](std::size_t gas) {
+            const auto mass = [gas](const oracle::StirredTank& now) { return now.gases[gas].mass; };
+            return worst_error(run, tank, BAG + "species/" + std::to_string(gas + 1) + "/mass",
+                               share, mass);
+        };
+        return std::map<std::string, double>{{"air", error(0)}, {"helium", error(1)}};
+    });
+}
+
+/// Two chambers of half a litre at 5 atm; the first vents from 0.5 ms on.
+Findings vent_by_chamber(const Runs& runs) {
+    constexpr double C23 = 0.6, AREA = 0.01 / 9.0, M = 0.028, CP = 28.0, FROM = 0.5e-3;
+    return by_run(runs, [&](const MeasuredRun& run) {
+        const std::string vents = BAG + "chamber/1/", neighbour = BAG + "chamber/2/";
+        oracle::StirredTank tank{{{M, CP, run.at(vents + "mass", 0.0)}},
+                                 run.at(vents + "energy", 0.0),
+                                 run.at(vents + "volume", 0.0)};
+        const auto share = [&](const oracle::StirredTank& now) {
+            return C23 * AREA / now.mass() *
+                   oracle::nozzle_flux(now.pressure(), now.temperature(), M, CP, P_ATM);
+        };
+        const auto mass = [](const oracle::StirredTank& now) { return now.mass(); };
+        return std::map<std::string, double>{
+            {"mass", worst_error(run, tank, vents + "mass", share, mass, FROM)},
+            {"neighbour", greatest_change(run, neighbour + "energy", 0.0, INF)}};
+    });
+}
+
+/// Air at rest in a duct of 1 m, 5 kg/s from one end until 1 ms, a vent over the other end.
+Findings far_vent(const Runs& runs) {
+    constexpr double AREA = 0.01, RATE = 5.0, UNTIL = 1e-3, T = 300.0, M = 0.028, CP = 28.0;
+    constexpr double GAMMA = CP / (CP - GAS_CONSTANT), SOURCE = 0.02;
+    const double pi = std::acos(-1.0);
+    // a jet has sqrt(3 R T / M), spread evenly over a cone of 30 degrees
+    const double jet =
+        std::sqrt(3.0 * GAS_CONSTANT * T / GAMMA / M) * 0.5 * (1.0 + std::cos(pi / 6.0));
+    const double flux = RATE / AREA, u = (CP - GAS_CONSTANT) / M * T;
+    const oracle::DuctInflow on{flux, flux * jet, flux * u};
+    return by_run(runs, [&](const MeasuredRun& run) {
+        const oracle::Gas1D rest{P_ATM * M / (GAS_CONSTANT * T), 0.0, P_ATM};
+        oracle::EulerDuct duct(GAMMA, 1.0, 400, rest, P_ATM, SOURCE);
+        const auto time = run.time(), out = run.read(BAG + "mass_out_vent");
+        double worst = 0.0, arrives = INF;
+        for (std::size_t i = 0; i < time.size(); ++i) {
+            duct.advance(std::min(time[i], UNTIL), on);
+            duct.advance(time[i], {0.0, 0.0, 0.0});
+            worst = std::max(worst, std::abs(out[i] - duct.mass_out() * AREA));
+            if (std::isinf(arrives) && duct.mass_out() * AREA > 1e-3 * RATE * UNTIL)
+                arrives = time[i];
+        }
+        return std::map<std::string, double>{
+            {"early", run.at(BAG + "mass_out_vent", 0.9 * arrives) / (RATE * UNTIL)},
+            {"mass", worst / (duct.mass_out() * AREA)}};
     });
 }
 
