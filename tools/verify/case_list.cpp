@@ -10,13 +10,22 @@ namespace corpuscle::verify {
 
 Method method_of(const Card& card) {
     static const std::map<std::string, Method> ALL{
-        {"box_at_rest", box_at_rest}, {"closed_membrane", closed_membrane},
-        {"effusion", effusion},       {"far_vent", far_vent},
-        {"fast_piston", fast_piston}, {"helium_air", helium_air},
-        {"piston_wave", piston_wave}, {"porous_tank", porous_tank},
-        {"slow_piston", slow_piston}, {"sod", sod},
-        {"tank_test", tank_test},     {"two_inflators", two_inflators},
-        {"vacuum", vacuum},           {"vent_by_chamber", vent_by_chamber},
+        {"box_at_rest", box_at_rest},
+        {"closed_membrane", closed_membrane},
+        {"effusion", effusion},
+        {"far_vent", far_vent},
+        {"fast_piston", fast_piston},
+        {"helium_air", helium_air},
+        {"pendulum", pendulum},
+        {"piston_wave", piston_wave},
+        {"porous_tank", porous_tank},
+        {"slow_piston", slow_piston},
+        {"sliding_block", sliding_block},
+        {"sod", sod},
+        {"tank_test", tank_test},
+        {"two_inflators", two_inflators},
+        {"vacuum", vacuum},
+        {"vent_by_chamber", vent_by_chamber},
         {"vented_tank", vented_tank},
     };
     const auto found = ALL.find(card.method);

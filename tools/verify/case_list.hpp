@@ -18,6 +18,9 @@ Findings slow_piston(const Runs&);
 Findings closed_membrane(const Runs&);
 Findings two_inflators(const Runs&);
 Findings tank_test(const Runs&);
+/// cases/bodies.cpp
+Findings pendulum(const Runs&);
+Findings sliding_block(const Runs&);
 /// cases/flows.cpp
 Findings sod(const Runs&);
 Findings vacuum(const Runs&);
