@@ -6,7 +6,7 @@ target_sources(corpuscle_io PRIVATE
     deck/keyword_reader.cpp deck/lines.cpp deck/parameter_cards.cpp deck/parameters.cpp
     # cards -> scene, a file a family
     keywords/control_output.cpp keywords/curves.cpp keywords/database_sensor.cpp keywords/keyword_table.cpp
-    keywords/table.cpp
+    keywords/remarks.cpp keywords/table.cpp
     keywords/airbag/airbag_chambers.cpp
     keywords/airbag/airbag_gas.cpp
     keywords/airbag/airbag_hybrid.cpp

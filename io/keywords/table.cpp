@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "io/keywords/keywords.hpp"
+#include "io/keywords/remarks.hpp"
 #include "io/text/text.hpp"
 
 namespace corpuscle::io::keywords {
@@ -218,62 +219,6 @@ std::pair<const Keyword*, std::string_view> longest_base(std::string_view keywor
                 best = {&entry, name};
         });
     return best;
-}
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
-std::string did_you_mean(std::string_view keyword) {
-    std::vector<std::string_view> names = {"INCLUDE", "PARAMETER", "PARAMETER_EXPRESSION",
-                                           "KEYWORD", "END"};
-    for (const Keyword& entry : KEYWORDS)
-        for_each_word(entry.names, [&](std::string_view name) { names.push_back(name); });
-    for_each_word(HARMLESS, [&](std::string_view name) { names.push_back(name); });
-    if (keyword.empty() || is_digit(keyword.back())) return {};  // *MAT_003 is no misspelt *MAT_001
-    std::string_view bare = keyword;
-    for (const std::string_view suffix : {"_ID", "_TITLE", "_LIST"})
-        if (bare.ends_with(suffix)) bare.remove_suffix(suffix.size());
-    const std::string_view meant = nearest(bare, names);
-    return std::string(meant);
-}
-
-/// Why a suffix is refused, where its name does not say it.
-std::string_view reason(std::string_view base, std::string_view keyword) {
-    if (!base.starts_with("CONSTRAINED_JOINT_")) return "";
-    if (keyword.find("_FAILURE") != std::string_view::npos)
-        return ": a joint here is exact and does not break";
-    return ": the forces of joints are told in the axes of the deck";
-}
-
-/// Output of LS-DYNA that is not written here, and CONTROL_CPU: names that are no slip of the pen.
-bool is_output(std::string_view keyword) {
-    constexpr std::string_view NAMES =
-        "CONTROL_CPU DATABASE_BNDOUT DATABASE_CURVOUT DATABASE_DEFGEO DATABASE_DEFORC "
-        "DATABASE_ELOUT DATABASE_GCEOUT DATABASE_JNTFORC DATABASE_NCFORC DATABASE_NODFOR "
-        "DATABASE_SBTOUT DATABASE_SECFORC DATABASE_SLEOUT DATABASE_SPCFORC DATABASE_SPHOUT "
-        "DATABASE_SSSTAT DATABASE_SWFORC DATABASE_TPRINT DATABASE_TRHIST";
-    bool found = false;
-    for_each_word(NAMES, [&](std::string_view name) { found |= keyword == name; });
-    return found;
-}
-
-/// A keyword that is skipped may have been answered elsewhere, or be a slip of the pen.
-std::string remark_on(std::string_view keyword) {
-    if (keyword.starts_with("DATABASE_BINARY_INTFOR"))
-        return "; contact pressure is in every frame of results.h5";
-    if (keyword.starts_with("DATABASE_JNTFORC"))
-        return "; forces of joints are in results.h5 (/history/joint) and in the export's binout";
-    constexpr std::size_t SLIP = 2;
-    constexpr std::size_t LONGEST = 60;
-    if (keyword.size() > LONGEST || is_output(keyword)) return {};
-    std::string hint;
-    for (const Keyword& entry : KEYWORDS)
-        for_each_word(entry.names, [&](std::string_view name) {
-            if (edit_distance(keyword, name) <= SLIP)
-                hint = fmt::format(" (did you mean *{}?)", name);
-        });
-    return hint;
 }
 
 }  // namespace

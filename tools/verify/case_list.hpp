@@ -21,6 +21,11 @@ Findings tank_test(const Runs&);
 /// cases/bodies.cpp
 Findings pendulum(const Runs&);
 Findings sliding_block(const Runs&);
+Findings tennis_racket(const Runs&);
+/// cases/cloth.cpp
+Findings taut_string(const Runs&);
+Findings plane_wave(const Runs&);
+Findings damped_sheet(const Runs&);
 /// cases/flows.cpp
 Findings sod(const Runs&);
 Findings vacuum(const Runs&);
