@@ -72,7 +72,7 @@ const Keyword KEYWORDS[] = {
      element_seatbelt},
     {"ELEMENT_MASS", "", "PART MATRIX", P::SCENE, element_mass},
     {"ELEMENT_MASS_NODE_SET", "", "", P::SCENE, element_mass_node_set},
-    {"ELEMENT_SHELL", "", "THICKNESS BETA MCID OFFSET DOF COMPOSITE", P::SHELL, element_shell},
+    {"ELEMENT_SHELL", "THICKNESS BETA", "MCID OFFSET DOF COMPOSITE", P::SHELL, element_shell},
     {"ELEMENT_SOLID", "", "ORTHO DOF TET4TOTET10 H20 H27 H64", P::SHELL, element_solid},
 
     {"SET_NODE", LISTS, LISTS_LATER, P::SET, set_node},

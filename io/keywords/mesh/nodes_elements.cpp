@@ -1,6 +1,9 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <array>
+#include <cmath>
 
 #include "io/keywords/bodies/held.hpp"
 #include "io/keywords/keywords.hpp"
@@ -36,6 +39,26 @@ bool is_sound(const std::array<Index, 4>& n) {
     return n[0] != n[1] && n[1] != n[2] && n[2] != n[0] && n[3] != n[0] && n[3] != n[1];
 }
 
+/// _THICKNESS, _BETA: a second line, which may say no more than the part's section does.
+void own_thickness(Cards& cards, const Draft& draft, Index part) {
+    static const Layout layout("THIC1:16 THIC2:16 THIC3:16 THIC4:16 BETA:16");
+    constexpr double SAME = 1e-6;
+    Card c = cards.next(layout);
+    if (c.real("BETA") != 0.0)
+        c.fault("BETA",
+                "0: an angle of a shell's own is not acted on yet (BETA of *MAT_FABRIC is)");
+    const Index section = part < 0 ? -1 : draft.part_section[static_cast<std::size_t>(part)];
+    const double thickness =
+        section < 0 ? 0.0 : draft.section[static_cast<std::size_t>(section)].thickness;
+    for (const char* corner : {"THIC1", "THIC2", "THIC3", "THIC4"}) {
+        const double t = c.real(corner, NON_NEGATIVE);
+        if (t != 0.0 && thickness > 0.0 && std::abs(t - thickness) > SAME * thickness)
+            c.fault(corner, fmt::format("0 or {:g}, the thickness of its section: a part is as "
+                                        "thick everywhere here",
+                                        thickness));
+    }
+}
+
 }  // namespace
 
 void element_shell(Cards& cards, Draft& draft) {
@@ -58,6 +81,7 @@ void element_shell(Cards& cards, Draft& draft) {
         if (c.good() && !is_sound(shell.nodes))
             c.fault("N1", "no node twice, but for N4 = N3 of a triangle");
         shells.push_back(shell);
+        if (cards.has("THICKNESS") || cards.has("BETA")) own_thickness(cards, draft, shell.part);
     }
 }
 

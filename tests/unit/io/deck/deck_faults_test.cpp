@@ -83,12 +83,12 @@ TEST_CASE("a keyword that is not supported is a fault, or a note when it cannot 
     const DeckFolder folder;
     const auto faults =
         folder.faults(small_deck("*ELEMENT_TSHELL\n1,1\n*CONSTRAINED_JOINT_PLANAR\n1,2\n"
-                                 "*ELEMENT_SHELL_THICKNESS\n*FROBNICATE\n"
+                                 "*ELEMENT_SHELL_MCID\n*FROBNICATE\n"
                                  "*PRAT\nx\n*MAT_FABIRC_TITLE\nx\n"));
     REQUIRE(faults.size() == 6);
     CHECK(contains(faults[0], "deck.k:30: *ELEMENT_TSHELL"));
     CHECK(contains(faults[1], "*CONSTRAINED_JOINT_PLANAR is not supported yet"));
-    CHECK(contains(faults[2], "*ELEMENT_SHELL_THICKNESS is not acted on yet"));
+    CHECK(contains(faults[2], "*ELEMENT_SHELL_MCID is not acted on yet"));
     CHECK(faults[3] == "deck.k:35: *FROBNICATE is not supported");
     CHECK(contains(faults[4], "did you mean *PART?"));
     CHECK(contains(faults[5], "did you mean *MAT_FABRIC?"));

@@ -36,6 +36,18 @@ TEST_CASE("a section's thickness is the mean of its corners, blank ones like the
     CHECK(folder.read(deck).parts.at(0).thickness == Approx(0.35));
 }
 
+TEST_CASE("a shell's own thickness is that of its section, its own angle 0", "[io]") {
+    const DeckFolder folder;
+    const std::string head = "*ELEMENT_SHELL_THICKNESS\n14,1,2,5,6,6\n";
+    for (const char* same : {"0.3,0.3,0.3,0.3\n", "\n", "0.3,0,0,0\n"})
+        CHECK(folder.read(small_deck(head + same)).shells.back().id == 14);
+    CHECK(contains(folder.faults(small_deck(head + "0.3,0.3,0.4,0.3\n")).at(0), "(THIC3) = 0.4"));
+    CHECK(folder.read(small_deck("*ELEMENT_SHELL_BETA\n14,1,2,5,6,6\n,,,,0.0\n")).shells.size() >
+          1);
+    const auto turned = folder.faults(small_deck("*ELEMENT_SHELL_BETA\n14,1,2,5,6,6\n,,,,30.0\n"));
+    CHECK(contains(turned.at(0), "(BETA) = 30.0"));
+}
+
 TEST_CASE("shell forms: membranes, shells taken as membranes, and planes that are faults", "[io]") {
     const DeckFolder folder;
     const auto with_form = [&](const std::string& form) {
