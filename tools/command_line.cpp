@@ -190,9 +190,10 @@ void add_verify(CLI::App& app, VerifyArguments& to) {
     command.add_option("--cases", to.cases,
                        "folder of cases; default: models/verification of the source tree or "
                        "installation that the program is in");
-    command.add_option("--known", to.known,
-                       "CASE/QUANTITY that is known to miss its budget: it stays red, but the "
-                       "exit status does not count it")
+    command
+        .add_option("--known", to.known,
+                    "CASE/QUANTITY that is known to miss its budget: it stays red, but the "
+                    "exit status does not count it")
         ->allow_extra_args(false)
         ->take_all();
     command.footer(
