@@ -42,6 +42,30 @@ double Recoil::share(const WettedSurface& surface, std::size_t side,
     return M / (M + free * free * m);
 }
 
+void Recoil::set_right(const WettedSurface& surface, std::span<Hit> hits,
+                       std::span<const Index> sides, double m, std::span<const double> link,
+                       Vec3& v) {
+    Vec3 flown = v;  // velocity before each hit, in flight
+    for (const Hit& hit : hits) flown += hit.impulse / m;
+    Vec3 lacks = Vec3::Zero();
+    const auto energy = [&] { return m * (flown.dot(lacks) + 0.5 * lacks.squaredNorm()); };
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+        Hit& hit = hits[k];
+        const double f = share(surface, static_cast<std::size_t>(sides[k]), hit.at, m, link);
+        const Vec3 thrown = hit.impulse;
+        const double before = energy();
+        flown = k + 1 == hits.size() ? v : Vec3(flown - thrown / m);
+        if (f == 1.0 && lacks.isZero(0.0)) continue;
+        const double J = thrown.norm();
+        if (J == 0.0) continue;
+        const double along = lacks.dot(thrown) / J;
+        hit.impulse *= f * std::max(0.0, 1.0 + 2.0 * m * along / J);
+        lacks += (thrown - hit.impulse) / m;
+        hit.energy += before - energy();
+    }
+    v += lacks;
+}
+
 double Recoil::mass_around(const WettedSurface& surface, std::size_t side,
                            std::span<const double> link) {
     ++search_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gas/enclosure/wetted_surface.hpp"
+#include "gas/flight/flight.hpp"
 
 namespace corpuscle::gas {
 
@@ -20,6 +21,14 @@ namespace corpuscle::gas {
 /// bears the hit at once, which is the cloth that smoothing spreads it over (point_smoother.hpp):
 /// RINGS rings of points round the facet, as far as gas has reached. Without recoil a heavy
 /// particle on light cloth gives work J²/2M that nobody pays.
+///
+/// A particle that hits k times in a step flies between its hits as walls of infinite mass have
+/// thrown it. What it lacks of that velocity, d, is mirrored at the next hit as it is:
+///
+///     J' = f max(0, J·n + 2 m d·n) n,   d' = d + (J - J') / m,   n = J / |J|
+///
+/// so that walls at rest never make a particle faster; max: a wall that it does not meet does not
+/// pull.
 class Recoil {
 public:
     /// @param held  by wall point: 1 where supports, motions or bodies carry it
@@ -34,6 +43,12 @@ public:
     [[nodiscard]] double share(const WettedSurface& surface, std::size_t side,
                                const std::array<double, 3>& at, double m,
                                std::span<const double> link);
+
+    /// Sets right what one particle's hits in one step gave, in their order, and its velocity v
+    /// after them; energy m (v² - v'²) / 2 stays booked to rounding.
+    /// @param sides  of the hits
+    void set_right(const WettedSurface& surface, std::span<Hit> hits, std::span<const Index> sides,
+                   double m, std::span<const double> link, Vec3& v);
 
 private:
     [[nodiscard]] double mass_around(const WettedSurface& surface, std::size_t side,

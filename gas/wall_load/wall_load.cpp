@@ -19,8 +19,8 @@ namespace {
 constexpr double MOST_PAID = 0.25;
 
 /// Internal energy below nothing that a particle takes on, in its energy of motion: a monatomic gas
-/// has no other, and its group shares the debt at the next collision. More: the next wall may take
-/// the motion that is to pay for it.
+/// has no other, and its group shares the debt at the next collision. Where a wall takes the motion
+/// that was to pay for it, the wall takes the debt back, too, as far as it took motion.
 constexpr double MOST_DEBT = 0.1;
 
 /// By wall point: is its node held?
@@ -79,24 +79,22 @@ WallLoad::WallLoad(std::shared_ptr<const WettedSurface> surface, std::span<const
 // ---- what comes
 
 void WallLoad::receive(FlightResult& flight, std::span<const double> mass, Particles& particles) {
-    std::size_t i = 0;
+    std::span<const Index> sides = sides_;
     for (auto& hits : flight.hits)
-        for (Hit& hit : hits) {
-            const auto side = static_cast<std::size_t>(sides_[i++]);
-            if (!hit.has_left()) recoil(hit, side, mass[particles.species[hit.row()]], particles);
-            take_in(hit, side, mass, particles);
+        for (auto first = hits.begin(); first != hits.end();) {
+            const auto last = std::find_if(first, hits.end(),
+                                           [&](const Hit& hit) { return hit.who != first->who; });
+            const std::span<Hit> own(first, last);  // of one particle
+            const std::size_t row = first->row();
+            if (!first->has_left())
+                recoil_.set_right(*surface_, own, sides.first(own.size()),
+                                  mass[particles.species[row]], smoother_.links(),
+                                  particles.v[row]);
+            for (std::size_t k = 0; k < own.size(); ++k)
+                take_in(own[k], static_cast<std::size_t>(sides[k]), mass, particles);
+            sides = sides.subspan(own.size());
+            first = last;
         }
-}
-
-/// Gives back to the particle what a wall that recoils did not take, (1 - f) J.
-void WallLoad::recoil(Hit& hit, std::size_t side, double mass, Particles& particles) {
-    const double share = recoil_.share(*surface_, side, hit.at, mass, smoother_.links());
-    if (share == 1.0) return;
-    Vec3& v = particles.v[hit.row()];
-    const double before = v.squaredNorm();
-    v += (1.0 - share) / mass * hit.impulse;
-    hit.impulse *= share;
-    hit.energy -= 0.5 * mass * (v.squaredNorm() - before);
 }
 
 void WallLoad::find_sides(const FlightResult& flight, std::span<const Vec3> x_0,
@@ -144,17 +142,20 @@ void WallLoad::take_in(const Hit& hit, std::size_t side, std::span<const double>
     owed.add(hit.where, free * hit.impulse);
     held_owed_.add(hit.where, (1.0 - free) * hit.impulse);
     taken_ += hit.energy;
-    if (due == 0.0 || hit.has_left()) return;
+    if (hit.has_left()) return;
     double& internal = particles.e[row];
     const double motion = 0.5 * m * particles.v[row].squaredNorm();
     const double most = MOST_PAID * std::max(0.0, motion + internal),
-                 bearable = std::max(0.0, internal + MOST_DEBT * motion);
-    const double paid = std::clamp(due, -std::min(most, bearable), most);
-    internal += paid;
-    taken_ -= paid;
+                 bearable = internal + MOST_DEBT * motion;
+    const double paid = std::clamp(due, -std::min(most, std::max(0.0, bearable)), most),
+                 back = std::clamp(-bearable - paid, 0.0, std::max(0.0, hit.energy));
+    if (paid == 0.0 && back == 0.0) return;
+    internal += paid + back;
+    taken_ -= paid + back;
+    const double cleared = due != 0.0 ? paid / due : 0.0;
     for (int c = 0; c < 3; ++c) {
         const Index p = surface_->points(side)[c];
-        account_[p] -= paid / due * hit.at[c] * account_[p];
+        account_[p] -= hit.at[c] * (cleared * account_[p] + back);
     }
 }
 

@@ -195,7 +195,6 @@ private:
                                       std::span<const Vec3> x_1) const;
     void take_in(const Hit& hit, std::size_t side, std::span<const double> mass,
                  Particles& particles);
-    void recoil(Hit& hit, std::size_t side, double mass, Particles& particles);
     void measure(std::span<const Vec3> x);
     void release_points(double share, double span, std::span<const Vec3> v,
                         std::span<const double> mass);
