@@ -80,8 +80,8 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(shift_, next_shift_, velocity_, is_behind_, last_, touching_, force_,
-                stopping_energy_, friction_energy_, driving_work_);
+        archive(shift_, next_shift_, velocity_, velocity_before_, is_behind_, last_, touching_,
+                force_, stopping_energy_, friction_energy_, driving_work_, held_work_);
     }
 
 private:
