@@ -8,8 +8,8 @@
 namespace corpuscle::benchmark {
 namespace {
 
-double since(std::chrono::steady_clock::time_point then) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+double seconds_of(LoopMeter::Clock::duration time) {
+    return std::chrono::duration<double>(time).count();
 }
 
 /// Time until the last of the chunks is done on so many cores.
@@ -30,25 +30,25 @@ double dealt_out(const std::vector<double>& chunks, int cores, std::vector<doubl
 
 void LoopMeter::begin() {
     chunks_.clear();
-    begin_ = last_ = Clock::now();
+    begin_ = last_ = now_();
 }
 
 void LoopMeter::end_chunk() {
-    chunks_.push_back(since(last_));
-    last_ = Clock::now();
+    chunks_.push_back(seconds_of(now_() - last_));
+    last_ = now_();
 }
 
 void LoopMeter::end() {
-    const Clock::time_point end = Clock::now();
+    const Clock::time_point end = now_();
     ++loops_;
-    inside_ += std::chrono::duration<double>(end - begin_).count();
+    inside_ += seconds_of(end - begin_);
     for (std::size_t k = 0; k < CORES.size(); ++k)
         dealt_[k] += dealt_out(chunks_, CORES[k], free_at_);
-    start_ += Clock::now() - end;  // the dealing is none of the run
+    start_ += now_() - end;  // the dealing is none of the run
 }
 
 double LoopMeter::seconds() const {
-    return since(start_);
+    return seconds_of(now_() - start_);
 }
 
 double LoopMeter::wall(std::size_t k, double call) const {

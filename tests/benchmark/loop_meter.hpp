@@ -17,7 +17,13 @@ namespace corpuscle::benchmark {
 /// loops stays as it is. Ideal: caches and memory are shared without a loss.
 class LoopMeter final : public parallel::LoopObserver {
 public:
+    using Clock = std::chrono::steady_clock;
+    using Now = Clock::time_point (*)();
+
     static constexpr std::array<int, 7> CORES{1, 2, 4, 8, 16, 32, 64};
+
+    /// @param now  reads the clock; a test's own is moved by hand
+    explicit LoopMeter(Now now = &Clock::now) : now_(now) {}
 
     void begin() override;
     void end_chunk() override;
@@ -31,9 +37,8 @@ public:
     [[nodiscard]] double wall(std::size_t k, double call = 0.0) const;
 
 private:
-    using Clock = std::chrono::steady_clock;
-
-    Clock::time_point start_ = Clock::now(), begin_, last_;
+    Now now_;
+    Clock::time_point start_ = now_(), begin_, last_;
     std::vector<double> chunks_, free_at_;      ///< of the loop that runs                     [s]
     double inside_ = 0.0;                       ///< [s]
     std::array<double, CORES.size()> dealt_{};  ///< all loops, on so many cores               [s]

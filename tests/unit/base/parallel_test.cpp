@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 
 #include <chrono>
-#include <thread>
 #include <vector>
 
 #include "tests/benchmark/loop_meter.hpp"
@@ -34,9 +33,16 @@ public:
     int begun = 0, ended = 0;
 };
 
-void rest(double milliseconds) {
-    std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(milliseconds));
-}
+/// A clock that stands until it is moved on.
+class HandClock {
+public:
+    using Clock = benchmark::LoopMeter::Clock;
+    static Clock::time_point now() { return Clock::time_point(time_); }
+    static void pass(int milliseconds) { time_ += std::chrono::milliseconds(milliseconds); }
+
+private:
+    inline static Clock::duration time_{};
+};
 
 }  // namespace
 
@@ -72,19 +78,17 @@ TEST_CASE("an observer sees loops that threads share, not those within them", "[
 
 TEST_CASE("chunks of 30, 10, 10 and 10 ms take 60, 30 and 30 ms on 1, 2 and 4 cores", "[base]") {
     const Threads threads(1);
-    benchmark::LoopMeter meter;
-    const std::vector<double> chunks{30.0, 10.0, 10.0, 10.0};
+    benchmark::LoopMeter meter(&HandClock::now);
+    const std::vector<int> chunks{30, 10, 10, 10};
     parallel::for_each(
-        chunks.size(), [&](std::size_t i) { rest(chunks[i]); }, 1);
-    rest(20.0);
-    const double outside = meter.outside();
-    CHECK(outside >= 0.020);
+        chunks.size(), [&](std::size_t i) { HandClock::pass(chunks[i]); }, 1);
+    HandClock::pass(20);
     CHECK(meter.loops() == 1);
-    const auto loop = [&](std::size_t k) { return meter.wall(k) - meter.outside(); };
-    CHECK(loop(0) >= 0.060);
-    CHECK(loop(1) >= 0.030);
-    CHECK(loop(1) < 0.75 * loop(0));  // chunks may come late, all of them
-    CHECK(loop(2) <= loop(1));
-    CHECK(meter.wall(1, 1.0) == Approx(meter.wall(1) + 1.0).margin(0.01));
-    CHECK(meter.wall(0, 1.0) == Approx(meter.wall(0)).margin(0.01));
+    CHECK(meter.seconds() == Approx(0.080));
+    CHECK(meter.outside() == Approx(0.020));
+    CHECK(meter.wall(0) == Approx(0.080));       // 1 core: all, and what lies outside
+    CHECK(meter.wall(1) == Approx(0.050));       // 2 cores
+    CHECK(meter.wall(2) == Approx(0.050));       // 4 cores: the longest chunk
+    CHECK(meter.wall(1, 1.0) == Approx(1.050));  // a call of the threads a loop
+    CHECK(meter.wall(0, 1.0) == Approx(0.080));
 }
