@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "fabric/reference_shape.hpp"
 
+#include <fmt/format.h>
+
 #include "solver/base/error.hpp"
 
 namespace corpuscle::fabric {

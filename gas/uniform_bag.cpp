@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "gas/uniform_bag.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

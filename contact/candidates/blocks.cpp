@@ -11,7 +11,7 @@ namespace corpuscle::contact {
 namespace {
 
 constexpr float HUGE_F = std::numeric_limits<float>::infinity();
-constexpr std::size_t CHUNK = 2;  ///< patches
+constexpr std::size_t BLOCK_PATCHES_A_CHUNK = 2;  ///< patches
 
 std::array<float, 3> single(const Vec3& p, const Vec3& origin) {
     return {static_cast<float>(p.x() - origin.x()), static_cast<float>(p.y() - origin.y()),
@@ -118,7 +118,7 @@ void Blocks<CORNERS>::move(std::span<const Index> patches, const Outline& outlin
         for (Index b = start_[patches[i]]; b < start_[patches[i] + 1]; ++b)
             place(block_[b], outline);
     };
-    parallel::for_each(patches.size(), place_all, CHUNK);
+    parallel::for_each(patches.size(), place_all, BLOCK_PATCHES_A_CHUNK);
 }
 
 template <int CORNERS>
@@ -165,7 +165,7 @@ void Blocks<CORNERS>::set_bounds(std::span<const Index> patches, const Outline& 
             group_[group_start_[p] + at / EIGHT].set(at % EIGHT, block_[b].whole);
         }
     };
-    parallel::for_each(patches.size(), bound_all, CHUNK);
+    parallel::for_each(patches.size(), bound_all, BLOCK_PATCHES_A_CHUNK);
     for (const Index p : patches) {
         Bounds of_patch = EightBounds()[0];
         for (Index g = group_start_[p]; g < group_start_[p + 1]; ++g)

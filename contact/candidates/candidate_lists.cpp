@@ -16,9 +16,9 @@ namespace {
 
 constexpr double SWEEP = 0.4;  ///< farthest that a node may go while lists live, in edge lengths
 /// Steps for which patches have room to move: in open cloth; more than lists have lived, in folded.
-constexpr std::size_t FEW = 2;  ///< candidates a triangle, in open cloth
+constexpr std::size_t SPARSE = 2;  ///< candidates a triangle, in open cloth
 constexpr double ROOM = 28.0, MORE_ROOM = 1.25;
-constexpr std::size_t CHUNK = 1;  ///< patch pairs; some hundred triangle pairs
+constexpr std::size_t PATCH_PAIRS_A_CHUNK = 1;  ///< patch pairs; some hundred triangle pairs
 /// Chunks whose findings wait at once to be put together: memory that the list has no more use for.
 constexpr std::size_t ROUND = 512;
 
@@ -68,7 +68,7 @@ void Candidates::meet_gently(const Points& x, double t, std::span<const std::uin
 
 void Candidates::build(const Points& x, const Points& v, double t, double dt) {
     set_budget(dt);
-    const bool is_sparse = list_.size() <= FEW * cloth_.triangles.size();
+    const bool is_sparse = list_.size() <= SPARSE * cloth_.triangles.size();
     patches_.find(x, is_sparse ? ROOM : MORE_ROOM * budget_.life / dt);
     motion_.restart(x, v, budget_.stray);
     motion_.foresee(x, v, dt);
@@ -132,10 +132,10 @@ void Candidates::list_pairs(const Points& x) {
                 [&](Piece n, Index t, Distances apart) { meet_node(n, t, apart, ahead, out); });
     };
     std::size_t rows = 0;
-    for (; first < pairs.size(); first += ROUND * CHUNK) {
-        const std::size_t count = std::min(pairs.size() - first, ROUND * CHUNK);
-        parallel::for_chunks(count, search, CHUNK);
-        rows = add_chunks(rows, parallel::chunk_count(count, CHUNK));
+    for (; first < pairs.size(); first += ROUND * PATCH_PAIRS_A_CHUNK) {
+        const std::size_t count = std::min(pairs.size() - first, ROUND * PATCH_PAIRS_A_CHUNK);
+        parallel::for_chunks(count, search, PATCH_PAIRS_A_CHUNK);
+        rows = add_chunks(rows, parallel::chunk_count(count, PATCH_PAIRS_A_CHUNK));
     }
     list_.resize(rows);
     verlet_.resize(rows);
@@ -158,7 +158,7 @@ std::size_t Candidates::add_chunks(std::size_t rows, std::size_t count) {
         for (std::size_t k = 0; k < chunks_[c].watch.size(); ++k)
             verlet_.put(start[c] + k, chunks_[c].watch[k]);
     };
-    parallel::for_each(count, copy, CHUNK);
+    parallel::for_each(count, copy, PATCH_PAIRS_A_CHUNK);
     return start[count];
 }
 

@@ -12,7 +12,7 @@ namespace corpuscle::contact {
 namespace {
 
 /// A float that is not below x >= 0.
-float above(double x) {
+float rounded_up(double x) {
     return static_cast<float>(x) * (1.0F + std::numeric_limits<float>::epsilon());
 }
 
@@ -61,7 +61,7 @@ void Candidates::list(const Pair& pair, int card, std::uint64_t key, const Meeti
     const bool may_know = ahead.is_build && gap <= reach_ * thickness;
     const Index memory = may_know ? find_memory(key) : -1;
     const int side = cloth_.rules.side_of(card, cloth_.part[where.a], cloth_.part[where.b]);
-    VerletEntry watch{gap, above(reach_ * thickness), above(approach), where.a, where.b};
+    VerletEntry watch{gap, rounded_up(reach_ * thickness), rounded_up(approach), where.a, where.b};
     watch.sum += motion_.age() * static_cast<double>(watch.approach) +
                  (motion_.way(where.a) + motion_.way(where.b));
     where.out.list.push_back({pair, memory, thickness, key, static_cast<std::int16_t>(card),
@@ -84,7 +84,7 @@ double Candidates::closing_rate(const Pair& pair, const Vec3& apart, double gap,
 void Candidates::tell_distance(std::size_t i, const Vec3& apart, double distance, const Points& x) {
     const double left = budget_.life - motion_.age();
     if (distance > static_cast<double>(verlet_.reach[i]) && left > 0.0)
-        verlet_.set_approach(i, above(closing_rate(list_[i].pair, apart, distance, x, left)));
+        verlet_.set_approach(i, rounded_up(closing_rate(list_[i].pair, apart, distance, x, left)));
     verlet_.sum[i] = distance + spent(i);
 }
 

@@ -12,7 +12,7 @@
 namespace corpuscle::contact {
 namespace {
 
-constexpr std::size_t CHUNK = 4;  ///< patches
+constexpr std::size_t MOVING_PATCHES_A_CHUNK = 4;  ///< patches
 
 }  // namespace
 
@@ -62,7 +62,7 @@ void PatchMotion::bound(const std::vector<Index>& patches, double dt, Velocity&&
         mean_[p] += sum / static_cast<double>(nodes(p).size());
         ahead_[p] = dt * std::sqrt(square);
     };
-    parallel::for_each(patches.size(), one, CHUNK);
+    parallel::for_each(patches.size(), one, MOVING_PATCHES_A_CHUNK);
     const Vec3 common = std::accumulate(from_.begin(), from_.end(), Vec3(Vec3::Zero())) /
                         static_cast<double>(std::max<std::size_t>(1, from_.size()));
     common_ahead_ = dt * common;

@@ -11,8 +11,8 @@ namespace corpuscle::contact {
 namespace {
 
 constexpr Index SEVERAL = -1;
-constexpr std::size_t CHUNK = 16;   ///< patches
-constexpr int MOST_LOOKS = 6;       ///< for a plane between two patches
+constexpr std::size_t PATCHES_A_CHUNK = 16;  ///< patches
+constexpr int MOST_LOOKS = 6;                ///< for a plane between two patches
 constexpr double LEAST_ROOM = 0.5;  ///< in edge lengths: where cloth rests, a node may dash off
 
 /// What `of(triangle)` is for all triangles of a patch, or SEVERAL.
@@ -67,7 +67,7 @@ void PatchPairs::find(const Points& x, double steps) {
         middle_[p] = 0.5 * (box_[p].low + box_[p].high);
         box_[p].inflate(room_[p] + margin_[p]);
     };
-    parallel::for_each(room_.size(), bound, CHUNK);
+    parallel::for_each(room_.size(), bound, PATCHES_A_CHUNK);
     tree_.update(box_);
     tree_.self_pairs(pairs_);
     for (std::size_t p = 0; p < room_.size(); ++p)
@@ -98,7 +98,7 @@ void PatchPairs::drop_apart(const Points& x) {
         const auto& [p, q] = pairs_[i];
         is_met_[i] = may_touch(p, q) && !are_apart(p, q, x);
     };
-    parallel::for_each(pairs_.size(), look, CHUNK);
+    parallel::for_each(pairs_.size(), look, PATCHES_A_CHUNK);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < pairs_.size(); ++i)
         if (is_met_[i]) pairs_[kept++] = pairs_[i];

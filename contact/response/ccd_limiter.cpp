@@ -12,8 +12,8 @@
 namespace corpuscle::contact {
 namespace {
 
-constexpr std::size_t CHUNK = 1024;  ///< candidates
-constexpr int ROUNDS = 8;            ///< of impulses before impact zones are made
+constexpr std::size_t CANDIDATES_A_CHUNK = 1024;  ///< candidates
+constexpr int ROUNDS = 8;                         ///< of impulses before impact zones are made
 constexpr int LOOKS = 4;      ///< at new dangers, before they are met with impact zones at once
 constexpr double KEPT = 0.5;  ///< part of the way to the impact that a stopped pair may still go
 
@@ -71,7 +71,7 @@ bool CcdLimiter::stop_dangers(int rounds, double dt, Candidates& pairs, Stopping
 }
 
 void CcdLimiter::list_dangers(double t, const Candidates& pairs) {
-    const std::size_t chunks = parallel::chunk_count(pairs.size(), CHUNK);
+    const std::size_t chunks = parallel::chunk_count(pairs.size(), CANDIDATES_A_CHUNK);
     near_.resize(std::max(near_.size(), chunks));
     found_.resize(near_.size());
     for (auto& near : near_) near.clear();
@@ -84,7 +84,7 @@ void CcdLimiter::list_dangers(double t, const Candidates& pairs) {
         std::erase_if(near_[c],
                       [&](std::size_t i) { return !cloth_.rules.is_on(pairs.card(i), t); });
     };
-    parallel::for_chunks(pairs.size(), search, CHUNK);
+    parallel::for_chunks(pairs.size(), search, CANDIDATES_A_CHUNK);
 }
 
 /// Finds impacts among the pairs that may meet, after the first round only where a velocity has

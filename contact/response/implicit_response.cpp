@@ -9,9 +9,9 @@ namespace corpuscle::contact {
 namespace {
 
 constexpr int LEAST_SWEEPS = 4, MOST_SWEEPS = 32;
-constexpr int WHOLE = 4;            ///< every so many sweeps go over all rows
-constexpr double CONVERGED = 4e-3;  ///< change by a sweep over all impulses
-constexpr std::size_t CHUNK = 64;   ///< rows
+constexpr int WHOLE = 4;                  ///< every so many sweeps go over all rows
+constexpr double CONVERGED = 4e-3;        ///< change by a sweep over all impulses
+constexpr std::size_t ROWS_A_CHUNK = 64;  ///< rows
 
 }  // namespace
 
@@ -200,7 +200,7 @@ void ImplicitResponse::close(double span, const ColumnColouring& columns, Candid
             memory.area = c.area;
             memory.step = step_;
         },
-        CHUNK);
+        ROWS_A_CHUNK);
 }
 
 }  // namespace corpuscle::contact

@@ -12,7 +12,7 @@
 namespace corpuscle::contact {
 namespace {
 
-constexpr std::size_t CHUNK = 64;  ///< rows
+constexpr std::size_t NEW_ROWS_A_CHUNK = 64;  ///< rows
 
 }  // namespace
 
@@ -57,7 +57,7 @@ void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
             rows_[i] = row_of(span, dt, c, motion);
             if (const PairMemory* const memory = last(c, pairs)) warm(span, *memory, rows_[i]);
         },
-        CHUNK);
+        NEW_ROWS_A_CHUNK);
     columns.for_each([&](std::size_t column) {
         for (std::size_t i = columns.begin(column); i < columns.begin(column + 1); ++i)
             begin(rows_[i], motion);

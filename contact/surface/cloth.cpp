@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "contact/surface/cloth.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <numeric>

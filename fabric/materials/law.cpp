@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "fabric/materials/law.hpp"
 
+#include <fmt/format.h>
+
 #include "fabric/materials/curved_law.hpp"
 #include "solver/base/error.hpp"
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "gas/enclosure/chambers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +15,7 @@ namespace corpuscle::gas {
 namespace {
 
 /// Share of the bag's volume by which the sum of the chambers' may differ from it: rounding.
-constexpr double ROUNDING = 1e-9;
+constexpr double VOLUME_ROUNDING = 1e-9;
 
 bool holds(const std::vector<Index>& parts, Index part) {
     return std::find(parts.begin(), parts.end(), part) != parts.end();
@@ -69,7 +71,7 @@ Chambers::Chambers(const std::vector<ChamberCard>& cards, const BagWalls& walls,
                        : "two chambers at it, or none"));
     }
     const double whole = bag.volume(x);
-    if (std::abs(volume - whole) > ROUNDING * whole)
+    if (std::abs(volume - whole) > VOLUME_ROUNDING * whole)
         throw InputError(fmt::format("{}: its chambers hold {:g} together, the bag holds {:g}",
                                      name, volume, whole));
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "gas/enclosure/enclosure.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

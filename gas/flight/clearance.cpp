@@ -11,19 +11,19 @@
 namespace corpuscle::gas {
 namespace {
 
-constexpr std::size_t MOST_CELLS = 1'000'000;
+constexpr std::size_t MOST_CLEARANCE_CELLS = 1'000'000;
 
 /// Of a cell's edge: nearer than this to its faces, single precision may be wrong about the cell.
-constexpr double ON_THE_FACE = 1e-4;
+constexpr double ON_A_CELL_FACE = 1e-4;
 
 /// Of the grid's size: heights and ways in single precision may be wrong by less.
-constexpr double ROUNDING = 2e-6;
+constexpr double CLEARANCE_ROUNDING = 2e-6;
 
 /// Cells to the next with facets, from which on it is not worth knowing how many.
 constexpr std::uint8_t FAR = 5;
 
 /// A little more, so that normals sum up to no more than one.
-float sum_of_components(const std::array<float, 3>& a) {
+float sum_of_magnitudes(const std::array<float, 3>& a) {
     return (std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2])) * (1.0F + 1e-6F);
 }
 
@@ -34,10 +34,10 @@ void Clearance::build(std::span<const Triangle> triangles, std::span<const Vec3>
     row_.clear();
     if (!(reach > 0.0)) return;
     const Vec3 size = within.edge * Vec3(within.count[0], within.count[1], within.count[2]);
-    grid_ = Grid::over(within.low, within.low + size, edge, MOST_CELLS);
+    grid_ = Grid::over(within.low, within.low + size, edge, MOST_CLEARANCE_CELLS);
     per_edge_ = static_cast<float>(grid_.per_edge);
     const double rounding =
-        ROUNDING * grid_.edge * *std::max_element(grid_.count.begin(), grid_.count.end());
+        CLEARANCE_ROUNDING * grid_.edge * *std::max_element(grid_.count.begin(), grid_.count.end());
     reach_ = static_cast<float>(reach - rounding);
 
     sort_by_block(triangles, x);
@@ -50,14 +50,14 @@ void Clearance::build(std::span<const Triangle> triangles, std::span<const Vec3>
     number_cells();
     free_.clear();
     for (int k = 0; k < FAR; ++k)
-        free_.push_back(reach_ + static_cast<float>((1.0 - ON_THE_FACE) * k * grid_.edge));
+        free_.push_back(reach_ + static_cast<float>((1.0 - ON_A_CELL_FACE) * k * grid_.edge));
     for_each_block(blocks, [&](std::size_t b, BlockOfCells& block) {
         enter(b, block);
         block.sort();
         block.take_corners(triangles, x, x);
         for (const int cell : block.cells()) {
             Slab& slab = slab_[row_[block.row(cell)]];
-            static_cast<Planes&>(slab) = block.planes(cell, sum_of_components);
+            static_cast<Planes&>(slab) = block.planes(cell, sum_of_magnitudes);
             slab.low -= static_cast<float>(rounding);
             slab.high += static_cast<float>(rounding);
         }
@@ -66,7 +66,7 @@ void Clearance::build(std::span<const Triangle> triangles, std::span<const Vec3>
 
 /// Each facet into the blocks that its box overlaps, by `reach` larger. In the order of facets.
 void Clearance::sort_by_block(std::span<const Triangle> triangles, std::span<const Vec3> x) {
-    const double around = reach_ * (1.0 + 1e-6) + ON_THE_FACE * grid_.edge;
+    const double around = reach_ * (1.0 + 1e-6) + ON_A_CELL_FACE * grid_.edge;
     range_.resize(triangles.size());
     parallel::for_each(
         triangles.size(),

@@ -21,7 +21,7 @@ using contact::operator-, contact::operator*;
 constexpr float REACH = 3.0F;
 
 /// Of the largest coordinate: some 60 units in the last place of a float.
-constexpr float ROUNDING = 4e-6F;
+constexpr float BOUNDS_ROUNDING = 4e-6F;
 
 constexpr std::size_t EIGHTS_A_CHUNK = 16;
 
@@ -42,7 +42,7 @@ Eight root(const Eight& a) {
 }
 
 /// Three corners of eight facets, at t and at t + dt.
-struct Corners {
+struct EightTriangles {
     std::array<EightPoints, 6> at;
     [[nodiscard]] std::array<Eight, 6> heights(const EightHeights& over) const {
         std::array<Eight, 6> out;
@@ -96,7 +96,7 @@ void FacetBounds::update(const FacetLists& lists, std::span<const Vec3> x_0,
     const Vec3 half = 0.5 * grid.edge * Vec3(grid.count[0], grid.count[1], grid.count[2]);
     origin_ = grid.low + half;
     size_ = REACH * static_cast<float>(half.maxCoeff());
-    slack_ = ROUNDING * size_;
+    slack_ = BOUNDS_ROUNDING * size_;
     node_.resize(static_cast<std::size_t>(lists.nodes().back()) + 1);
     parallel::for_each(lists.nodes().size(), [&](std::size_t i) {
         const Index n = lists.nodes()[i];
@@ -129,7 +129,7 @@ EightsBounds FacetBounds::bounds_of(const FacetLists::EightEights& eights) const
 
 void FacetBounds::set_prisms(const FacetLists& lists, std::size_t eight) {
     const std::array<Index, EIGHT>& facets = lists.eights().facet[eight];
-    Corners x;
+    EightTriangles x;
     for (int lane = 0; lane < EIGHT; ++lane) {
         // A lane without a facet is its eight's first: no larger box, and never met (below).
         const Triangle& nodes = lists.triangles()[facets[lane] < 0 ? facets[0] : facets[lane]];

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "gas/inflow/inflator.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>

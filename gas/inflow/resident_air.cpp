@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "gas/inflow/resident_air.hpp"
 
+#include <fmt/format.h>
+
 #include <atomic>
 #include <cmath>
 

@@ -4,6 +4,8 @@
 // Which facets are ways out, worked out once.
 #include "gas/outflow/openings.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

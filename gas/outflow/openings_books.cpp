@@ -3,6 +3,8 @@
 //
 // Who passed through the openings of a bag, and what that cost.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>

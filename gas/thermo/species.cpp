@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "gas/thermo/species.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>

@@ -15,7 +15,7 @@ namespace {
 /// A time is met within the rounding of sums of steps.
 constexpr double ROUNDING = 1e-12;
 
-std::span<const double> flat(const Points& x) {
+std::span<const double> components(const Points& x) {
     return {x.empty() ? nullptr : x.front().data(), 3 * x.size()};
 }
 
@@ -93,7 +93,7 @@ void RigidHistory::write(Hdf5Writer& file, const std::string& unit_system) const
         const std::string of = fmt::format("/history_fast/rigid_body/{}/", track.id);
         const auto rows = [&](const char* name, Quantity quantity, const char* text,
                               const Points& values) {
-            file.dataset(of + name, flat(values), {rows_, 3}, {unit(quantity), text});
+            file.dataset(of + name, components(values), {rows_, 3}, {unit(quantity), text});
         };
         file.dataset<double>(of + "mass", std::span(&track.mass, 1), {},
                              {unit(MASS), "of the body"});

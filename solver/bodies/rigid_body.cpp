@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "solver/bodies/rigid_body.hpp"
 
+#include <fmt/format.h>
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>

@@ -5,6 +5,8 @@
 
 #include "solver/scene/scene_state.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -17,6 +17,7 @@
 #include "solver/scene/closing.hpp"
 #include "solver/simulation.hpp"
 #include "tests/benchmark/loop_meter.hpp"
+#include "tests/places.hpp"
 
 using namespace corpuscle;
 

@@ -14,6 +14,7 @@
 #include "solver/base/error.hpp"
 #include "tests/fuzz/mutate.hpp"
 #include "tests/fuzz/targets.hpp"
+#include "tests/places.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::fuzz;

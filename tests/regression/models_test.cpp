@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/places.hpp"
 #include "tests/regression/baseline.hpp"
 #include "tests/support/runs/model_run.hpp"
 

@@ -22,6 +22,7 @@
 #include <sstream>
 #include <utility>
 
+#include "tests/places.hpp"
 #include "tests/support/decks/random_scene.hpp"
 #include "tests/support/runs/scene_run.hpp"
 

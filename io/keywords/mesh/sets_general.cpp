@@ -32,7 +32,7 @@ Rows shells_of(const Draft& draft, Index part) {
     return rows;
 }
 
-Rows nodes_of(const Draft& draft, const Rows& shells) {
+Rows nodes_of_shells(const Draft& draft, const Rows& shells) {
     Rows nodes;
     for (const Index s : shells)
         for (const Index node : draft.model.shells[static_cast<std::size_t>(s)].nodes)
@@ -119,10 +119,10 @@ void set_node_general(Cards& cards, Draft& d) {
         cards, d.node_sets, d.node_set, MOST_IDS,
         {{"ALL", nullptr, [&](Index) { return all_rows(d.model.x.size()); }},
          {"NODE", &d.nodes, [](Index node) { return Rows{node}; }},
-         {"PART", &d.parts, [&](Index part) { return nodes_of(d, shells_of(d, part)); }},
+         {"PART", &d.parts, [&](Index part) { return nodes_of_shells(d, shells_of(d, part)); }},
          {"SET", &d.node_sets, [&](Index set) { return at(d.node_set, set); }},
          {"SET_SHELL", &d.shell_sets,
-          [&](Index set) { return nodes_of(d, at(d.shell_set, set)); }}});
+          [&](Index set) { return nodes_of_shells(d, at(d.shell_set, set)); }}});
 }
 
 void set_part_general(Cards& cards, Draft& d) {

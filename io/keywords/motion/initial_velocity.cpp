@@ -23,7 +23,7 @@ void set_velocity(Draft& draft, const Rows& nodes, const Vec3& velocity) {
     for (const Index node : nodes) draft.model.velocity[static_cast<std::size_t>(node)] = velocity;
 }
 
-Rows nodes_of(const Draft& draft, const Rows& parts) {
+Rows nodes_of_parts(const Draft& draft, const Rows& parts) {
     Rows nodes;
     for (const Shell& shell : draft.model.shells)
         if (std::find(parts.begin(), parts.end(), shell.part) != parts.end())
@@ -113,7 +113,7 @@ Movers movers(Card& c, const Draft& draft) {
         m.nodes = draft.node_set[static_cast<std::size_t>(row)];
     else
         m.parts = type == 2 ? Rows{row} : draft.part_set[static_cast<std::size_t>(row)];
-    if (type != 3) m.nodes = nodes_of(draft, m.parts);
+    if (type != 3) m.nodes = nodes_of_parts(draft, m.parts);
     return m;
 }
 

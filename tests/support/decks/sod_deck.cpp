@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/decks/sod_deck.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <stdexcept>

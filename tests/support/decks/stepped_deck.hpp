@@ -10,6 +10,7 @@
 
 #include "io/deck.hpp"
 #include "solver/simulation.hpp"
+#include "tests/places.hpp"
 
 /// Decks of tests/decks, read and run.
 namespace corpuscle {

@@ -11,6 +11,7 @@
 
 #include "io/results/hdf5.hpp"
 #include "solver/base/curve.hpp"
+#include "tests/places.hpp"
 
 namespace corpuscle::test {
 

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "io/results/hdf5.hpp"
+#include "tests/places.hpp"
 #include "tools/verify/frame_crossings.hpp"
 
 namespace corpuscle::test {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "tests/places.hpp"
 #include "tools/fold/fold.hpp"
 #include "tools/fold/inspect/inspect.hpp"
 #include "tools/fold/mesh/improve.hpp"

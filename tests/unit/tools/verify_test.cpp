@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "solver/base/error.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/io/deck/deck_scene.hpp"
 #include "tools/verify/case_list.hpp"
 #include "tools/verify/page.hpp"

@@ -12,6 +12,7 @@
 #include "solver/base/error.hpp"
 #include "solver/scene/closing.hpp"
 #include "solver/simulation.hpp"
+#include "tests/places.hpp"
 
 using namespace corpuscle;
 

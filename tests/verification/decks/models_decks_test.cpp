@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "io/deck.hpp"
+#include "tests/places.hpp"
 
 using namespace corpuscle;
 namespace fs = std::filesystem;

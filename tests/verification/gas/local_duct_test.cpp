@@ -3,6 +3,7 @@
 //
 // Claim: a vent lets out the gas that is there: none before a wave has come through the duct, then
 // what the 1-D Euler equations say.
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 
 #include "tests/support/case_report.hpp"

@@ -6,6 +6,7 @@
 //
 // Row by row x is that of t and v the mean of v(t - dt/2) and v(t + dt/2). Internal forces F change
 // sum m x(t) × v by sum x × F dt = 0 between the two, so the mean is as exact as they are.
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 
 #include "io/deck.hpp"

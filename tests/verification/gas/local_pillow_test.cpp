@@ -3,6 +3,7 @@
 //
 // Claim: the pressure of particles is quiet: an inflated pillow, free and undamped, moves as it
 // does under uniform pressure, but for little more kinetic energy.
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 
 #include <algorithm>

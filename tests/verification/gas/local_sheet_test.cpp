@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Claim: fabric is pushed where the gas is: not beyond a membrane, not ahead of a front.
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 
 #include "tests/support/case_report.hpp"

@@ -4,6 +4,7 @@
 // Claim: Sod's tube, run through decks with default settings, is as near the exact solution as the
 // collision model's bench (verify_gas "[.sod]"). Not yet: .0166 and .0133 with four seeds, where the bench has
 // .0122 and .0104; hidden until it holds.
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 
 #include "tests/support/case_report.hpp"

@@ -10,6 +10,7 @@
 
 #include "io/deck.hpp"
 #include "solver/simulation.hpp"
+#include "tests/places.hpp"
 
 using namespace corpuscle;
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdio>
 
+#include "tests/places.hpp"
 #include "tests/unit/io/deck/deck_scene.hpp"
 
 using namespace corpuscle;

@@ -15,6 +15,7 @@
 
 #include "io/results/hdf5.hpp"
 #include "io/system/folder_lock.hpp"
+#include "tests/places.hpp"
 #include "tests/support/shell.hpp"
 #include "tests/unit/io/deck/deck_scene.hpp"
 

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "tests/places.hpp"
 #include "tests/unit/io/deck/deck_scene.hpp"
 
 using namespace corpuscle;

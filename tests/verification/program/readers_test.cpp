@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "io/results/hdf5.hpp"
+#include "tests/places.hpp"
 #include "tests/support/shell.hpp"
 #include "tests/unit/io/deck/deck_scene.hpp"
 

@@ -20,6 +20,7 @@
 #include <thread>
 
 #include "io/results/hdf5.hpp"
+#include "tests/places.hpp"
 
 using namespace corpuscle;
 namespace fs = std::filesystem;

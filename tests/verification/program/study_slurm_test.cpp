@@ -16,6 +16,7 @@
 #include <sstream>
 #include <thread>
 
+#include "tests/places.hpp"
 #include "tests/unit/io/results/results_scene.hpp"
 
 using namespace corpuscle;
