@@ -44,7 +44,7 @@ void add_shell(BlockInput& block, const MembraneSetup& setup, std::size_t row,
 
 /// Part by part, triangles before quads; all faults are gathered before any is thrown.
 std::vector<BlockInput> sort_into_blocks(const MembraneSetup& setup) {
-    std::vector<std::string> faults;
+    std::vector<Fault> faults;
     std::map<Index, std::optional<PartLaw>> laws;  // by part row
     std::map<std::pair<Index, ElementKind>, BlockInput> blocks;
     for (std::size_t row = 0; row < setup.shells.size(); ++row) {
@@ -56,15 +56,17 @@ std::vector<BlockInput> sort_into_blocks(const MembraneSetup& setup) {
             try {
                 law->second = make_law(material, setup.curves, part.thickness);
             } catch (const InputError& e) {
-                faults.insert(faults.end(), e.faults.begin(), e.faults.end());
+                faults.insert(faults.end(), e.typed.begin(), e.typed.end());
             }
             if (!(part.thickness > 0))
-                faults.push_back(fmt::format("part {}: thickness = {:g}, expected > 0", part.id,
-                                             part.thickness));
+                faults.push_back({.of = fmt::format("part {}", part.id),
+                                  .property = Property::THICKNESS,
+                                  .value = part.thickness,
+                                  .why = "expected > 0"});
         }
         std::string fault;
         const ReferenceShape shape = lay_flat(shell, setup.reference[row], material.card, fault);
-        if (!fault.empty()) faults.push_back(std::move(fault));
+        if (!fault.empty()) faults.push_back({.of = {}, .why = std::move(fault)});
         if (!faults.empty()) continue;
         const ElementKind kind = kind_of(part, shape.corners);
         BlockInput& block = blocks[{shell.part, kind}];

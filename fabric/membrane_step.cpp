@@ -101,10 +101,13 @@ Membranes::AddedMass Membranes::scale_mass(double wish, Scaling where) {
     AddedMass added{std::vector<double>(node_count_, 0.0), 0.0};
     const double step = coat_.lengthened(wish);
     if (step == INF)
-        throw InputError(fmt::format(
-            "DT2MS = {:g} is longer than bending of the coat (ECOAT, TCOAT) allows, expected less "
-            "than {:g}",
-            wish, 1.0 / std::sqrt(coat_.rate())));
+        throw InputError(
+            Fault{.of = "the run",
+                  .property = Property::MASS_SCALED_STEP,
+                  .value = wish,
+                  .why = fmt::format("longer than bending of the coat allows, expected less than "
+                                     "{:g}",
+                                     1.0 / std::sqrt(coat_.rate()))});
     for (const auto& block : blocks_)
         for (std::size_t e = 0; e < block->size(); ++e) {
             const double factor =

@@ -100,7 +100,7 @@ ReferenceShape lay_flat(const Shell& shell, const std::array<Vec3, 4>& x, const 
     Vec3 warp = warp_direction(card, side, normal);
     warp -= warp.dot(normal) * normal;
     if (!(warp.norm() > NO_DIRECTION)) {
-        fault = fmt::format("shell {}: its material axis (AOPT) is normal to it", shell.id);
+        fault = fmt::format("shell {}: its material axis is normal to it", shell.id);
         return s;
     }
     warp.normalize();

@@ -17,10 +17,6 @@ constexpr double RELEASE_TIME = 50e-6;
 /// Longest time over which the state of the gas at an opening is averaged.           [s]
 constexpr double LONGEST_MEMORY = 200e-6;
 
-std::string name_of(const BagCard& card) {
-    return fmt::format("*AIRBAG_PARTICLE {}", card.id);
-}
-
 std::vector<Triangle> closing(const BagWalls& walls) {
     return {walls.triangles.begin(),
             walls.triangles.begin() + static_cast<std::ptrdiff_t>(walls.closing)};
@@ -69,12 +65,15 @@ std::vector<char> passing_facets(const BagCard& card, const BagWalls& walls) {
 
 void require_inside(const Orifices& orifices, const Enclosure& enclosure, const Points& x,
                     const std::string& name) {
-    std::vector<std::string> faults;
+    std::vector<Fault> faults;
     for (std::size_t o = 0; o < orifices.size(); ++o)
         if (const Vec3 at = orifices.place(o, x); !enclosure.contains(at, x))
-            faults.push_back(fmt::format(
-                "{}, NID of orifice {}: ({:g}, {:g}, {:g}) lies outside the bag, expected inside",
-                name, o + 1, at[0], at[1], at[2]));
+            faults.push_back(
+                {.of = name,
+                 .property = Property::ORIFICE_PLACE,
+                 .which = fmt::format("orifice {}", o + 1),
+                 .why = fmt::format("({:g}, {:g}, {:g}) lies outside the bag, expected inside",
+                                    at[0], at[1], at[2])});
     if (!faults.empty()) throw InputError(std::move(faults));
 }
 
@@ -97,8 +96,8 @@ Envelope::Envelope(const BagCard& bag, BagWalls bag_walls, std::span<const Curve
                    const Points& x, std::uint64_t seed)
     : card(bag),
       walls(std::move(bag_walls)),
-      enclosure(closing(walls), x, node_id, name_of(card) + ", SID1"),
-      chambers(card.chambers, walls, enclosure, node_id, x, name_of(card)),
+      enclosure(closing(walls), x, node_id, card.name(), Property::CLOSING_WALL),
+      chambers(card.chambers, walls, enclosure, node_id, x, card.name()),
       inflators(card, curves, seed, enclosure.volume(x)),
       particle_mass(particle_masses(inflators)),
       surface(std::make_shared<WettedSurface>(turned(enclosure, walls), walls.closing, x)),
@@ -116,9 +115,10 @@ Envelope::Envelope(const BagCard& bag, BagWalls bag_walls, std::span<const Curve
       area(x.size(), Vec3::Zero()) {
     surface->volumes(x, volumes);
     if (!(enclosure.volume(x) > 0.0))
-        throw InputError(name() +
-                         ", SID1: the bag encloses no volume at the start, expected some: "
-                         "particles have no place to enter");
+        throw InputError(Fault{.of = name(),
+                               .property = Property::CLOSING_WALL,
+                               .why = "the bag encloses no volume at the start, expected some: "
+                                      "particles have no place to enter"});
     require_inside(orifices, enclosure, x, name());
     if (card.air && !card.air->is_particles)
         for (const double room : volumes) air.emplace_back(*card.air, card.gas_constant, room);
@@ -134,7 +134,7 @@ Envelope::Envelope(const BagCard& bag, BagWalls bag_walls, std::span<const Curve
 }
 
 std::string Envelope::name() const {
-    return name_of(card);
+    return card.name();
 }
 
 void Envelope::push_back(std::size_t orifice, const Vec3& at, const Vec3& impulse,

@@ -95,11 +95,12 @@ void ParticleGas::fill_with_air(const Points& x, std::uint64_t seed) {
                      particles_);
     if (const std::size_t asked = bag_.card.air->particles;
         asked > 0 && asked != bag_.inflators.resident())
-        bag_.warnings.push_back(fmt::format(
-            "{}: all particles stand for as many moles, so that initial air is {} of NP + NPAIR = "
-            "{} particles instead of NPAIR = {}",
-            bag_.name(), bag_.inflators.resident(),
-            bag_.inflators.resident() + bag_.inflators.particles(), asked));
+        bag_.warnings.push_back(
+            fmt::format("{}: all particles stand for as many moles, so that initial air is {} of "
+                        "all {} particles "
+                        "instead of the {} asked for",
+                        bag_.name(), bag_.inflators.resident(),
+                        bag_.inflators.resident() + bag_.inflators.particles(), asked));
     if (bag_.surface->rooms() > 1)
         for (const Index room : bag_.surface->rooms_of(particles_.x, x))
             particles_.room.push_back(static_cast<std::int16_t>(room));

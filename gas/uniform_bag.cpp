@@ -44,7 +44,7 @@ UniformBag::UniformBag(const UniformBagCard& card, BagWalls walls, std::span<con
                        std::span<const int> node_id, const Points& x)
     : card_(card),
       walls_(std::move(walls)),
-      enclosure_(walls_.triangles, x, node_id, name_of(card) + ", SID"),
+      enclosure_(walls_.triangles, x, node_id, name_of(card), Property::CLOSING_WALL),
       curves_(curves.begin(), curves.end()),
       gas_(species_of(card)),
       gases_(gases_of(card)),
@@ -56,10 +56,10 @@ UniformBag::UniformBag(const UniformBagCard& card, BagWalls walls, std::span<con
                         name_of(card), enclosure_.turned()));
     const double V = volume(x);
     if (!(V > 0.0))
-        throw InputError(
-            fmt::format("{}: the volume at the start, VSCA V - VINI, is {:g}, "
-                        "expected > 0: RO fills it with gas",
-                        name_of(card), V));
+        throw InputError(Fault{.of = name_of(card),
+                               .property = Property::START_VOLUME,
+                               .value = V,
+                               .why = "expected > 0: gas of a density fills it"});
     first_volume_ = V;
     if (card.law)
         follow_law(0.0, x);
@@ -88,7 +88,10 @@ void UniformBag::fill(double V) {
             p * V / (R * T) * gases_[k].start_share / (gas.molar_mass() * moles_per_mass);
         gas_.add(k, moles, moles * gas.molar_energy()(T));
     }
-    if (!gas_.settle(V)) throw InputError(name_of(card_) + ": PE and RO give no temperature");
+    if (!gas_.settle(V))
+        throw InputError(Fault{.of = name_of(card_),
+                               .property = Property::START_STATE,
+                               .why = "pressure and density give no temperature"});
 }
 
 /// Areas of exits that are shells, and of fabric that leaks.

@@ -77,9 +77,9 @@ void UniformGas::settle(const Points& x) {
         if (gas.volume() > 0.0 && gas.temperature() >= 0.0 && gas.pressure() < INF) continue;
         throw PhysicsError(
             bag_.time,
-            fmt::format("*AIRBAG_PARTICLE {}{}: at uniform pressure the volume is {:g} and "
+            fmt::format("{}{}: at uniform pressure the volume is {:g} and "
                         "the gas holds {:g} of energy",
-                        bag_.card.id,
+                        bag_.name(),
                         rooms_.size() == 1 ? std::string() : fmt::format(", room {}", r + 1),
                         gas.volume(), gas.energy()));
     }

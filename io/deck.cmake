@@ -2,7 +2,8 @@
 target_sources(corpuscle_io PRIVATE
     deck.cpp deck_mesh.cpp
     # text -> cards
-    deck/card.cpp deck/card_faults.cpp deck/cards.cpp deck/deck_fingerprint.cpp deck/deck_places.cpp deck/expression.cpp deck/faults.cpp
+    deck/card.cpp deck/card_faults.cpp deck/cards.cpp deck/deck_fingerprint.cpp deck/deck_places.cpp
+    deck/deck_words.cpp deck/expression.cpp deck/faults.cpp
     deck/keyword_reader.cpp deck/lines.cpp deck/parameter_cards.cpp deck/parameters.cpp
     # cards -> scene, a file a family
     keywords/control_output.cpp keywords/curves.cpp keywords/database_sensor.cpp keywords/keyword_table.cpp

@@ -17,7 +17,7 @@ std::string StepLimit::text() const {
         case Who::GAS:
             return fmt::format("gas of bag {}", id);
         case Who::START:
-            return "DTINIT";
+            return "the first step asked for";
         case Who::END:
             return "end time";
         case Who::NOTHING:

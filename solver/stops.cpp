@@ -116,8 +116,7 @@ void check_finite(const SceneState& scene) {
     std::vector<std::pair<std::string, Vec3>> forces{
         {"the membranes", part_of(scene.forces.fabric)}};
     for (const gas::BagGas& bag : scene.airbags.particle)
-        forces.emplace_back(fmt::format("the gas of *AIRBAG_PARTICLE {}", bag.card().id),
-                            bag.force(node));
+        forces.emplace_back("the gas of " + bag.card().name(), bag.force(node));
     for (const gas::UniformBag& bag : scene.airbags.uniform)
         forces.emplace_back(fmt::format("the gas of airbag {}", bag.card().id), bag.force(node));
     forces.emplace_back("loads", part_of(scene.forces.loads));

@@ -6,9 +6,6 @@ namespace corpuscle::fabric {
 
 namespace {
 
-constexpr const char* LOAD[] = {"LCA", "LCB", "LCAB"};
-constexpr const char* UNLOAD[] = {"LCUA", "LCUB", "LCUAB"};
-
 Below below(const FabricCard& c, std::size_t which) {
     if (which == 2) return Below::MIRRORED;
     return c.no_compression ? Below::NOTHING : Below::STRAIGHT;
@@ -37,17 +34,17 @@ std::vector<CurveFault> curve_faults(const FabricCard& card, std::span<const Cur
     std::vector<CurveFault> faults;
     for (std::size_t which = 0; which < 3; ++which) {
         const std::size_t before = faults.size();
-        const auto check = [&](Index row, const char* field, Below at) {
+        const auto check = [&](Index row, bool unloads, Below at) {
             if (row < 0) return;
             if (std::string fault = loading_fault(curves[static_cast<std::size_t>(row)], at);
                 !fault.empty())
-                faults.push_back({field, std::move(fault)});
+                faults.push_back({which, unloads, std::move(fault)});
         };
-        check(card.curves.load[which], LOAD[which], below(card, which));
-        check(card.curves.unload[which], UNLOAD[which], below(card, which));
+        check(card.curves.load[which], false, below(card, which));
+        check(card.curves.unload[which], true, below(card, which));
         if (faults.size() > before || card.curves.unload[which] < 0) continue;
         if (std::string fault = loop(card, curves, which).fault(); !fault.empty())
-            faults.push_back({UNLOAD[which], std::move(fault)});
+            faults.push_back({which, true, std::move(fault)});
     }
     return faults;
 }

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "fabric/materials/curved_law.hpp"
 #include "solver/base/error.hpp"
 
@@ -11,48 +13,55 @@ namespace corpuscle::fabric {
 
 namespace {
 
-using Faults = std::vector<std::string>;
+using Faults = std::vector<Fault>;
 
-void require(Faults& faults, bool holds, const Material& material, const char* what, double value,
+/// What CurveFault::direction counts.
+constexpr std::array<const char*, 3> DIRECTIONS{"warp", "weft", "shear"};
+
+void require(Faults& faults, bool holds, const Material& material, Property property, double value,
              const char* expected) {
     if (!holds)
-        faults.push_back(
-            fmt::format("material {}: {} = {:g}, expected {}", material.id, what, value, expected));
+        faults.push_back({.of = fmt::format("material {}", material.id),
+                          .property = property,
+                          .value = value,
+                          .why = fmt::format("expected {}", expected)});
 }
 
 void check(Faults& faults, const Material& m, const FabricCard& c) {
-    require(faults, c.density > 0, m, "RO", c.density, "> 0");
-    require(faults, c.E_warp > 0, m, "EA", c.E_warp, "> 0");
-    require(faults, c.E_weft > 0, m, "EB", c.E_weft, "> 0");
-    require(faults, c.G > 0, m, "GAB", c.G, "> 0");
-    require(faults, c.nu_ba * c.nu_ba * c.E_warp < c.E_weft, m, "PRBA", c.nu_ba,
-            "PRBA² < EB/EA, or stretching would give energy");
-    require(faults, c.damping >= 0, m, "DAMP", c.damping, ">= 0");
-    require(faults, c.liner_E >= 0, m, "EL", c.liner_E, ">= 0");
-    require(faults, c.liner_ratio >= 0, m, "LRATIO", c.liner_ratio, ">= 0");
-    require(faults, c.coat_E >= 0, m, "ECOAT", c.coat_E, ">= 0");
-    require(faults, c.coat_thickness >= 0, m, "TCOAT", c.coat_thickness, "a thickness");
-    require(faults, c.liner_nu > -1 && c.liner_nu < 1, m, "PRL", c.liner_nu, "-1 < PRL < 1");
+    require(faults, c.density > 0, m, Property::DENSITY, c.density, "> 0");
+    require(faults, c.E_warp > 0, m, Property::WARP_MODULUS, c.E_warp, "> 0");
+    require(faults, c.E_weft > 0, m, Property::WEFT_MODULUS, c.E_weft, "> 0");
+    require(faults, c.G > 0, m, Property::SHEAR_MODULUS, c.G, "> 0");
+    require(faults, c.nu_ba * c.nu_ba * c.E_warp < c.E_weft, m, Property::CROSS_POISSON_RATIO,
+            c.nu_ba, "its square < weft/warp modulus, or stretching would give energy");
+    require(faults, c.damping >= 0, m, Property::DAMPING, c.damping, ">= 0");
+    require(faults, c.liner_E >= 0, m, Property::LINER_MODULUS, c.liner_E, ">= 0");
+    require(faults, c.liner_ratio >= 0, m, Property::LINER_RATIO, c.liner_ratio, ">= 0");
+    require(faults, c.coat_E >= 0, m, Property::COAT_MODULUS, c.coat_E, ">= 0");
+    require(faults, c.coat_thickness >= 0, m, Property::COAT_THICKNESS, c.coat_thickness,
+            "a thickness");
+    require(faults, c.liner_nu > -1 && c.liner_nu < 1, m, Property::LINER_POISSON_RATIO, c.liner_nu,
+            "-1 to 1");
 }
 
 void check(Faults& faults, const Material& m, const ElasticCard& c) {
-    require(faults, c.density > 0, m, "RO", c.density, "> 0");
-    require(faults, c.E > 0, m, "E", c.E, "> 0");
-    require(faults, c.nu > -1 && c.nu < 1, m, "PR", c.nu, "-1 < PR < 1");
+    require(faults, c.density > 0, m, Property::DENSITY, c.density, "> 0");
+    require(faults, c.E > 0, m, Property::MODULUS, c.E, "> 0");
+    require(faults, c.nu > -1 && c.nu < 1, m, Property::POISSON_RATIO, c.nu, "-1 to 1");
 }
 
 void check(Faults& faults, const Material& m, const OwnCard& c) {
-    require(faults, c.density > 0, m, "density", c.density, "> 0");
-    require(faults, c.damping >= 0, m, "damping", c.damping, ">= 0");
+    require(faults, c.density > 0, m, Property::DENSITY, c.density, "> 0");
+    require(faults, c.damping >= 0, m, Property::DAMPING, c.damping, ">= 0");
     if (c.law == nullptr) {
-        faults.push_back(fmt::format("material {}: it has no law", m.id));
+        faults.push_back({.of = fmt::format("material {}", m.id), .why = "it has no law"});
         return;
     }
     const PlaneModuli d = c.law->moduli();
-    require(faults, d.warp > 0, m, "warp modulus", d.warp, "> 0");
-    require(faults, d.weft > 0, m, "weft modulus", d.weft, "> 0");
-    require(faults, d.shear > 0, m, "shear modulus", d.shear, "> 0");
-    require(faults, d.cross * d.cross < d.warp * d.weft, m, "cross modulus", d.cross,
+    require(faults, d.warp > 0, m, Property::WARP_MODULUS, d.warp, "> 0");
+    require(faults, d.weft > 0, m, Property::WEFT_MODULUS, d.weft, "> 0");
+    require(faults, d.shear > 0, m, Property::SHEAR_MODULUS, d.shear, "> 0");
+    require(faults, d.cross * d.cross < d.warp * d.weft, m, Property::CROSS_MODULUS, d.cross,
             "cross² < warp·weft, or stretching would give energy");
 }
 
@@ -92,8 +101,11 @@ PartLaw make_law(const Material& material, std::span<const Curve> curves, double
     if (const auto* fabric = std::get_if<FabricCard>(&material.card)) {
         check(faults, material, *fabric);
         for (const CurveFault& fault : curve_faults(*fabric, curves))
-            faults.push_back(fmt::format("material {}: {}, expected {}", material.id, fault.field,
-                                         fault.expected));
+            faults.push_back(
+                {.of = fmt::format("material {}", material.id),
+                 .property = fault.unloads ? Property::UNLOADING_CURVE : Property::STRESS_CURVE,
+                 .which = DIRECTIONS[fault.direction],
+                 .why = "expected " + fault.expected});
         if (faults.empty()) {
             PartLaw law{fabric_law(*fabric, curves, layer_moduli(*fabric, thickness)),
                         fabric->density,
@@ -114,7 +126,8 @@ PartLaw make_law(const Material& material, std::span<const Curve> curves, double
         check(faults, material, *own);
         if (faults.empty()) return {EachLane(own->law), own->density, own->damping, {}, {}};
     } else {
-        faults.push_back(fmt::format("material {} has no stiffness to strain", material.id));
+        faults.push_back(
+            {.of = {}, .why = fmt::format("material {} has no stiffness to strain", material.id)});
     }
     throw InputError(std::move(faults));
 }

@@ -45,9 +45,10 @@ PartLaw make_law(const Material& material, std::span<const Curve> curves = {},
 /// for one that waits (LNRC), and both coats (TCOAT > 0), of which no Poisson's ratio is known: 0.
 PlaneModuli layer_moduli(const FabricCard& card, double thickness);
 
-/// A field of a card's curves that cannot be, and what was expected of it.
+/// A curve of a card that cannot be, and what was expected of it.
 struct CurveFault {
-    const char* field;  ///< LCA ... LCUAB
+    std::size_t direction;  ///< 0 warp, 1 weft, 2 shear
+    bool unloads;           ///< that of unloading, not of loading
     std::string expected;
 };
 std::vector<CurveFault> curve_faults(const FabricCard& card, std::span<const Curve> curves);

@@ -77,7 +77,8 @@ struct AmbientCard {
 
 /// One *AIRBAG_PARTICLE.
 struct BagCard : AmbientCard {
-    int id = 0;  ///< the _ID card's number, else order in the deck from 1
+    std::string kind = "bag";  ///< for messages: "*AIRBAG_PARTICLE"
+    int id = 0;                ///< the _ID card's number, else order in the deck from 1
     std::string title;
     std::vector<Index> external_parts;  ///< SID1 without SID2: part rows whose shells close the bag
     std::vector<Index> internal_parts;  ///< SID2: part rows inside (tethers, diffusers, valves)
@@ -101,6 +102,8 @@ struct BagCard : AmbientCard {
     bool friction_pushes_along = true;        ///< IDFRIC = 0
     double normal_damping = 0.0;              ///< VNDAMP                                 [-]
     double smoothing = 1.0;  ///< SFFDC, scales the time over which impulse is released [-]
+
+    [[nodiscard]] std::string name() const { return kind + ' ' + std::to_string(id); }
 };
 
 }  // namespace corpuscle::gas

@@ -67,8 +67,7 @@ Chambers::Chambers(const std::vector<ChamberCard>& cards, const BagWalls& walls,
             throw InputError(fmt::format(
                 "{}: part {} {}, expected {}", name, walls.part_ids[walls.part[f]],
                 closes ? "closes the bag but no chamber" : "parts one chamber from nothing",
-                closes ? "one of *DEFINE_CPM_CHAMBER that it closes"
-                       : "two chambers at it, or none"));
+                closes ? "a chamber that it closes" : "two chambers at it, or none"));
     }
     const double whole = bag.volume(x);
     if (std::abs(volume - whole) > VOLUME_ROUNDING * whole)

@@ -37,8 +37,12 @@ std::vector<Edge> sorted_edges(const std::vector<Triangle>& triangles) {
 
 /// Throws unless edges come in pairs.
 void check_closed(const std::vector<Edge>& edges, std::span<const int> node_id,
-                  const std::string& bag) {
-    std::vector<std::string> faults;
+                  const Fault& fault) {
+    std::vector<Fault> faults;
+    const auto add = [&](std::string why) {
+        faults.push_back(fault);
+        faults.back().why = std::move(why);
+    };
     std::size_t bad = 0;
     for (std::size_t e = 0; e < edges.size();) {
         std::size_t end = e + 1;
@@ -46,20 +50,20 @@ void check_closed(const std::vector<Edge>& edges, std::span<const int> node_id,
                edges[end].high == edges[e].high)
             ++end;
         if (end - e != 2 && ++bad <= 5)
-            faults.push_back(fmt::format(
-                "{}: edge {}-{} belongs to {} facet{}, expected 2: the bag is {}", bag,
-                node_id[edges[e].low], node_id[edges[e].high], end - e, end - e == 1 ? "" : "s",
-                end - e == 1 ? "not closed" : "not a simple surface"));
+            add(fmt::format("edge {}-{} belongs to {} facet{}, expected 2: the bag is {}",
+                            node_id[edges[e].low], node_id[edges[e].high], end - e,
+                            end - e == 1 ? "" : "s",
+                            end - e == 1 ? "not closed" : "not a simple surface"));
         e = end;
     }
-    if (bad > 5) faults.push_back(fmt::format("{}: ... and {} more such edges", bag, bad - 5));
+    if (bad > 5) add(fmt::format("... and {} more such edges", bad - 5));
     if (bad > 0) throw InputError(std::move(faults));
 }
 
 /// Turns triangles so that neighbours pass their common edge in opposite directions, and shells of
 /// the surface enclose positive volume. Returns how many were turned.
 std::size_t orient(std::vector<Triangle>& triangles, const std::vector<Edge>& edges,
-                   std::span<const Vec3> x, const std::string& bag) {
+                   std::span<const Vec3> x, Fault fault) {
     std::vector<std::vector<std::pair<Index, bool>>> next(triangles.size());  // neighbour, agrees
     for (std::size_t e = 0; e < edges.size(); e += 2) {
         const bool agrees = edges[e].runs_up != edges[e + 1].runs_up;
@@ -87,7 +91,8 @@ std::size_t orient(std::vector<Triangle>& triangles, const std::vector<Edge>& ed
                     turn[other] = wanted;
                     piece.push_back(other);
                 } else if (turn[other] != wanted) {
-                    throw InputError(bag + ": the surface has one side only, like a Moebius strip");
+                    fault.why = "the surface has one side only, like a Moebius strip";
+                    throw InputError(std::move(fault));
                 }
             }
         }
@@ -108,11 +113,12 @@ std::size_t orient(std::vector<Triangle>& triangles, const std::vector<Edge>& ed
 }  // namespace
 
 Enclosure::Enclosure(std::vector<Triangle> triangles, std::span<const Vec3> x,
-                     std::span<const int> node_id, const std::string& bag_name)
+                     std::span<const int> node_id, const std::string& bag_name, Property property)
     : triangles_(std::move(triangles)) {
     const std::vector<Edge> edges = sorted_edges(triangles_);
-    check_closed(edges, node_id, bag_name);
-    turned_ = orient(triangles_, edges, x, bag_name);
+    const Fault fault{.of = bag_name, .property = property};
+    check_closed(edges, node_id, fault);
+    turned_ = orient(triangles_, edges, x, fault);
 
     for (const Triangle& t : triangles_) nodes_.insert(nodes_.end(), t.begin(), t.end());
     std::sort(nodes_.begin(), nodes_.end());

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/base/fault.hpp"
 #include "solver/base/surface.hpp"
 
 namespace corpuscle::gas {
@@ -15,9 +16,11 @@ namespace corpuscle::gas {
 class Enclosure {
 public:
     /// Mends the orientation where triangles disagree, by walking from neighbour to neighbour.
-    /// Errors: InputError when an edge is free or shared by more than two triangles, naming nodes.
+    /// Errors: InputError when an edge is free or shared by more than two triangles, naming nodes;
+    /// its faults are of `bag_name`'s `property`.
     Enclosure(std::vector<Triangle> triangles, std::span<const Vec3> x,
-              std::span<const int> node_id, const std::string& bag_name);
+              std::span<const int> node_id, const std::string& bag_name,
+              Property property = Property::NONE);
 
     /// Enclosed volume, V = sum x0·(x1 × x2) / 6. [m^3]
     [[nodiscard]] double volume(std::span<const Vec3> x) const;

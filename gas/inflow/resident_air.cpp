@@ -49,10 +49,12 @@ void add_resident_air(const ResidentAir& air, const Species& gas, const Enclosur
         for (int k = 0; k < 3; ++k) particles.v[first + i][k] = spread * draw.normal();
     });
     if (homeless > 0)
-        throw InputError(fmt::format(
-            "{}: no place for {} of {} particles of initial air (IAIR = 2): the bag fills too "
-            "little of its own box; IAIR = 1 needs no places",
-            name, homeless.load(), air.count));
+        throw InputError(Fault{
+            .of = name,
+            .property = Property::INITIAL_AIR,
+            .why = fmt::format("no place for {} of {} particles: the bag fills too little of its "
+                               "own box; air at uniform pressure needs no places",
+                               homeless.load(), air.count)});
 
     const auto n = static_cast<double>(air.count);
     const Vec3 mean = parallel::sum(air.count, Vec3(Vec3::Zero()),

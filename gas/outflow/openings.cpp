@@ -32,7 +32,7 @@ Openings::Openings(const BagCard& card, const BagWalls& walls, std::span<const C
                    std::span<const Species> species, std::span<const double> particle_mass,
                    const WettedSurface& surface, WallSamples& samples, std::span<const Vec3> x,
                    std::uint64_t seed)
-    : name_(fmt::format("*AIRBAG_PARTICLE {}", card.id)),
+    : name_(card.name()),
       vents_(card.vents),
       leaks_(walls.leaks),
       species_(species.begin(), species.end()),
@@ -100,32 +100,44 @@ void Openings::add_opening(Opening opening, bool counts_all, double push) {
 
 void Openings::add_vent(const BagWalls& walls, const VentCard& vent, Index row,
                         const WettedSurface& surface) {
+    const std::string which = fmt::format("vent {}", row + 1);
     std::vector<Index> facets;
     for (std::size_t f = 0; f < walls.triangles.size(); ++f) {
         const Index part = walls.part_rows[walls.part[f]];
         if (std::find(vent.parts.begin(), vent.parts.end(), part) == vent.parts.end()) continue;
         if (gates_.of_facet[f] >= 0)
-            throw InputError(fmt::format("{}, SID3: part {} is a vent twice", name_,
-                                         walls.part_ids[walls.part[f]]));
+            throw InputError(Fault{
+                .of = name_,
+                .property = Property::VENT_WALL,
+                .which = which,
+                .why = fmt::format("part {} is a vent twice", walls.part_ids[walls.part[f]])});
         facets.push_back(static_cast<Index>(f));
     }
     if (facets.empty())
-        throw InputError(
-            fmt::format("{}, SID3 of vent {}: no shell of it is in the bag", name_, row + 1));
+        throw InputError(Fault{.of = name_,
+                               .property = Property::VENT_WALL,
+                               .which = which,
+                               .why = "no shell of it is in the bag"});
     const bool is_internal = static_cast<std::size_t>(facets.back()) >= walls.closing;
     if (is_internal != (static_cast<std::size_t>(facets[0]) >= walls.closing))
         throw InputError(
-            fmt::format("{}, SID3 of vent {}: shells that close the bag and internal ones, "
-                        "expected one kind",
-                        name_, row + 1));
+            Fault{.of = name_,
+                  .property = Property::VENT_WALL,
+                  .which = which,
+                  .why = "shells that close the bag and internal ones, expected one kind"});
     if (is_internal && vent.is_isentropic)
-        throw InputError(fmt::format(
-            "{}, SID3 of vent {}: internal with ENH_V, expected a plain one: it passes gas "
-            "both ways",
-            name_, row + 1));
+        throw InputError(Fault{.of = name_,
+                               .property = Property::VENT_LAW,
+                               .which = which,
+                               .why = "nozzle flow through an internal one, expected plain holes: "
+                                      "they pass gas both ways"});
     if (is_internal && most(vent) > 1.0)
-        throw InputError(fmt::format("{}, C23 of vent {}: {:g} of an internal one, expected 0 to 1",
-                                     name_, row + 1, most(vent)));
+        throw InputError(
+            Fault{.of = name_,
+                  .property = Property::VENT_COEFFICIENT,
+                  .which = which,
+                  .value = most(vent),
+                  .why = fmt::format("{:g} of an internal one, expected 0 to 1", most(vent))});
     for (std::size_t room = 0; room < surface.rooms(); ++room) {
         Opening opening;
         opening.vent = row;
@@ -164,9 +176,10 @@ void Openings::add_leak(const BagWalls& walls, const LeakCard& leak, Index row,
         opening.is_internal = !surface.closes(one);
         if (opening.is_internal && leak.growth)
             throw InputError(
-                fmt::format("{}: part {} is internal and leaks by X0 to X3, expected FLC "
-                            "and FAC",
-                            name_, walls.part_ids[walls.part[one]]));
+                Fault{.of = name_,
+                      .property = Property::POROSITY,
+                      .which = fmt::format("part {}", walls.part_ids[walls.part[one]]),
+                      .why = "internal, and its pores grow with strain, expected a constant leak"});
         opening.first_area = area_of(opening.facets, x);
         whole += opening.first_area;
         opening.share.assign(species_.size(), 0.0);

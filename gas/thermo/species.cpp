@@ -67,7 +67,7 @@ Species::Species(const SpeciesCard& card, double gas_constant, std::string name)
       name_(std::move(name)) {
     std::vector<std::string> faults;
     if (!(M_ > 0.0) || std::isinf(M_))
-        faults.push_back(fmt::format("{}: molar mass XM = {:g}, expected > 0 [kg/mol]", name_, M_));
+        faults.push_back(fmt::format("{}: molar mass = {:g}, expected > 0 [kg/mol]", name_, M_));
     if (!(R_ > 0.0) || std::isinf(R_))
         faults.push_back(fmt::format("{}: gas constant R = {:g}, expected > 0", name_, R_));
     if (!std::isfinite(A_) || !std::isfinite(B_) || !std::isfinite(C_))

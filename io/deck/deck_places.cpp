@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "io/deck/deck_words.hpp"
 #include "io/text/text.hpp"
 
 namespace corpuscle::io {
@@ -47,6 +48,13 @@ std::string DeckPlaces::told(const std::string& fault) const {
         }
     }
     return fault;
+}
+
+InputError DeckPlaces::told(const InputError& error) const {
+    std::vector<std::string> faults;
+    for (const Fault& fault : error.typed)
+        faults.push_back(told(fault.text(deck_word(fault.property, fault.of))));
+    return InputError(std::move(faults));
 }
 
 }  // namespace corpuscle::io

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/deck/registry.hpp"
+#include "solver/base/error.hpp"
 
 namespace corpuscle::io {
 
@@ -24,6 +25,9 @@ public:
     /// The fault behind file, line and keyword of the first thing in it that the deck has; as it is
     /// where there is none.
     [[nodiscard]] std::string told(const std::string& fault) const;
+
+    /// A scene's faults in the deck's words (deck_words.hpp), each behind its file, line and keyword.
+    [[nodiscard]] InputError told(const InputError& error) const;
 
 private:
     struct Found {

@@ -9,17 +9,29 @@
 #include <utility>
 #include <vector>
 
+#include "solver/base/fault.hpp"
+
 namespace corpuscle {
 
-/// Bad input: every fault that was found, one message each, in the user's words. Exit status 2.
+/// Bad input: every fault that was found. Exit status 2.
 struct InputError : std::runtime_error {
+    explicit InputError(std::vector<Fault> all) : InputError(texts(all)) { typed = std::move(all); }
     explicit InputError(std::vector<std::string> all)
-        : std::runtime_error(lines(all)), faults(std::move(all)) {}
+        : std::runtime_error(lines(all)), faults(std::move(all)) {
+        for (const std::string& fault : faults) typed.push_back({.of = {}, .why = fault});
+    }
     explicit InputError(std::string one) : InputError(std::vector<std::string>{std::move(one)}) {}
+    explicit InputError(Fault one) : InputError(std::vector<Fault>{std::move(one)}) {}
 
-    std::vector<std::string> faults;
+    std::vector<std::string> faults;  ///< one message each
+    std::vector<Fault> typed;         ///< the same, for those who know other words for them
 
 private:
+    static std::vector<std::string> texts(const std::vector<Fault>& all) {
+        std::vector<std::string> out;
+        for (const Fault& fault : all) out.push_back(fault.text());
+        return out;
+    }
     static std::string lines(const std::vector<std::string>& all) {
         std::string text;
         for (const std::string& fault : all) (text += text.empty() ? "" : "\n") += fault;

@@ -21,7 +21,7 @@ public:
     Bag(Model& model, gas::UniformBagCard& card) : model_(model), uniform_(&card) {}
 
     [[nodiscard]] std::string name() const {
-        return particles_ != nullptr ? fmt::format("*AIRBAG_PARTICLE {}", particles_->id)
+        return particles_ != nullptr ? particles_->name()
                                      : fmt::format("{} {}", uniform_->keyword, uniform_->id);
     }
     [[nodiscard]] std::vector<Index> shells() const {

@@ -79,17 +79,20 @@ std::vector<double> reference_births(const Model& model) {
 
 void check_births(const Model& model, const std::vector<double>& births) {
     if (births.empty()) return;
-    std::vector<std::string> faults;
+    std::vector<Fault> faults;
     if (model.step_mass_scaled != 0.0)
         faults.push_back(
-            "DT2MS = " + std::to_string(model.step_mass_scaled) +
-            ", expected 0 where a reference geometry is born later: mass cannot change then");
+            {.of = "the run",
+             .property = Property::MASS_SCALED_STEP,
+             .value = model.step_mass_scaled,
+             .why =
+                 "expected 0 where a reference geometry is born later: mass cannot change then"});
     for (const fabric::Material& material : model.materials) {
         const auto* cloth = std::get_if<fabric::FabricCard>(&material.card);
         if (cloth != nullptr && cloth->restoration.any())
-            faults.push_back(
-                "material " + std::to_string(material.id) +
-                ": TSRFAC is set, expected 0 where a reference geometry is born later");
+            faults.push_back({.of = "material " + std::to_string(material.id),
+                              .property = Property::REFERENCE_RESTORATION,
+                              .why = "expected none where a reference geometry is born later"});
     }
     if (!faults.empty()) throw InputError(std::move(faults));
 }

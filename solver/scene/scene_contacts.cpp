@@ -234,7 +234,7 @@ void SceneState::build_walls() {
         std::erase_if(card.nodes, [&](Index n) { return held[n] && !has_body(n); });
         if (card.nodes.size() < listed)
             model.warnings.push_back(
-                fmt::format("*RIGIDWALL {}: {} of its nodes are held and pass it freely", card.id,
+                fmt::format("rigid wall {}: {} of its nodes are held and pass it freely", card.id,
                             listed - card.nodes.size()));
         std::erase_if(card.nodes, [&](Index n) { return !(mass_met()[n] > 0.0) && !has_body(n); });
         const Index curve = card.motion.curve;

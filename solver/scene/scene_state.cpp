@@ -178,13 +178,13 @@ std::vector<std::uint8_t> SceneState::held_nodes() const {
 }
 
 void SceneState::build_bags() {
-    std::vector<std::string> faults;
+    std::vector<Fault> faults;
     const auto build = [&](auto& bags, auto&&... how) {
         try {
             const auto& found = bags.emplace_back(how...).warnings();
             model.warnings.insert(model.warnings.end(), found.begin(), found.end());
         } catch (const InputError& error) {
-            faults.insert(faults.end(), error.faults.begin(), error.faults.end());
+            faults.insert(faults.end(), error.typed.begin(), error.typed.end());
         }
     };
     for (const gas::BagCard& card : model.bags)

@@ -58,9 +58,7 @@ Simulation load(const DeckArguments& arguments) {
         close_bags(model);
         return Simulation(std::move(model), arguments.seed);
     } catch (const InputError& error) {
-        std::vector<std::string> faults;
-        for (const std::string& fault : error.faults) faults.push_back(places.told(fault));
-        throw InputError(std::move(faults));
+        throw places.told(error);
     }
 }
 

@@ -28,6 +28,7 @@ public:
     Reading(Cards& cards, Draft& draft) : cards_(cards), draft_(draft) {}
 
     gas::BagCard read() {
+        bag_.kind = "*AIRBAG_PARTICLE";
         bag_.id = static_cast<int>(draft_.model.bags.size() + draft_.model.uniform_bags.size()) + 1;
         bag_.smoothing = draft_.force_decay;
         if (cards_.has("MPP")) cards_.next("SX SY SZ").harmless("SX SY SZ");

@@ -127,7 +127,7 @@ void stress_curves(Cards& cards, Draft& draft, FabricCard& cloth) {
     if (cloth.form == 14) cloth.curves.reload = c.real("RL", within(0.0, 1.0));
     if (!c.good()) return;
     for (const fabric::CurveFault& fault : fabric::curve_faults(cloth, draft.model.curves))
-        c.fault(fault.field, fault.expected);
+        c.fault(fields[fault.direction + (fault.unloads ? 3 : 0)], fault.expected);
     if (cloth.curves.any() && cloth.nu_ba != 0.0)
         c.warn("LCA", "with curves warp and weft do not feel each other: PRBA does not count");
 }

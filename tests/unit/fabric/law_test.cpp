@@ -171,8 +171,8 @@ TEST_CASE("a card picks its law, and its faults are named together", "[fabric][l
         FAIL("was accepted");
     } catch (const InputError& e) {
         REQUIRE(e.faults.size() == 2);
-        CHECK(e.faults[0].find("material 17: EA = -1") != std::string::npos);
-        CHECK(e.faults[1].find("material 17: GAB = 0") != std::string::npos);
+        CHECK(e.faults[0].find("material 17: modulus along the warp = -1") != std::string::npos);
+        CHECK(e.faults[1].find("material 17: shear modulus = 0") != std::string::npos);
     }
     CHECK_THROWS_AS(make_law({1, "", ElasticCard{900, 1e6, 1.0}}), InputError);
     CHECK_THROWS_AS(make_law({1, "", RigidCard{}}), InputError);

@@ -97,7 +97,7 @@ TEST_CASE("an impossible reference shape is refused with the shell's id", "[fabr
     upright.axes = 2;
     upright.a = Vec3::UnitZ();
     CHECK(fault_of(QUAD, {o, a, Vec3(a + b), b}, upright) ==
-          "shell 5: its material axis (AOPT) is normal to it");
+          "shell 5: its material axis is normal to it");
     // A straight corner, and two corners in one place, are legal
     CHECK(fault_of(QUAD, {o, Vec3(0.5 * (a + b)), Vec3(a + b), b}, card).empty());
     CHECK(fault_of(QUAD, {o, o, a, b}, card).empty());

@@ -180,5 +180,5 @@ TEST_CASE("an orifice outside its bag is refused by its field", "[solver][gas]")
     scenes::fix_all_nodes(model);
     scenes::fill(model, scenes::air(), 0.1, 0.01, 400.0, Vec3(0.5, 0.5, 1.5), 100);
     CHECK_THROWS_WITH(Simulation(model),
-                      Catch::Contains("*AIRBAG_PARTICLE 1, NID of orifice 1: (0.5, 0.5, 1.5)"));
+                      Catch::Contains("bag 1, place of orifice 1: (0.5, 0.5, 1.5)"));
 }

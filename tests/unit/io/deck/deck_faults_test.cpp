@@ -208,3 +208,32 @@ TEST_CASE("faults that only the whole scene shows get file, line and keyword", "
                    "*CONTACT_AIRBAG_SINGLE_SURFACE_ID: contact 7: too thick"));
     CHECK(places.told("contact 8: is none") == "contact 8: is none");
 }
+
+TEST_CASE("typed faults of a scene are told in the deck's words", "[io]") {
+    const auto told = [](Fault fault) {
+        return io::DeckPlaces().told(InputError(std::move(fault))).faults.at(0);
+    };
+    const Fault vent{.of = "*AIRBAG_PARTICLE 1",
+                     .property = Property::VENT_WALL,
+                     .which = "vent 2",
+                     .why = "no shell of it is in the bag"};
+    CHECK(vent.text() == "*AIRBAG_PARTICLE 1, wall of vent 2: no shell of it is in the bag");
+    CHECK(told(vent) == "*AIRBAG_PARTICLE 1, SID3 of vent 2: no shell of it is in the bag");
+    const Fault modulus{.of = "material 17",
+                        .property = Property::SHEAR_MODULUS,
+                        .value = 0.0,
+                        .why = "expected > 0"};
+    CHECK(modulus.text() == "material 17: shear modulus = 0, expected > 0");
+    CHECK(told(modulus) == "material 17: GAB = 0, expected > 0");
+    Fault wall{.of = "*AIRBAG_PARTICLE 1", .property = Property::CLOSING_WALL, .why = "open"};
+    CHECK(told(wall) == "*AIRBAG_PARTICLE 1, SID1: open");
+    wall.of = "*AIRBAG_WANG_NEFSKE 2";
+    CHECK(told(wall) == "*AIRBAG_WANG_NEFSKE 2, SID: open");
+    CHECK(told({.of = {}, .why = "shell 3 has no area"}) == "shell 3 has no area");
+    CHECK(told({.of = "bag 1", .why = "is not closed"}) == "bag 1: is not closed");
+}
+
+TEST_CASE("every property that can be at fault has a name", "[io]") {
+    for (int p = 1; p < static_cast<int>(Property::COUNT); ++p)
+        CHECK_FALSE(name_of(static_cast<Property>(p)).empty());
+}
