@@ -6,20 +6,11 @@
 #include <cmath>
 #include <cstring>
 
+#include "solver/base/simd.hpp"
+
 /// Several elements at once: kernels are written for a number type `Real`, which is `double` for
 /// one element (tests, set-up) and `Lanes` for as many as the processor takes in one instruction.
 namespace corpuscle::fabric {
-
-#if defined(__AVX512F__)
-inline constexpr int LANES = 8;
-#elif defined(__AVX__)
-inline constexpr int LANES = 4;
-#else
-inline constexpr int LANES = 2;
-#endif
-
-using Lanes = double __attribute__((vector_size(LANES * sizeof(double))));
-using LaneMask = decltype(Lanes{} < Lanes{});
 
 /// Numbers in a Real, and one of them.
 template <class Real>

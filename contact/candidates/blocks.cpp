@@ -10,7 +10,6 @@
 namespace corpuscle::contact {
 namespace {
 
-constexpr float HUGE_F = std::numeric_limits<float>::infinity();
 constexpr std::size_t BLOCK_PATCHES_A_CHUNK = 2;  ///< patches
 
 std::array<float, 3> single(const Vec3& p, const Vec3& origin) {
@@ -19,31 +18,6 @@ std::array<float, 3> single(const Vec3& p, const Vec3& origin) {
 }
 
 }  // namespace
-
-void Bounds::include(const Bounds& other) {
-    for (int k = 0; k < 3; ++k) {
-        low[k] = std::min(low[k], other.low[k]);
-        high[k] = std::max(high[k], other.high[k]);
-    }
-}
-
-EightBounds::EightBounds() {
-    low.fill(all_eight(HUGE_F));
-    high.fill(all_eight(-HUGE_F));
-}
-
-void EightBounds::set(int lane, const Bounds& box) {
-    for (int k = 0; k < 3; ++k) {
-        low[k][lane] = box.low[k];
-        high[k][lane] = box.high[k];
-    }
-}
-
-Bounds EightBounds::all() const {
-    Bounds out = (*this)[0];
-    for (int lane = 1; lane < EIGHT; ++lane) out.include((*this)[lane]);
-    return out;
-}
 
 template <int CORNERS>
 struct Blocks<CORNERS>::Item {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "contact/geometry/eight.hpp"
+#include "solver/base/simd.hpp"
 
 namespace corpuscle::contact {
 

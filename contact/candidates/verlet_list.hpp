@@ -5,7 +5,7 @@
 #include <bit>
 #include <vector>
 
-#include "contact/geometry/four.hpp"
+#include "solver/base/simd.hpp"
 #include "solver/base/vec.hpp"
 
 namespace corpuscle::contact {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "contact/geometry/distance.hpp"
-#include "contact/geometry/four.hpp"
+#include "solver/base/simd.hpp"
 
 namespace corpuscle::contact {
 

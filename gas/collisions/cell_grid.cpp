@@ -6,8 +6,8 @@
 #include <cstring>
 #include <utility>
 
-#include "solver/base/lanes.hpp"
 #include "solver/base/parallel.hpp"
+#include "solver/base/simd.hpp"
 
 namespace corpuscle::gas {
 
@@ -18,24 +18,22 @@ constexpr std::size_t MOST_SLICES = 16;       ///< each counts all cells
 
 /// Grid::cell_of() of many points, by fours.
 void find_cells(const Grid& grid, std::span<const Vec3> x, Index* cell) {
-    using lanes::Four;
-    const std::size_t fours = x.size() / lanes::LANES;
+    const std::size_t fours = x.size() / FOUR;
     for (std::size_t q = 0; q < fours; ++q) {
-        const double* const at = x[q * lanes::LANES].data();
-        const auto column = lanes::columns(lanes::load(at), lanes::load(at + lanes::LANES),
-                                           lanes::load(at + 2 * lanes::LANES));
+        const double* const at = x[q * FOUR].data();
+        const auto column = columns(load_four(at), load_four(at + FOUR), load_four(at + 2 * FOUR));
         using Ints = std::int32_t __attribute__((vector_size(16)));
         std::array<Ints, 3> along;
         for (int a = 0; a < 3; ++a) {
             const Four cells = (column[a] - grid.low[a]) * grid.per_edge,
-                       last = lanes::all(grid.count[a] - 1.0);
-            const Four least = cells < 0.0 ? lanes::all(0.0) : cells;
+                       last = all_four(grid.count[a] - 1.0);
+            const Four least = cells < 0.0 ? all_four(0.0) : cells;
             along[a] = __builtin_convertvector(least > last ? last : least, Ints);
         }
         const Ints row = (along[2] * grid.count[1] + along[1]) * grid.count[0] + along[0];
-        std::memcpy(cell + q * lanes::LANES, &row, sizeof(row));
+        std::memcpy(cell + q * FOUR, &row, sizeof(row));
     }
-    for (std::size_t i = fours * lanes::LANES; i < x.size(); ++i)
+    for (std::size_t i = fours * FOUR; i < x.size(); ++i)
         cell[i] = static_cast<Index>(grid.cell_of(x[i]));
 }
 

@@ -214,7 +214,7 @@ CollisionReport collide_lin(const CollisionStep& step, Particles& particles) {
             if (rows.size() < LinLanes::FEWEST ||
                 !four.add(rows, g, step.heat_of(rows, particles), draw, particles))
                 report += plainly(g);
-            else if (four.size() == lanes::LANES)
+            else if (four.size() == FOUR)
                 collide_four();
         }
         if (four.size() > 0) collide_four();

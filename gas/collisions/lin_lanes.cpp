@@ -7,8 +7,6 @@
 
 namespace corpuscle::gas {
 
-using namespace lanes;
-
 namespace {
 
 /// x, y, z and one: products with it add up the sums as well.
@@ -75,30 +73,30 @@ struct LinLanes::Energy {
 
 /// @param motion  energy of the motion relative to U, @param thermal  that of c alone          [J]
 LinLanes::Energy LinLanes::share(const Four& motion, const Four& thermal) const {
-    const Four n = load(n_.data()), before = load(e_.data());
-    const Four energy =
-        load(factor_.data()) * (motion + before) + load(added_.data()) - (motion - thermal);
+    const Four n = load_four(n_.data()), before = load_four(e_.data());
+    const Four energy = load_four(factor_.data()) * (motion + before) + load_four(added_.data()) -
+                        (motion - thermal);
     const Four freedom = 3.0 * (n - lin::FITTED);
     const Four T = temperature(energy, freedom);
     Four inside, slope, curvature;
-    for (int l = 0; l < LANES; ++l) {
+    for (int l = 0; l < FOUR; ++l) {
         const EnergyPolynomial& internal = mixture_.particle_internal(species_[l]);
         inside[l] = internal(T[l]);
         slope[l] = internal.slope(T[l]);
         curvature[l] = internal.curvature(T[l]);
     }
-    Four each = inside - MEMORY * before / n, kept = all(MEMORY);
+    Four each = inside - MEMORY * before / n, kept = all_four(MEMORY);
     const Four internal = each * n + kept * before, left = energy - internal;
 
-    const Four half_heat = all(mixture_.half_heat());
+    const Four half_heat = all_four(mixture_.half_heat());
     const Four C_t = freedom * half_heat, C_i = n * slope;
     const Four least = internal < left ? internal : left;
-    const Four spread = T * sqrt(2.0 * half_heat * C_t * C_i / (C_t + C_i));
+    const Four spread = T * roots_of(2.0 * half_heat * C_t * C_i / (C_t + C_i));
     const Four scatter = T / (C_t + C_i);
     const Four less = SCATTER * half_heat * C_t * (n * curvature) * scatter * scatter;
-    const Four most = MOST_NOISE * least, wanted = spread * load(share_.data()) - less;
+    const Four most = MOST_NOISE * least, wanted = spread * load_four(share_.data()) - less;
     Four more = wanted > most ? most : wanted < -most ? -most : wanted;
-    more = ((C_i > 0.0) & (least > 0.0)) ? more : all(0.0);
+    more = ((C_i > 0.0) & (least > 0.0)) ? more : all_four(0.0);
     each += more / n;
     const Four translational = left - more;
     return {each, kept, translational, (T > 0.0) & (translational > 0.0)};
@@ -106,7 +104,7 @@ LinLanes::Energy LinLanes::share(const Four& motion, const Four& thermal) const 
 
 Four LinLanes::temperature(const Four& energy, const Four& freedom) const {
     Four T;
-    for (int l = 0; l < LANES; ++l) {
+    for (int l = 0; l < FOUR; ++l) {
         const EnergyPolynomial& internal = mixture_.particle_internal(species_[l]);
         T[l] = internal.b == 0.0 && internal.c == 0.0
                    ? energy[l] / (n_[l] * internal.a + freedom[l] * mixture_.half_heat())
@@ -118,10 +116,10 @@ Four LinLanes::temperature(const Four& energy, const Four& freedom) const {
 
 /// Uniform on SO(3), from a uniform unit quaternion [Shoemake 1992].
 Four33 LinLanes::random_rotation() const {
-    const Four u = load(turn_[0].data());
-    const auto [sin_a, cos_a] = turn(load(turn_[1].data()));
-    const auto [sin_b, cos_b] = turn(load(turn_[2].data()));
-    const Four r = sqrt(1.0 - u), s = sqrt(u);
+    const Four u = load_four(turn_[0].data());
+    const auto [sin_a, cos_a] = turn(load_four(turn_[1].data()));
+    const auto [sin_b, cos_b] = turn(load_four(turn_[2].data()));
+    const Four r = roots_of(1.0 - u), s = roots_of(u);
     const Four w = s * cos_b, x = r * sin_a, y = r * cos_a, z = s * sin_b;
     return {{{{1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)},
               {2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)},
@@ -130,7 +128,7 @@ Four33 LinLanes::random_rotation() const {
 
 /// F with F Fᵀ ~ the stress turned round: see collide_lin.cpp.
 Four33 LinLanes::turned_factor(const Four33& P, const Four& n, FourBits& is_good) const {
-    const Four axis = load(axis_.data());
+    const Four axis = load_four(axis_.data());
     Four33 ordered;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j <= i; ++j)
@@ -138,19 +136,19 @@ Four33 LinLanes::turned_factor(const Four33& P, const Four& n, FourBits& is_good
                 in_order(P(i, j), P((i + 1) % 3, (j + 1) % 3), P((i + 2) % 3, (j + 2) % 3), axis);
     const auto [L, is_solid] = lower_factor(ordered, lin::FLATTEST * trace(P));
     is_good &= is_solid;
-    const Four kT = trace(P) / (3.0 * n), agitation = lin::NOISE * sqrt(kT);
+    const Four kT = trace(P) / (3.0 * n), agitation = lin::NOISE * roots_of(kT);
     Four33 F;
     int drawn = 0;
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < i; ++j)
-            F(i, j) = agitation * load(stress_[drawn++].data()) - lin::BETA * L(i, j);
+            F(i, j) = agitation * load_four(stress_[drawn++].data()) - lin::BETA * L(i, j);
         const Four k = n - static_cast<double>(i), variance = 2.0 / (9.0 * k),
                    mean = 1.0 - variance;
         const Four z = cbrt(L(i, i) * L(i, i) / (k * kT)) - mean;
-        const Four turned =
-            mean - lin::BETA * z + lin::NOISE * sqrt(variance) * load(stress_[drawn++].data());
-        const Four kept = turned > lin::LEAST_TURNED ? turned : all(lin::LEAST_TURNED);
-        F(i, i) = sqrt(k * kT * kept * kept * kept);
+        const Four turned = mean - lin::BETA * z +
+                            lin::NOISE * roots_of(variance) * load_four(stress_[drawn++].data());
+        const Four kept = turned > lin::LEAST_TURNED ? turned : all_four(lin::LEAST_TURNED);
+        F(i, i) = roots_of(k * kT * kept * kept * kept);
     }
     Four33 back;
     for (int i = 0; i < 3; ++i)
@@ -160,14 +158,14 @@ Four33 LinLanes::turned_factor(const Four33& P, const Four& n, FourBits& is_good
 }
 
 LinLanes::Maps LinLanes::find_maps() const {
-    const Four n = load(n_.data()), m = load(m_.data());
+    const Four n = load_four(n_.data()), m = load_four(m_.data());
     Four33 S, Q, C;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
-            const Four mean_x = load(x_[j].data()) / n, mean_v = load(v_[j].data()) / n;
-            S(i, j) = load(xx_[i][j].data()) - load(x_[i].data()) * mean_x;
-            Q(i, j) = load(vx_[i][j].data()) - load(v_[i].data()) * mean_x;
-            C(i, j) = load(vv_[i][j].data()) - load(v_[i].data()) * mean_v;
+            const Four mean_x = load_four(x_[j].data()) / n, mean_v = load_four(v_[j].data()) / n;
+            S(i, j) = load_four(xx_[i][j].data()) - load_four(x_[i].data()) * mean_x;
+            Q(i, j) = load_four(vx_[i][j].data()) - load_four(v_[i].data()) * mean_x;
+            C(i, j) = load_four(vv_[i][j].data()) - load_four(v_[i].data()) * mean_v;
         }
     const auto [L_S, is_solid] = lower_factor(S, lin::FLATTEST * trace(S));
     const Four33 inverse_S = inverse_of(L_S);
@@ -179,13 +177,13 @@ LinLanes::Maps LinLanes::find_maps() const {
     const Four motion = 0.5 * m * trace(C), thermal = 0.5 * trace(P);
     Four U2{};
     for (int k = 0; k < 3; ++k) {
-        const Four U = load(first_v_[k].data()) + load(v_[k].data()) / n;
+        const Four U = load_four(first_v_[k].data()) + load_four(v_[k].data()) / n;
         U2 += U * U;
     }
     const Energy energy = share(motion, thermal);
     Maps maps;
     maps.is_good = is_solid & energy.is_good & (thermal > RIGID * 0.5 * m * n * U2);
-    maps.thermal = motion + load(e_.data());
+    maps.thermal = motion + load_four(e_.data());
     maps.each = energy.each;
     maps.kept = energy.kept;
 
@@ -195,15 +193,16 @@ LinLanes::Maps LinLanes::find_maps() const {
     Four33& A = maps.A;
     A = product(product(F, random_rotation()), inverse_of(L));
     const Four after = trace(product_transposed(product(A, P), A));
-    const Four exact = sqrt(2.0 * energy.translational / after);
+    const Four exact = roots_of(2.0 * energy.translational / after);
     for (auto& row : A.at)
         for (Four& a : row) a *= exact;
     const Four33 AG = product(A, G);
     for (int i = 0; i < 3; ++i) {
-        maps.b[i] = load(v_[i].data()) / n;
+        maps.b[i] = load_four(v_[i].data()) / n;
         for (int j = 0; j < 3; ++j) {
             maps.H(i, j) = G(i, j) - AG(i, j);
-            maps.b[i] -= (A(i, j) * load(v_[j].data()) + maps.H(i, j) * load(x_[j].data())) / n;
+            maps.b[i] -=
+                (A(i, j) * load_four(v_[j].data()) + maps.H(i, j) * load_four(x_[j].data())) / n;
         }
     }
     return maps;

@@ -6,9 +6,9 @@
 #include <span>
 
 #include "gas/collisions/collide.hpp"
+#include "gas/collisions/four_math.hpp"
 #include "gas/particles.hpp"
 #include "gas/thermo/species.hpp"
-#include "solver/base/lanes.hpp"
 #include "solver/base/random.hpp"
 
 namespace corpuscle::gas {
@@ -35,9 +35,9 @@ public:
     /// that are not a gas in three dimensions, or hold no temperature.
     /// Returns their thermal energy before, by lane.
     template <class FallBack>
-    std::array<double, lanes::LANES> collide(Particles& particles, FallBack&& fall_back) {
+    std::array<double, FOUR> collide(Particles& particles, FallBack&& fall_back) {
         const Maps maps = find_maps();
-        std::array<double, lanes::LANES> thermal{};
+        std::array<double, FOUR> thermal{};
         for (std::size_t l = 0; l < size_; ++l) {
             if (maps.is_good[l]) {
                 apply(l, maps, particles);
@@ -52,28 +52,26 @@ public:
 
 private:
     struct Maps {
-        lanes::Four33 A, H;
-        std::array<lanes::Four, 3> b;
-        lanes::Four each, kept, thermal;
-        lanes::FourBits is_good;
+        Four33 A, H;
+        std::array<Four, 3> b;
+        Four each, kept, thermal;
+        FourBits is_good;
     };
     struct Energy;
-    [[nodiscard]] Energy share(const lanes::Four& motion, const lanes::Four& thermal) const;
+    [[nodiscard]] Energy share(const Four& motion, const Four& thermal) const;
     [[nodiscard]] Maps find_maps() const;
-    [[nodiscard]] lanes::Four temperature(const lanes::Four& energy,
-                                          const lanes::Four& freedom) const;
-    [[nodiscard]] lanes::Four33 turned_factor(const lanes::Four33& P, const lanes::Four& n,
-                                              lanes::FourBits& is_good) const;
-    [[nodiscard]] lanes::Four33 random_rotation() const;
+    [[nodiscard]] Four temperature(const Four& energy, const Four& freedom) const;
+    [[nodiscard]] Four33 turned_factor(const Four33& P, const Four& n, FourBits& is_good) const;
+    [[nodiscard]] Four33 random_rotation() const;
     void apply(std::size_t lane, const Maps& maps, Particles& particles) const;
 
-    using ByLane = std::array<double, lanes::LANES>;
+    using ByLane = std::array<double, FOUR>;
 
     const Mixture& mixture_;
     std::size_t size_ = 0;
-    std::array<std::span<const Index>, lanes::LANES> rows_{};
-    std::array<std::uint64_t, lanes::LANES> group_{};
-    std::array<std::int32_t, lanes::LANES> species_{};
+    std::array<std::span<const Index>, FOUR> rows_{};
+    std::array<std::uint64_t, FOUR> group_{};
+    std::array<std::int32_t, FOUR> species_{};
     // Sums over a group's particles, of x and v from those of the first, and of e.
     alignas(32) std::array<std::array<ByLane, 3>, 3> xx_{}, vx_{}, vv_{};
     alignas(32) std::array<ByLane, 3> x_{}, v_{}, first_v_{};

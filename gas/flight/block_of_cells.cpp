@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "contact/geometry/eight.hpp"
+#include "solver/base/simd.hpp"
 
 namespace corpuscle::gas {
 namespace {
@@ -51,7 +51,7 @@ void BlockOfCells::enter(Index facet, const CellRange& range, Index eight) {
 }
 
 std::size_t BlockOfCells::eights_by_eight() const {
-    constexpr Index EIGHT = contact::EIGHT;
+    constexpr Index EIGHT = corpuscle::EIGHT;
     Index blocks = 0;
     for (const int cell : cells_) blocks += (eights_[cell] + EIGHT - 1) / EIGHT;
     return static_cast<std::size_t>(blocks);

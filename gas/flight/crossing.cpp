@@ -8,8 +8,8 @@
 #include <cstring>
 #include <utility>
 
-#include "solver/base/lanes.hpp"
 #include "solver/base/predicates.hpp"
+#include "solver/base/simd.hpp"
 
 namespace corpuscle::gas {
 namespace {
@@ -23,16 +23,14 @@ std::array<int, 3> ascending(const Triangle& nodes) {
     return order;
 }
 
-using lanes::Four;
-
 /// Lane by lane, a bit each: is a greater than b?
 unsigned greater(const Four& a, const Four& b) {
-    const lanes::FourBits is_greater = a > b;
+    const FourBits is_greater = a > b;
 #ifdef __AVX__
     return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(is_greater)));
 #else
     unsigned bits = 0;
-    for (int l = 0; l < lanes::LANES; ++l) bits |= static_cast<unsigned>(is_greater[l] != 0) << l;
+    for (int l = 0; l < FOUR; ++l) bits |= static_cast<unsigned>(is_greater[l] != 0) << l;
     return bits;
 #endif
 }
@@ -40,7 +38,7 @@ unsigned greater(const Four& a, const Four& b) {
 /// Some corners of the swept triangle as the particle sees them: 0-2 at t, 3-5 at t + dt.
 struct Corners {
     std::array<Four, 3> along;
-    [[nodiscard]] Corners pick(const lanes::FourBits& from) const {
+    [[nodiscard]] Corners pick(const FourBits& from) const {
         Corners out;
         for (int a = 0; a < 3; ++a) out.along[a] = shuffled(along[a], from);
         return out;
@@ -52,7 +50,7 @@ struct Corners {
     [[nodiscard]] Four size() const {
         Four most{};
         for (const Four& a : along) {
-            const Four size = lanes::absolute(a);
+            const Four size = magnitude_of(a);
             most = size > most ? size : most;
         }
         return most;
@@ -131,7 +129,7 @@ constexpr auto PIECES_AROUND = [] {
 
 /// |i j k| of all faces, i · (j × k), and a bit each: is it positive? The sign is exact.
 struct Faces {
-    std::array<double, 3 * lanes::LANES> value;
+    std::array<double, 3 * FOUR> value;
     unsigned is_positive;
     [[nodiscard]] unsigned pieces() const { return PIECES_AROUND[is_positive % (1U << FACES)]; }
 };
@@ -141,7 +139,6 @@ struct Faces {
 Faces faces_of(const Prism& prism) {
     // Six products of three numbers no larger than size, and sums: rounded by some 40 units, twice.
     constexpr double ROUNDING = 1e-14;
-    using lanes::FourBits;
     const auto& [a, b, size] = prism;
     const Corners normal = cross_product(a, b);
     Corners last;  // 4 3 3 3
@@ -151,15 +148,15 @@ Faces faces_of(const Prism& prism) {
     const std::array<Four, 3> row = {dot(normal, a.pick(FourBits{2, 0, 0, 1})),  // 2 0 0 4
                                      dot(normal, b.pick(FourBits{1, 0, 0, 1})),  // 5 1 1 5
                                      dot(normal, last)};
-    const Four doubtful = lanes::all(ROUNDING * size * size * size);
+    const Four doubtful = all_four(ROUNDING * size * size * size);
     Faces out;
     std::memcpy(out.value.data(), row.data(), sizeof(row));
     out.is_positive = 0;
     unsigned is_sure = ~0U << FACES;
     for (int r = 0; r < 3; ++r) {
         const unsigned positive = greater(row[r], doubtful), negative = greater(-doubtful, row[r]);
-        out.is_positive |= positive << (r * lanes::LANES);
-        is_sure |= (positive | negative) << (r * lanes::LANES);
+        out.is_positive |= positive << (r * FOUR);
+        is_sure |= (positive | negative) << (r * FOUR);
     }
     for (; is_sure != ~0U; is_sure |= is_sure + 1) {
         const int f = std::countr_one(is_sure);

@@ -7,15 +7,6 @@
 namespace corpuscle::gas {
 namespace {
 
-using contact::all_eight;
-using contact::dot;
-using contact::Eight;
-using contact::EIGHT;
-using contact::EightPoints;
-using contact::greatest_of;
-using contact::least_of;
-using contact::operator-, contact::operator*;
-
 /// Places that single precision takes reach from the grid's middle to three times its half: a
 /// particle inside, and a way no longer than the grid.
 constexpr float REACH = 3.0F;

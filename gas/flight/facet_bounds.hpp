@@ -9,15 +9,14 @@
 #include <span>
 #include <vector>
 
-#include "contact/candidates/blocks.hpp"
+#include "contact/broad_phase/bounds.hpp"
 #include "gas/flight/facet_lists.hpp"
 #include "gas/flight/near_facets.hpp"
 
 namespace corpuscle::gas {
 
 /// a b + c, rounded once where the processor can: only for bounds, which have room for either.
-inline contact::Eight fused(const contact::Eight& a, const contact::Eight& b,
-                            const contact::Eight& c) {
+inline Eight fused(const Eight& a, const Eight& b, const Eight& c) {
 #ifdef __FMA__
     return _mm256_fmadd_ps(a, b, c);
 #else
@@ -36,10 +35,10 @@ struct SmallPath {
 
 /// An affine function of place, eight times over: gradient · x - offset.
 struct EightHeights {
-    contact::EightPoints gradient{};
-    contact::Eight offset{};
+    EightPoints gradient{};
+    Eight offset{};
 
-    [[nodiscard]] contact::Eight at(const contact::EightPoints& x) const {
+    [[nodiscard]] Eight at(const EightPoints& x) const {
         return fused(gradient[0], x[0], fused(gradient[1], x[1], gradient[2] * x[2] - offset));
     }
 };
@@ -54,28 +53,25 @@ struct EightHeights {
 /// right, if only the bounds are those that the corners keep.
 struct EightPrisms {
     EightHeights normal, b, c;
-    contact::Eight thick, d;
+    Eight thick, d;
 
     /// At which share of the way from one point to another each prism is entered: at least; more
     /// than 1 where it is missed. Cost: 50 instructions.
-    [[nodiscard]] contact::Eight entered(const contact::EightPoints& from,
-                                         const contact::EightPoints& to) const;
+    [[nodiscard]] Eight entered(const EightPoints& from, const EightPoints& to) const;
 };
 
 /// Boxes of eight eights, and two parallel planes that all corners of each lie between.
 struct EightsBounds {
     contact::EightBounds box;
     EightHeights normal;
-    contact::Eight thick{};
+    Eight thick{};
 
     /// A bit for each that the way from one point to another, with this box, may meet.
-    [[nodiscard]] unsigned near(const contact::Bounds& path, const contact::EightPoints& from,
-                                const contact::EightPoints& to) const {
-        using contact::greatest_of, contact::least_of;
-        const contact::Eight h_0 = normal.at(from), h_1 = normal.at(to);
-        const auto is_crossed =
-            (greatest_of(h_0, h_1) >= contact::Eight{}) & (least_of(h_0, h_1) <= thick);
-        return box.overlapping(path) & contact::bits_of(is_crossed);
+    [[nodiscard]] unsigned near(const contact::Bounds& path, const EightPoints& from,
+                                const EightPoints& to) const {
+        const Eight h_0 = normal.at(from), h_1 = normal.at(to);
+        const auto is_crossed = (greatest_of(h_0, h_1) >= Eight{}) & (least_of(h_0, h_1) <= thick);
+        return box.overlapping(path) & bits_of(is_crossed);
     }
 };
 
@@ -125,16 +121,14 @@ private:
         contact::Bounds box;
         std::array<float, 3> normal;
         float low, thick;
-        void set_planes(const std::array<contact::EightPoints, 6>& corners,
-                        const contact::EightPoints& n, float slack);
+        void set_planes(const std::array<EightPoints, 6>& corners, const EightPoints& n,
+                        float slack);
     };
     std::vector<Bound> bound_;      ///< by eight
     std::vector<EightsBounds> in_;  ///< as FacetLists::eights_in()
 };
 
-inline contact::Eight EightPrisms::entered(const contact::EightPoints& from,
-                                           const contact::EightPoints& to) const {
-    using contact::all_eight, contact::Eight, contact::greatest_of, contact::least_of;
+inline Eight EightPrisms::entered(const EightPoints& from, const EightPoints& to) const {
     const Eight zero{}, one = all_eight(1.0F), tiny = all_eight(1e-30F);
     const Eight h_0 = normal.at(from), rise = normal.at(to) - h_0;
     const Eight slope = ((rise > tiny) | (rise < -tiny)) ? rise : tiny;
@@ -154,10 +148,9 @@ inline contact::Eight EightPrisms::entered(const contact::EightPoints& from,
 template <class Meet>
 void FacetBounds::for_some_near(const FacetLists& lists, const Slab& cell, const SmallPath& path,
                                 NearFacets& near, Meet&& meet) const {
-    constexpr int EIGHT = contact::EIGHT, AT_ONCE = NearFacets::EIGHTS_AT_ONCE / EIGHT;
+    constexpr int AT_ONCE = NearFacets::EIGHTS_AT_ONCE / EIGHT;
     std::array<Index, NearFacets::EIGHTS_AT_ONCE + EIGHT> eights;
-    const contact::EightPoints from = contact::all_eight(path.from),
-                               to = contact::all_eight(path.to);
+    const EightPoints from = all_eight(path.from), to = all_eight(path.to);
     for (Index first = cell.begin; first < cell.end; first += AT_ONCE) {
         int count = 0;
         const Index last = std::min(first + AT_ONCE, cell.end);
@@ -170,7 +163,7 @@ void FacetBounds::for_some_near(const FacetLists& lists, const Slab& cell, const
         for (int i = 0; i < count; ++i) {
             const std::array<Index, EIGHT>& facets = lists.eights().facet[eights[i]];
             if (path.is_far)
-                near.add(facets, those(facets), contact::Eight{});
+                near.add(facets, those(facets), Eight{});
             else
                 near.add(facets, prisms_[eights[i]].entered(from, to));
         }

@@ -7,8 +7,6 @@
 namespace corpuscle::gas {
 namespace {
 
-using contact::EIGHT;
-
 /// Facets of a patch, brought together eight by eight along the cloth, as contact::make_patches()
 /// brings patches together: cut midway between two ends, but at a multiple of eight.
 class Cutter {

@@ -6,16 +6,16 @@
 #include <span>
 #include <vector>
 
-#include "contact/geometry/eight.hpp"
 #include "contact/surface/patches.hpp"
+#include "solver/base/simd.hpp"
 #include "solver/base/surface.hpp"
 
 namespace corpuscle::gas {
 
 /// Facets by eights that lie close together along the cloth: what one instruction looks at.
 struct FacetEights {
-    std::vector<std::array<Index, contact::EIGHT>> facet;  ///< -1: none, in a patch's last lanes
-    std::vector<Index> of;                                 ///< by facet: its eight
+    std::vector<std::array<Index, EIGHT>> facet;  ///< -1: none, in a patch's last lanes
+    std::vector<Index> of;                        ///< by facet: its eight
 
     [[nodiscard]] std::size_t size() const { return facet.size(); }
 };

@@ -126,12 +126,12 @@ void FacetLists::fill(std::size_t number, std::span<const Vec3> x_0, std::span<c
 /// Writes a cell's eights from entry `to` on; those of an eight have been entered together.
 /// @returns the next entry
 std::size_t FacetLists::list_eights(int cell, const BlockOfCells& block, std::size_t to) {
-    int lane = contact::EIGHT;
+    int lane = EIGHT;
     Index last = -1;
     for (const std::int32_t place : block.in(cell)) {
         const Index eight = eights_.of[block.facet(place)];
         if (std::exchange(last, eight) == eight) continue;
-        if (lane == contact::EIGHT) {
+        if (lane == EIGHT) {
             eights_in_[to++].fill(-1);
             lane = 0;
         }

@@ -66,7 +66,7 @@ public:
         return {facet_.data() + slab.begin, static_cast<std::size_t>(slab.end - slab.begin)};
     }
     /// Eights with facets in cells, by eight, slab after slab (of EIGHTS); -1: no more in a cell.
-    using EightEights = std::array<Index, contact::EIGHT>;
+    using EightEights = std::array<Index, EIGHT>;
     [[nodiscard]] std::span<const EightEights> eights_in() const { return eights_in_; }
     [[nodiscard]] const FacetEights& eights() const { return eights_; }
     /// visit(facet) for those of a cell; of EIGHTS: for some beyond, too.

@@ -11,8 +11,8 @@
 
 #include "gas/flight/facet_lists.hpp"
 #include "gas/particles.hpp"
-#include "solver/base/lanes.hpp"
 #include "solver/base/parallel.hpp"
+#include "solver/base/simd.hpp"
 
 namespace corpuscle::gas {
 
@@ -74,23 +74,22 @@ private:
     /// Largest component of each particle's way, rounded up; NaN where it is not finite. Three fours
     /// hold four velocities.
     static std::array<float, BLOCK> ways(const double* v, std::size_t count, double dt) {
-        using lanes::Four;
         std::array<float, BLOCK> out;
         const auto longest = [&](double x, double y, double z) {
             return std::max(std::max(std::abs(x), std::abs(y)), std::abs(z)) + 0.0 * (x + y + z);
         };
         const double factor = dt * (1.0 + ROUNDING);
         std::size_t i = 0;
-        for (; i + lanes::LANES <= count; i += lanes::LANES) {
+        for (; i + FOUR <= count; i += FOUR) {
             const auto size = [&](int k) {
-                const Four a = lanes::load(v + 3 * i + lanes::LANES * k);
+                const Four a = load_four(v + 3 * i + FOUR * k);
                 return a < 0.0 ? -a : a;
             };
-            const auto [x, y, z] = lanes::columns(size(0), size(1), size(2));
+            const auto [x, y, z] = columns(size(0), size(1), size(2));
             // what is not finite has no finite way: zero times it is NaN
             const Four xy = x > y ? x : y, not_finite = 0.0 * (x + y + z);
             const Four most = factor * (xy > z ? xy : z) + not_finite;
-            for (int l = 0; l < lanes::LANES; ++l) out[i + l] = static_cast<float>(most[l]);
+            for (int l = 0; l < FOUR; ++l) out[i + l] = static_cast<float>(most[l]);
         }
         for (; i < count; ++i)
             out[i] = static_cast<float>(factor * longest(v[3 * i], v[3 * i + 1], v[3 * i + 2]));

@@ -7,16 +7,16 @@
 #include <cstdint>
 #include <cstring>
 
-#include "contact/geometry/eight.hpp"
+#include "solver/base/simd.hpp"
 #include "solver/base/surface.hpp"
 
 namespace corpuscle::gas {
 
 /// By bits: which of eight lanes are set, one after another.
 inline constexpr auto LANES_SET = [] {
-    std::array<std::array<std::int32_t, contact::EIGHT>, 256> out{};
+    std::array<std::array<std::int32_t, EIGHT>, 256> out{};
     for (unsigned bits = 0; bits < out.size(); ++bits)
-        for (int l = 0, n = 0; l < contact::EIGHT; ++l)
+        for (int l = 0, n = 0; l < EIGHT; ++l)
             if ((bits >> l & 1U) != 0) out[bits][n++] = l;
     return out;
 }();
@@ -25,8 +25,8 @@ inline constexpr auto LANES_SET = [] {
 /// foretell; room for eight is needed.
 template <class T>
 void write_lanes(unsigned bits, const T* from, T* to) {
-    static_assert(sizeof(T) == sizeof(contact::EightBits) / contact::EIGHT);
-    contact::EightBits lanes, numbers;
+    static_assert(sizeof(T) == sizeof(EightBits) / EIGHT);
+    EightBits lanes, numbers;
     std::memcpy(&lanes, &LANES_SET[bits], sizeof(lanes));
     std::memcpy(&numbers, from, sizeof(numbers));
     numbers = shuffled(numbers, lanes);
@@ -41,11 +41,10 @@ public:
     [[nodiscard]] bool is_empty() const { return count_ == 0; }
     void clear() { count_ = 0; }
     /// Those of an eight that are met within the path.
-    void add(const std::array<Index, contact::EIGHT>& facets, const contact::Eight& share) {
-        add(facets, contact::bits_of(share <= contact::all_eight(1.0F)), share);
+    void add(const std::array<Index, EIGHT>& facets, const Eight& share) {
+        add(facets, bits_of(share <= all_eight(1.0F)), share);
     }
-    void add(const std::array<Index, contact::EIGHT>& facets, unsigned bits,
-             const contact::Eight& share) {
+    void add(const std::array<Index, EIGHT>& facets, unsigned bits, const Eight& share) {
         write_lanes(bits, facets.data(), facet_.data() + count_);
         write_lanes(bits, reinterpret_cast<const float*>(&share), share_.data() + count_);
         count_ += std::popcount(bits);
@@ -65,16 +64,16 @@ public:
     }
 
 private:
-    static constexpr std::size_t ROOM = (EIGHTS_AT_ONCE + 1) * contact::EIGHT;
+    static constexpr std::size_t ROOM = (EIGHTS_AT_ONCE + 1) * EIGHT;
     int count_ = 0;
     std::array<Index, ROOM> facet_;
     std::array<float, ROOM> share_;
 };
 
 /// A bit for each of up to eight numbers that is there.
-inline unsigned those(const std::array<Index, contact::EIGHT>& numbers) {
+inline unsigned those(const std::array<Index, EIGHT>& numbers) {
     unsigned bits = 0;
-    for (int l = 0; l < contact::EIGHT; ++l) bits |= static_cast<unsigned>(numbers[l] >= 0) << l;
+    for (int l = 0; l < EIGHT; ++l) bits |= static_cast<unsigned>(numbers[l] >= 0) << l;
     return bits;
 }
 

@@ -53,10 +53,10 @@ TEST_CASE("sine and cosine and cube root of four numbers are those of the librar
     double turning = 0.0, root = 0.0;
     for (int i = 0; i <= 4000; ++i) {
         const double u = i / 4000.0, q = std::exp(40.0 * (u - 0.5));
-        const lanes::SineCosine at = lanes::turn(lanes::all(u));
+        const SineCosine at = turn(all_four(u));
         turning = std::max({turning, std::abs(at.sine[i % 4] - std::sin(2.0 * M_PI * u)),
                             std::abs(at.cosine[i % 4] - std::cos(2.0 * M_PI * u))});
-        root = std::max(root, std::abs(lanes::cbrt(lanes::all(q))[i % 4] / std::cbrt(q) - 1.0));
+        root = std::max(root, std::abs(cbrt(all_four(q))[i % 4] / std::cbrt(q) - 1.0));
     }
     CHECK(turning < 1e-15);
     CHECK(root < 1e-15);

@@ -3,71 +3,20 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <numbers>
 
-#include "solver/base/shuffle.hpp"
+#include "solver/base/simd.hpp"
 
-#ifdef __AVX__
-#include <immintrin.h>
-#endif
-
-/// Four groups at once: arithmetic on four doubles, on every processor, with the same bits on each
-/// lane whatever the others hold.
-namespace corpuscle::gas::lanes {
-
-inline constexpr int LANES = 4;
-using Four = double __attribute__((vector_size(32)));
-using FourBits = std::int64_t __attribute__((vector_size(32)));  ///< of a comparison: all or none
-
-inline Four all(double a) {
-    return Four{a, a, a, a};
-}
-
-inline Four load(const double* from) {
-    Four out;
-    std::memcpy(&out, from, sizeof(out));
-    return out;
-}
-
-inline Four absolute(const Four& a) {
-    constexpr std::int64_t REST = INT64_MAX;  // all bits but the sign
-    return reinterpret_cast<Four>(reinterpret_cast<const FourBits&>(a) &
-                                  FourBits{REST, REST, REST, REST});
-}
-
-/// Four points x y z x, y z x y, z x y z as columns.
-inline std::array<Four, 3> columns(const Four& a, const Four& b, const Four& c) {
-    constexpr FourBits ONE{0, -1, 0, 0}, TWO{0, 0, -1, 0}, OUTER{-1, 0, 0, -1};
-    return {shuffled(TWO   ? b
-                     : ONE ? c
-                           : a,
-                     FourBits{0, 3, 2, 1}),
-            shuffled(ONE   ? a
-                     : TWO ? c
-                           : b,
-                     FourBits{1, 0, 3, 2}),
-            shuffled(OUTER ? c
-                     : ONE ? b
-                           : a,
-                     FourBits{2, 1, 0, 3})};
-}
-
-inline Four sqrt(const Four& a) {
-#ifdef __AVX__
-    return _mm256_sqrt_pd(a);
-#else
-    return Four{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
-#endif
-}
+/// Four groups of particles at once: functions and 3 × 3 matrices, one a lane.
+namespace corpuscle::gas {
 
 /// Cube root of positive numbers, to 4e-16: a third of the exponent, then three steps of Halley.
 /// Cost: 3 div.
 inline Four cbrt(const Four& a) {
     Four y;
-    for (int l = 0; l < LANES; ++l) {
+    for (int l = 0; l < FOUR; ++l) {
         std::uint64_t bits;
         const double from = a[l];
         std::memcpy(&bits, &from, sizeof(bits));
@@ -95,7 +44,7 @@ inline SineCosine turn(const Four& u) {
     const Four r = (0.5 * std::numbers::pi) * (4.0 * u - __builtin_convertvector(nearest, Four));
     const Four square = r * r;
     const auto series = [&](const std::array<double, 8>& factor) {
-        Four sum = all(1.0);
+        Four sum = all_four(1.0);
         for (const double f : factor) sum = 1.0 - sum * square * f;
         return sum;
     };
@@ -149,7 +98,7 @@ inline Factor lower_factor(const Four33& P, const Four& least) {
         Four pivot = P(j, j);
         for (int k = 0; k < j; ++k) pivot -= L(j, k) * L(j, k);
         out.is_good &= pivot > least;
-        L(j, j) = sqrt(pivot);
+        L(j, j) = roots_of(pivot);
         const Four per_pivot = 1.0 / L(j, j);
         for (int i = j + 1; i < 3; ++i) {
             Four sum = P(i, j);
@@ -170,4 +119,4 @@ inline Four33 inverse_of(const Four33& L) {
     return out;
 }
 
-}  // namespace corpuscle::gas::lanes
+}  // namespace corpuscle::gas
