@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "gas/envelope.hpp"
+#include "gas/particle_gas.hpp"
+#include "gas/uniform_gas.hpp"
+#include "solver/base/archive.hpp"
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {
@@ -134,6 +138,162 @@ double BagGas::expected_share_in(double end_time) const {
         all += inflators.mass_until(s, inflators.ends());
     }
     return all > 0.0 ? so_far / all : 1.0;
+}
+
+BagGas::BagGas(BagGas&&) noexcept = default;
+BagGas& BagGas::operator=(BagGas&&) noexcept = default;
+BagGas::~BagGas() = default;
+
+GasPhase& BagGas::now() {
+    return uniform_ ? static_cast<GasPhase&>(*uniform_) : *particles_;
+}
+const GasPhase& BagGas::now() const {
+    return uniform_ ? static_cast<const GasPhase&>(*uniform_) : *particles_;
+}
+
+template <class Archive>
+void BagGas::visit(Archive& archive) {
+    bool is_uniform = uniform_ != nullptr;
+    archive(is_uniform);
+    archive(*bag_, *particles_, pressed_);
+    if (is_uniform && !uniform_) uniform_ = std::make_unique<UniformGas>(*bag_);
+    if (uniform_) archive(*uniform_);
+}
+void BagGas::visit_state(StateWriter& archive) {
+    visit(archive);
+}
+void BagGas::visit_state(StateReader& archive) {
+    visit(archive);
+}
+
+Vec3 BagGas::force(Index node) const {
+    return bag_->load.force(node) - bag_->card.p_atm * bag_->area[node] + now().load_on(node);
+}
+
+bool BagGas::asks_for_contact() const {
+    return bag_->card.block.any() && !bag_->openings.empty();
+}
+
+void BagGas::prepare(double dt, const Points& x_0, const Points& x_1) {
+    now().prepare(dt, x_0, x_1);
+}
+
+void BagGas::collide(double dt, const Points& x) {
+    now().collide(dt, x);
+}
+
+void BagGas::fly(double t, double dt, const Points& x_0, const Points& x_1) {
+    now().fly(t, dt, x_0, x_1);
+}
+
+double BagGas::stable_step() const {
+    return now().stable_step();
+}
+
+double BagGas::energy() const {
+    return now().energy();
+}
+double BagGas::inflow_energy() const {
+    return bag_->balance.inflow_energy;
+}
+double BagGas::lost_energy() const {
+    return bag_->balance.lost_energy;
+}
+double BagGas::smoothing_taken() const {
+    return bag_->load.taken();
+}
+
+double BagGas::smoothing_given() const {
+    return bag_->balance.load_work;
+}
+
+double BagGas::ambient_work() const {
+    return bag_->balance.ambient_work;
+}
+
+double BagGas::mass_rate_in(double since) {
+    return bag_->balance.rate_in(since);
+}
+
+double BagGas::mass_rate_out(double since) {
+    return bag_->balance.rate_out(bag_->openings.mass_out(true) + bag_->openings.mass_out(false),
+                                  since);
+}
+
+const BagCard& BagGas::card() const {
+    return bag_->card;
+}
+
+const BagWalls& BagGas::walls() const {
+    return bag_->walls;
+}
+
+const Enclosure& BagGas::enclosure() const {
+    return bag_->enclosure;
+}
+
+const Chambers& BagGas::chambers() const {
+    return bag_->chambers;
+}
+
+const Openings& BagGas::openings() const {
+    return bag_->openings;
+}
+
+const Particles& BagGas::particles() const {
+    return particles_->particles();
+}
+
+std::span<const double> BagGas::particle_mass() const {
+    return bag_->particle_mass;
+}
+
+double BagGas::particle_temperature(std::size_t i) const {
+    const Particles& all = particles();
+    return particles_->mixture().particle_temperature(all.species[i], all.e[i],
+                                                      all.v[i].squaredNorm());
+}
+
+double BagGas::moles_each() const {
+    return bag_->inflators.moles_each();
+}
+
+double BagGas::initial_air_pressure() const {
+    return uniform_ ? 0.0 : particles_->pressure();
+}
+
+const ParticleGas& BagGas::particle_gas() const {
+    return *particles_;
+}
+
+std::size_t BagGas::lost() const {
+    return particles_->lost();
+}
+const std::vector<std::string>& BagGas::losses() const {
+    return particles_->losses();
+}
+std::size_t BagGas::hits() const {
+    return particles_->hits();
+}
+std::size_t BagGas::flights() const {
+    return particles_->flights();
+}
+std::size_t BagGas::unrelaxed() const {
+    return particles_->unrelaxed();
+}
+std::uint64_t BagGas::collision_steps() const {
+    return particles_->collision_steps();
+}
+std::size_t BagGas::list_builds() const {
+    return particles_->list_builds();
+}
+
+const std::vector<std::string>& BagGas::warnings() const {
+    return bag_->warnings;
+}
+
+Wrench BagGas::owed(double done) const {
+    return bag_->load.owed(done);
 }
 
 }  // namespace corpuscle::gas

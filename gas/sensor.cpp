@@ -6,6 +6,9 @@
 #include <numbers>
 
 #include "gas/bag_gas.hpp"
+#include "gas/enclosure/chambers.hpp"
+#include "gas/enclosure/enclosure.hpp"
+#include "gas/particles.hpp"
 
 namespace corpuscle::gas {
 namespace {

@@ -3,6 +3,7 @@
 //
 // One state of the whole scene, for pictures.
 
+#include "gas/particles.hpp"
 #include "solver/recorder.hpp"
 
 namespace corpuscle {

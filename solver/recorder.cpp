@@ -5,6 +5,7 @@
 
 #include "solver/recorder.hpp"
 
+#include "gas/particles.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/energy/energy_audit.hpp"
 

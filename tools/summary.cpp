@@ -10,6 +10,8 @@
 #include <numeric>
 #include <string_view>
 
+#include "gas/outflow/openings.hpp"
+#include "gas/particles.hpp"
 #include "io/system/atomic_file.hpp"
 #include "io/text/json.hpp"
 #include "tools/everyday.hpp"

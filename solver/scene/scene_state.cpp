@@ -11,6 +11,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gas/particles.hpp"
 #include "solver/base/error.hpp"
 #include "solver/scene/bag_walls.hpp"
 #include "solver/scene/reference_geometry.hpp"

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "gas/bag_gas.hpp"
+#include "gas/particles.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/base/random.hpp"
 #include "tests/support/geometry/shapes.hpp"

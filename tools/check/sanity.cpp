@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gas/enclosure/enclosure.hpp"
 #include "gas/inflow/flow_curve.hpp"
 #include "gas/thermo/species.hpp"
 #include "io/text/units.hpp"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gas/enclosure/enclosure.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/simulation.hpp"

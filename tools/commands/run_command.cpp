@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "gas/particles.hpp"
 #include "io/results/ascii_files.hpp"
 #include "io/results/checkpoint.hpp"
 #include "io/results/results_file.hpp"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "gas/particles.hpp"
 #include "solver/simulation.hpp"
 #include "tests/support/scenes/scenes.hpp"
 

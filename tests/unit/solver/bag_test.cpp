@@ -6,6 +6,9 @@
 
 #include <cmath>
 
+#include "gas/enclosure/enclosure.hpp"
+#include "gas/inflow/orifices.hpp"
+#include "gas/particles.hpp"
 #include "solver/simulation.hpp"
 #include "tests/support/scenes/flying_bag.hpp"
 

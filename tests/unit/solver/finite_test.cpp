@@ -8,6 +8,7 @@
 #include <cstring>
 #include <functional>
 
+#include "gas/particles.hpp"
 #include "solver/base/archive.hpp"
 #include "solver/base/error.hpp"
 #include "solver/simulation.hpp"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include "gas/enclosure/enclosure.hpp"
+#include "gas/outflow/openings.hpp"
 #include "gas/thermo/orifice_flow.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/simulation.hpp"

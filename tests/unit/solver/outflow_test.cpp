@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gas/particles.hpp"
 #include "gas/thermo/orifice_flow.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/simulation.hpp"

@@ -1,5 +1,7 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
+#include "gas/enclosure/enclosure.hpp"
+#include "gas/particles.hpp"
 #include "solver/simulation.hpp"
 
 #include <catch2/catch.hpp>

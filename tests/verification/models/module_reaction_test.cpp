@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "gas/particles.hpp"
 #include "io/deck.hpp"
 #include "solver/simulation.hpp"
 #include "tests/places.hpp"
