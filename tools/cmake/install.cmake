@@ -4,7 +4,7 @@ set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/corpuscle)
 
 install(TARGETS corpuscle COMPONENT program)
 
-set(rooms base fabric contact gas solver io)
+set(rooms base fabric broad_phase contact gas solver io)
 foreach(room ${rooms})
     set_target_properties(corpuscle_${room} PROPERTIES EXPORT_NAME ${room})
     install(TARGETS corpuscle_${room} EXPORT corpuscle-targets COMPONENT library)

@@ -10,7 +10,7 @@ set(doors
     solver/base/random.hpp solver/base/surface.hpp solver/base/vec.hpp
     fabric/membranes.hpp fabric/mesh.hpp fabric/nodes.hpp
     contact/surface_contact.hpp contact/rigid_walls/rigid_wall.hpp
-    gas/bag_gas.hpp gas/sensor.hpp gas/uniform_bag.hpp gas/thermo/control_volume.hpp gas/thermo/species.hpp
+    gas/bag_gas.hpp gas/enclosure/chambers.hpp gas/particles.hpp gas/sensor.hpp gas/uniform_bag.hpp gas/thermo/control_volume.hpp gas/thermo/species.hpp
     solver/simulation.hpp
     io/results/checkpoint.hpp io/deck.hpp io/mesh/mesh_file.hpp io/results/results_file.hpp)
 
