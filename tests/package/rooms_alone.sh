@@ -12,7 +12,7 @@ fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 shared=(CMakeLists.txt CMakePresets.json tools/cmake solver/base contact/broad_phase contact/geometry/box.hpp contact/surface/patches.?pp
-    tests/CMakeLists.txt tests/places.hpp.in tests/support tests/unit/base tests/benchmark/loop_meter.?pp)
+    tests/CMakeLists.txt tests/places.hpp.in tests/support tests/unit/solver/base tests/benchmark/loop_meter.?pp)
 alone() { # ROOM PROGRAM ...
     local tree=$work/$1
     mkdir "$tree"

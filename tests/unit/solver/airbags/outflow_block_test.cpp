@@ -9,7 +9,7 @@
 #include "solver/base/parallel.hpp"
 #include "solver/simulation.hpp"
 #include "tests/support/scenes/scenes.hpp"
-#include "tests/unit/solver/outflow_setup.hpp"
+#include "tests/unit/solver/airbags/outflow_setup.hpp"
 
 using namespace corpuscle;
 using namespace outflow_setup;

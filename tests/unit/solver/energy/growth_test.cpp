@@ -9,7 +9,7 @@
 #include "solver/base/error.hpp"
 #include "solver/simulation.hpp"
 #include "tests/support/scenes/scenes.hpp"
-#include "tests/unit/solver/growth_setup.hpp"
+#include "tests/unit/solver/energy/growth_setup.hpp"
 
 using namespace corpuscle;
 using namespace growth_setup;

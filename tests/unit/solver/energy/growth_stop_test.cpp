@@ -6,7 +6,7 @@
 #include "solver/energy/growth_monitor.hpp"
 #include "solver/simulation.hpp"
 #include "tests/support/scenes/scenes.hpp"
-#include "tests/unit/solver/growth_setup.hpp"
+#include "tests/unit/solver/energy/growth_setup.hpp"
 
 using namespace corpuscle;
 using namespace growth_setup;
