@@ -84,7 +84,7 @@ bool SurfaceContact::State::look_at_cards(double now) {
 }
 
 void SurfaceContact::find(const Points& x, const Points& v, double t, double dt,
-                          std::span<const RigidMover> bodies) {
+                          std::span<const RigidProxy> bodies) {
     State& s = *state_;
     s.contacts.clear(0);
     const bool is_born = s.look_at_cards(t);
@@ -136,14 +136,14 @@ void SurfaceContact::State::count() {
     }
 }
 
-bool SurfaceContact::respond(const Points& x, double dt, Points& v, std::span<RigidMover> bodies,
+bool SurfaceContact::respond(const Points& x, double dt, Points& v, std::span<RigidProxy> bodies,
                              Points* v_before, const Hold& hold) {
     State& s = *state_;
     s.span = 0.5 * (s.dt_last + dt);
     s.dt_last = dt;
     s.load.pass(s.span);
     if (!s.any_on()) return false;
-    Movement motion(s.cloth, x, v, bodies, v_before);
+    VelocityState motion(s.cloth, x, v, bodies, v_before);
     if (s.counts.near > 0) motion.begin();
     s.response.apply(s.span, dt, s.contacts, s.columns, s.pairs, motion, s.books, hold);
     s.columns.for_each(s.contacts, [&](const Contact& c) { s.load.add(c); });

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "contact/surface/cloth.hpp"
-#include "contact/surface/movers.hpp"
+#include "contact/surface/rigid_proxies.hpp"
 #include "solver/base/archive.hpp"
 
 namespace corpuscle::contact {
@@ -55,7 +55,7 @@ public:
     /// @param dt      the step ahead                                                         [s]
     /// @param bodies  at t, by the numbers that the set-up has for their nodes
     void find(const Points& x, const Points& v, double t, double dt,
-              std::span<const RigidMover> bodies = {});
+              std::span<const RigidProxy> bodies = {});
 
     /// Presses apart, damps, rubs, and stops what would pass through in the step ahead; changes
     /// velocities only, and what the bodies have taken. Its impulses stand for half the last step
@@ -64,7 +64,7 @@ public:
     /// @param hold      stops nodes that others hold: hold(false) after each sweep, on those that it
     ///                  has held lately, hold(true) after the last one, on all; may be empty
     /// @returns whether it may have changed any
-    bool respond(const Points& x, double dt, Points& v, std::span<RigidMover> bodies = {},
+    bool respond(const Points& x, double dt, Points& v, std::span<RigidProxy> bodies = {},
                  Points* v_before = nullptr, const Hold& hold = {});
 
     /// Triangles that crossed at the start and still do, rows i < j; their pairs do not push.

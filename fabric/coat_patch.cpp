@@ -34,32 +34,32 @@ void CoatPatch::add_pieces(const MembraneSetup& setup, Index part) {
         const Shell& shell = setup.shells[s];
         if (shell.part != part) continue;
         const ReferenceShape corners = distinct_corners(shell);
-        Piece p{corners.corners, {}, {}, Vec3::Zero(), 0.0};
+        CoatTriangle p{corners.corners, {}, {}, Vec3::Zero(), 0.0};
         for (std::size_t i = 0; i < static_cast<std::size_t>(p.count); ++i) {
             const auto c = static_cast<std::size_t>(corners.corner[i]);
             p.node[i] = shell.nodes[c];
             p.X[i] = setup.reference[s][c];
             rows.insert(p.node[i]);
-            fan_[p.node[i]].push_back(pieces_.size());
+            fan_[p.node[i]].push_back(triangles_.size());
         }
         p.normal = p.count == 4 ? (p.X[2] - p.X[0]).cross(p.X[3] - p.X[1])
                                 : (p.X[1] - p.X[0]).cross(p.X[2] - p.X[0]);
         p.area = 0.5 * p.normal.norm();
         p.normal.normalize();
-        pieces_.push_back(p);
+        triangles_.push_back(p);
     }
     for (const Index row : rows) {
         place_.emplace(row, nodes_.size());
         nodes_.push_back({row, true, true, 0.0, 0.0, {}});
     }
-    for (const Piece& p : pieces_)
+    for (const CoatTriangle& p : triangles_)
         for (std::size_t i = 0; i < static_cast<std::size_t>(p.count); ++i)
             at(p.node[i]).area += p.area / p.count;
 }
 
 void CoatPatch::find_edges() {
-    for (std::size_t e = 0; e < pieces_.size(); ++e) {
-        const Piece& p = pieces_[e];
+    for (std::size_t e = 0; e < triangles_.size(); ++e) {
+        const CoatTriangle& p = triangles_[e];
         for (std::size_t i = 0, n = static_cast<std::size_t>(p.count); i < n; ++i)
             beside_[std::minmax(p.node[i], p.node[(i + 1) % n])].push_back(e);
     }
@@ -74,12 +74,12 @@ void CoatPatch::find_edges() {
 bool CoatPatch::runs_on(const Edge& edge) const {
     const auto& pieces = beside_.at(edge);
     if (pieces.size() != 2) return false;
-    const Piece &a = pieces_[pieces[0]], &b = pieces_[pieces[1]];
-    const auto corner = [](const Piece& p, Index node) {
+    const CoatTriangle &a = triangles_[pieces[0]], &b = triangles_[pieces[1]];
+    const auto corner = [](const CoatTriangle& p, Index node) {
         return static_cast<std::size_t>(std::find(p.node.begin(), p.node.end(), node) -
                                         p.node.begin());
     };
-    const auto is_forward = [&](const Piece& p) {
+    const auto is_forward = [&](const CoatTriangle& p) {
         return (corner(p, edge.first) + 1) % static_cast<std::size_t>(p.count) ==
                corner(p, edge.second);
     };
@@ -93,19 +93,19 @@ bool CoatPatch::runs_on(const Edge& edge) const {
 /// X of the neighbours of a node, itself included.
 std::map<Index, Vec3> CoatPatch::places_around(const Node& node) const {
     std::map<Index, Vec3> places;
-    const auto add = [&](const Piece& p) {
+    const auto add = [&](const CoatTriangle& p) {
         for (std::size_t i = 0; i < static_cast<std::size_t>(p.count); ++i)
             places.emplace(p.node[i], p.X[i]);
     };
     const auto& fan = fan_.at(node.row);
-    for (const std::size_t e : fan) add(pieces_[e]);
+    for (const std::size_t e : fan) add(triangles_[e]);
     if (places.size() > ENOUGH) return places;
     for (const std::size_t e : fan) {
-        const Piece& p = pieces_[e];
+        const CoatTriangle& p = triangles_[e];
         for (std::size_t i = 0, n = static_cast<std::size_t>(p.count); i < n; ++i) {
             const Edge edge = std::minmax(p.node[i], p.node[(i + 1) % n]);
             if (edge.first == node.row || edge.second == node.row || !runs_on(edge)) continue;
-            for (const std::size_t beyond : beside_.at(edge)) add(pieces_[beyond]);
+            for (const std::size_t beyond : beside_.at(edge)) add(triangles_[beyond]);
         }
     }
     return places;
@@ -114,7 +114,7 @@ std::map<Index, Vec3> CoatPatch::places_around(const Node& node) const {
 void CoatPatch::fit(Node& node) const {
     const std::map<Index, Vec3> places = places_around(node);
     const Vec3 origin = places.at(node.row);
-    const Vec3 normal = pieces_[fan_.at(node.row).front()].normal;
+    const Vec3 normal = triangles_[fan_.at(node.row).front()].normal;
     const Vec3 e_1 = normal.unitOrthogonal(), e_2 = normal.cross(e_1);
     const auto count = static_cast<Eigen::Index>(places.size()) - 1;
     Eigen::Matrix<double, Eigen::Dynamic, 5> terms(count, 5);  // of g and H, weighted
@@ -150,7 +150,7 @@ void CoatPatch::fit(Node& node) const {
 /// The area of a node that does not bend goes to those that do in the same shells.
 void CoatPatch::share_areas() {
     std::map<Index, std::set<Index>> takers;
-    for (const Piece& p : pieces_)
+    for (const CoatTriangle& p : triangles_)
         for (std::size_t i = 0; i < static_cast<std::size_t>(p.count); ++i)
             for (std::size_t j = 0; j < static_cast<std::size_t>(p.count); ++j)
                 if (!at(p.node[i]).bends && at(p.node[j]).bends)

@@ -44,7 +44,7 @@ public:
 
 private:
     /// One shell: distinct corners with their reference places.
-    struct Piece {
+    struct CoatTriangle {
         int count;
         std::array<Index, 4> node;
         std::array<Vec3, 4> X;
@@ -61,7 +61,7 @@ private:
     void share_areas();
     Node& at(Index node) { return nodes_[place_.at(node)]; }
 
-    std::vector<Piece> pieces_;
+    std::vector<CoatTriangle> triangles_;
     std::vector<Node> nodes_;
     std::map<Index, std::size_t> place_;               ///< of a node in nodes_
     std::map<Index, std::vector<std::size_t>> fan_;    ///< pieces round a node

@@ -110,7 +110,7 @@ private:
     struct Task {  ///< consecutive packs of one block
         std::size_t block, begin, end;
     };
-    struct Found {  ///< by one task in one add_force
+    struct TaskResult {  ///< by one task in one add_force
         double energy;
         double rate;  ///< (2/dt)² of the element that limits it [1/s^2]
         Index shell;
@@ -149,7 +149,7 @@ private:
     std::vector<std::size_t> block_start_;  ///< of its corner forces
     std::vector<std::size_t> damped_start_;
     std::vector<Task> tasks_;
-    std::vector<Found> found_;
+    std::vector<TaskResult> found_;
     std::vector<double> corner_force_, corner_damping_;
     Gather gather_, damping_gather_;
     std::vector<double> gather_check_,

@@ -22,7 +22,7 @@ constexpr double MOST_EXCHANGED = 0.3;
 
 void ParticleGas::collide(double dt, const Points& x) {
     if (!cells_.is_due(dt) || particles_.size() == 0) return;
-    cells_.find_groups(x, bag_.openings.gates(), collider_, particles_);
+    cells_.find_groups(x, bag_.openings.transmission(), collider_, particles_);
     std::vector<Heat> heat;
     if (!bag_.air.empty()) exchange_heat_with_air(heat);
     const CollisionReport report =

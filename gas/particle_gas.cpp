@@ -23,7 +23,7 @@ constexpr double MARGIN = 0.15;
 /// cells.
 constexpr double FLIGHT_CELL = 2.25;
 
-/// Reach of the table of free ways, in ways of thermal speed in a step: one component in two
+/// Reach of the table of safe distances, in ways of thermal speed in a step: one component in two
 /// thousand is longer. Farther: fewer look-ups, planes less tight.
 constexpr double REACH = 3.5;
 
@@ -149,7 +149,7 @@ double ParticleGas::pressure() const {
 
 void ParticleGas::prepare(double dt, const Points& x_0, const Points& x_1) {
     if (lists_.hold_for(x_1)) return;
-    if (const double far = ways_of_size(lists_, x_0, x_1); !(far < FARTHEST))
+    if (const double far = displacement_over_size(lists_, x_0, x_1); !(far < FARTHEST))
         throw PhysicsError(bag_.time,
                            fmt::format("{}: its fabric goes {:.3g} times the bag's size in "
                                        "one step: it is too light for its load",
@@ -202,11 +202,11 @@ void ParticleGas::fly(double t, double dt, const Points& x_0, const Points& x_1)
     if (bag_.loses() && (cells_.steps() != looked_at_ || cells_.steps() == 0)) look_inside(x_0);
     if (!bag_.openings.empty()) {
         look_at_openings();
-        bag_.openings.set_gates(t, dt, x_0, at_opening_);
+        bag_.openings.set_transmission(t, dt, x_0, at_opening_);
     }
     try {
         gas::fly(lists_, x_0, x_1, dt, bag_.particle_mass, born_, particles_, flight_,
-                 bag_.openings.gates(), roughness_.now());
+                 bag_.openings.transmission(), roughness_.now());
     } catch (const BrokenParticle& broken) {
         stop_for(broken.row, broken.in_flight ? "in its flight, where it met a facet"
                                               : "before its flight, after collisions and inflow");

@@ -95,7 +95,7 @@ void ParticleGas::look_at_openings() {
 void ParticleGas::pass_on() {
     for (const auto& arrivals : flight_.arrivals)
         for (const Arrival& arrival : arrivals) {
-            if (arrival.passage.way != Gates::Way::THROUGH) continue;
+            if (arrival.outcome.fate != Transmission::Fate::THROUGH) continue;
             const auto facet = static_cast<std::size_t>(arrival.facet);
             const Index behind = bag_.surface->room(bag_.surface->side(facet, false)),
                         ahead = bag_.surface->room(bag_.surface->side(facet, true));

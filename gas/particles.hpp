@@ -21,7 +21,7 @@ struct Particles {
     std::vector<std::int32_t> species;  ///< row among the bag's species
     std::vector<std::int32_t> id;       ///< born 0, 1, 2, ...; never reused
     std::vector<std::int16_t> room;     ///< that it is in; empty where a bag has one room
-    std::vector<float> clear;           ///< way that is free (free_ways.hpp), 0: not known  [m]
+    std::vector<float> safe_distance;  ///< way that is free (safe_distances.hpp), 0: not known  [m]
 
     [[nodiscard]] std::size_t size() const { return x.size(); }
     [[nodiscard]] std::size_t room_of(std::size_t i) const {
@@ -32,7 +32,7 @@ struct Particles {
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(x, v, e, species, id, room);
-        clear.assign(x.size(), 0.0F);
+        safe_distance.assign(x.size(), 0.0F);
     }
 
     void resize(std::size_t n) {
@@ -41,7 +41,7 @@ struct Particles {
         e.resize(n);
         species.resize(n);
         id.resize(n);
-        clear.resize(n);
+        safe_distance.resize(n);
         if (!room.empty()) room.resize(n);
     }
     /// Room for n in all: growing bit by bit would take up to twice the memory.
@@ -51,7 +51,7 @@ struct Particles {
         e.reserve(n);
         species.reserve(n);
         id.reserve(n);
-        clear.reserve(n);
+        safe_distance.reserve(n);
     }
     /// Takes out rows, ascending; the order of the others stays.
     void erase(std::span<const std::size_t> rows) {
@@ -67,7 +67,7 @@ struct Particles {
             e[to] = e[from];
             species[to] = species[from];
             id[to] = id[from];
-            clear[to] = clear[from];
+            safe_distance[to] = safe_distance[from];
             if (!room.empty()) room[to] = room[from];
             ++to;
         }
@@ -80,7 +80,7 @@ struct Particles {
         e.push_back(internal);
         species.push_back(kind);
         id.push_back(born);
-        clear.push_back(0.0F);
+        safe_distance.push_back(0.0F);
     }
 };
 

@@ -36,7 +36,7 @@ Inside UniformGas::inside_of(std::size_t room) const {
 void UniformGas::let_out(double t, double dt, const Points& x) {
     for (std::size_t r = 0; r < rooms_.size(); ++r) bag_.rooms[r] = inside_of(r);
     for (std::size_t o = 0; o < bag_.openings.all().size(); ++o)
-        bag_.openings.set_gate(o, t, dt, x, bag_.rooms[bag_.openings.all()[o].room]);
+        bag_.openings.set_chances(o, t, dt, x, bag_.rooms[bag_.openings.all()[o].room]);
     for (std::size_t r = 0; r < rooms_.size(); ++r) let_out_of_room(r, dt);
     if (rooms_.size() > 1) pass_between_rooms(t, dt);
     if (bag_.heat_loss.empty()) return;

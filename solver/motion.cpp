@@ -49,8 +49,8 @@ void SceneState::find_damped_mass() {
 
 /// What cloth and bodies may touch until t + dt.
 void SceneState::find_contacts(double dt) {
-    for (std::size_t b = 0; b < bodies.all.size(); ++b) bodies.movers[b] = bodies.all[b].mover();
-    if (obstacles.contact) obstacles.contact->find(nodes.x, nodes.v, clock.t, dt, bodies.movers);
+    for (std::size_t b = 0; b < bodies.all.size(); ++b) bodies.proxies[b] = bodies.all[b].proxy();
+    if (obstacles.contact) obstacles.contact->find(nodes.x, nodes.v, clock.t, dt, bodies.proxies);
 }
 
 /// v += span f / m; rigid bodies move as one; held directions do as they are told.
@@ -73,10 +73,10 @@ void SceneState::move_bodies(double dt, double span) {
         for (std::size_t k = 0; k < model.part_dampings.size(); ++k)
             if (model.part_dampings[k].part == part) field.damping += part_damping(k);
         bodies.all[b].advance(clock.t, dt, span, field, nodes);
-        bodies.movers[b] = bodies.all[b].mover();
+        bodies.proxies[b] = bodies.all[b].proxy();
     }
     if (bodies.joints)
-        bodies.joints->hold(clock.t, dt, span, RigidJoints::After::KICK, bodies.all, bodies.movers,
+        bodies.joints->hold(clock.t, dt, span, RigidJoints::After::KICK, bodies.all, bodies.proxies,
                             nodes);
 }
 
@@ -92,20 +92,20 @@ void SceneState::stop_at_obstacles(double dt) {
     double by_walls = 0.0;
     for (contact::RigidWall& wall : obstacles.walls) {
         by_walls -= wall.driving_work() + wall.held_work();
-        wall.hold(nodes.x, mass_met(), clock.t, dt, nodes.v, {bodies.of_node, bodies.movers});
+        wall.hold(nodes.x, mass_met(), clock.t, dt, nodes.v, {bodies.of_node, bodies.proxies});
     }
     contact::SurfaceContact::Hold hold_by_walls;
     double by_joints = 0.0;
     if (!obstacles.walls.empty() || bodies.joints)
         hold_by_walls = [&](bool is_last) {
-            if (bodies.joints) by_joints += bodies.joints->pass_on(bodies.movers);
+            if (bodies.joints) by_joints += bodies.joints->pass_on(bodies.proxies);
             for (contact::RigidWall& wall : obstacles.walls)
                 wall.hold_again(is_last, nodes.x, mass_met(), clock.t, dt, nodes.v,
-                                {bodies.of_node, bodies.movers});
+                                {bodies.of_node, bodies.proxies});
         };
     if (obstacles.contact) {
         const double by_held = obstacles.contact->held_work();
-        has_stopped |= obstacles.contact->respond(nodes.x, dt, nodes.v, bodies.movers,
+        has_stopped |= obstacles.contact->respond(nodes.x, dt, nodes.v, bodies.proxies,
                                                   has_stopped ? nullptr : &v.kicked, hold_by_walls);
         ledger.after.external += obstacles.contact->held_work() - by_held;
         ledger.after.contact += obstacles.contact->held_work() - by_held;
@@ -115,13 +115,13 @@ void SceneState::stop_at_obstacles(double dt) {
     ledger.after.external += by_walls + by_joints;
     ledger.after.contact += by_walls + by_joints;
     if (!ties.empty() && has_stopped)
-        ties.settle(v.free, nodes.mass, met_mass, nodes.x, bodies.of_node, bodies.movers, nodes.v);
+        ties.settle(v.free, nodes.mass, met_mass, nodes.x, bodies.of_node, bodies.proxies, nodes.v);
     for (std::size_t b = 0; b < bodies.all.size(); ++b)
-        bodies.all[b].take(bodies.movers[b], dt, clock.kick_span(dt), nodes);
+        bodies.all[b].take(bodies.proxies[b], dt, clock.kick_span(dt), nodes);
     if (has_stopped) {
         if (bodies.joints)
             bodies.joints->hold(clock.t, dt, clock.kick_span(dt), RigidJoints::After::CONTACT,
-                                bodies.all, bodies.movers, nodes);
+                                bodies.all, bodies.proxies, nodes);
         if (!ties.empty()) ties.hold(nodes.v);  // bodies have moved ends
         const double kicked = std::exchange(ledger.after.kinetic, kinetic_energy());
         ledger.after.contact +=

@@ -44,11 +44,11 @@ Points lifts_of_coinciding(std::span<const Triangle> triangles, std::span<const 
     const Heap heap{triangles, x, AT_ONE_PLACE * lift};
     Points sum;
     std::vector<double> count;
-    const auto move = [&](Index t, const Vec3& way) {
+    const auto move = [&](Index t, const Vec3& shift) {
         sum.resize(x.size(), Vec3::Zero());
         count.resize(x.size(), 0.0);
         for (const Index n : triangles[t]) {
-            sum[n] += way;
+            sum[n] += shift;
             count[n] += 1.0;
         }
     };

@@ -96,7 +96,7 @@ void Blocks<CORNERS>::move(std::span<const Index> patches, const Outline& outlin
 }
 
 template <int CORNERS>
-void Blocks<CORNERS>::place(Block& block, const Outline& outline) const {
+void Blocks<CORNERS>::place(PackedBlock& block, const Outline& outline) const {
     for (int lane = 0; lane < EIGHT; ++lane) {
         if (block.triangle[lane] < 0) continue;
         double own = 0.0;
@@ -117,7 +117,7 @@ void Blocks<CORNERS>::place(Block& block, const Outline& outline) const {
 
 template <int CORNERS>
 void Blocks<CORNERS>::bound(Index b, const Outline& outline) {
-    Block& block = block_[b];
+    PackedBlock& block = block_[b];
     for (int lane = 0; lane < EIGHT; ++lane) {
         if (block.triangle[lane] < 0) continue;
         Box box;

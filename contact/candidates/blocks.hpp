@@ -28,14 +28,14 @@ struct Outline {
 template <int CORNERS>
 class Blocks {
 public:
-    struct Block : EightBounds {
+    struct PackedBlock : EightBounds {
         Bounds whole;  ///< box of them all
         EightMoving<CORNERS> moving = {};
         Eight margin = {};
         std::array<Index, EIGHT> triangle, side;  ///< owner, and which of its nodes or edges
         std::array<std::array<Index, CORNERS>, EIGHT> node;
     };
-    struct Place {
+    struct Lane {
         Index block = -1;
         int lane = 0;
     };
@@ -49,9 +49,9 @@ public:
     /// Takes a block's box anew; those that hold it only grow.
     void renew_bounds(Index block, const Outline& outline);
 
-    [[nodiscard]] const Block& operator[](Index block) const { return block_[block]; }
+    [[nodiscard]] const PackedBlock& operator[](Index block) const { return block_[block]; }
     /// Of a triangle's node or edge; those that it does not own have none.
-    [[nodiscard]] Place place(Index triangle, int side = 0) const {
+    [[nodiscard]] Lane place(Index triangle, int side = 0) const {
         return place_[3 * static_cast<std::size_t>(triangle) + static_cast<std::size_t>(side)];
     }
     [[nodiscard]] std::span<const Index> start() const { return start_; }
@@ -77,19 +77,19 @@ public:
 
 private:
     struct Item;
-    void place(Block& block, const Outline& outline) const;
+    void place(PackedBlock& block, const Outline& outline) const;
     void bound(Index block, const Outline& outline);
     void set_patch(std::size_t patch, const Bounds& box) {
         patches_[patch / EIGHT].set(static_cast<int>(patch % EIGHT), box);
     }
 
-    std::vector<Block> block_;
+    std::vector<PackedBlock> block_;
     std::vector<Index> start_;          ///< of each patch's blocks
     std::vector<EightBounds> group_;    ///< boxes of eight blocks of a patch
     std::vector<Index> group_start_;    ///< of each patch's groups
     std::vector<EightBounds> patches_;  ///< boxes of the patches, eight by eight
     std::vector<Index> patch_;          ///< by block
-    std::vector<Place> place_;          ///< by triangle and its three sides
+    std::vector<Lane> place_;           ///< by triangle and its three sides
 };
 
 /// A lane of a block eight times over.

@@ -128,8 +128,8 @@ void Candidates::list_pairs(const Points& x) {
         for (std::size_t i = begin; i < end; ++i)
             search_.for_each_in(
                 pairs[first + i],
-                [&](Piece a, Piece b, Distances apart) { meet_edges(a, b, apart, ahead, out); },
-                [&](Piece n, Index t, Distances apart) { meet_node(n, t, apart, ahead, out); });
+                [&](Feature a, Feature b, Distances apart) { meet_edges(a, b, apart, ahead, out); },
+                [&](Feature n, Index t, Distances apart) { meet_node(n, t, apart, ahead, out); });
     };
     std::size_t rows = 0;
     for (; first < pairs.size(); first += ROUND * PATCH_PAIRS_A_CHUNK) {

@@ -19,7 +19,7 @@ float rounded_up(double x) {
 }  // namespace
 
 /// Lists two edges without a common node, if a card has them touch.
-void Candidates::meet_edges(Piece a, Piece b, Distances apart, const Outlook& ahead,
+void Candidates::meet_edges(Feature a, Feature b, Distances apart, const Outlook& ahead,
                             Chunk& out) const {
     // its name does not depend on who found whom
     if (cloth_.edge[b.triangle][b.side] < cloth_.edge[a.triangle][a.side]) std::swap(a, b);
@@ -33,7 +33,7 @@ void Candidates::meet_edges(Piece a, Piece b, Distances apart, const Outlook& ah
 }
 
 /// Lists a node and a triangle that is not its own, if a card has them touch.
-void Candidates::meet_node(Piece n, Index triangle, Distances apart, const Outlook& ahead,
+void Candidates::meet_node(Feature n, Index triangle, Distances apart, const Outlook& ahead,
                            Chunk& out) const {
     const Index node = cloth_.triangles[n.triangle][n.side];
     const Triangle& t = cloth_.triangles[triangle];
@@ -43,7 +43,8 @@ void Candidates::meet_node(Piece n, Index triangle, Distances apart, const Outlo
 }
 
 /// Lists a pair that may come within reach while the lists live.
-void Candidates::list(const Pair& pair, int card, std::uint64_t key, const Meeting& where) const {
+void Candidates::list(const Pair& pair, int card, std::uint64_t key,
+                      const TrianglePair& where) const {
     if (card == Rules::NONE || cloth_.is_held(pair) ||
         std::binary_search(barred_.begin(), barred_.end(), key))
         return;
@@ -63,7 +64,7 @@ void Candidates::list(const Pair& pair, int card, std::uint64_t key, const Meeti
     const int side = cloth_.rules.side_of(card, cloth_.part[where.a], cloth_.part[where.b]);
     VerletEntry watch{gap, rounded_up(reach_ * thickness), rounded_up(approach), where.a, where.b};
     watch.sum += motion_.age() * static_cast<double>(watch.approach) +
-                 (motion_.way(where.a) + motion_.way(where.b));
+                 (motion_.displacement(where.a) + motion_.displacement(where.b));
     where.out.list.push_back({pair, memory, thickness, key, static_cast<std::int16_t>(card),
                               static_cast<std::int16_t>(side), false});
     where.out.watch.push_back(watch);

@@ -89,10 +89,10 @@ void Candidates::list_renewed_pairs(const Points& x) {
             };
             search_.for_each_near(
                 mine,
-                [&](Piece a, Piece b, Distances apart) {
+                [&](Feature a, Feature b, Distances apart) {
                     if (!is_the_others(b.triangle)) meet_edges(a, b, apart, ahead, out);
                 },
-                [&](Piece n, Index t, Distances apart) {
+                [&](Feature n, Index t, Distances apart) {
                     if (!is_the_others(n.triangle == mine ? t : n.triangle))
                         meet_node(n, t, apart, ahead, out);
                 });

@@ -95,20 +95,22 @@ public:
     /// visit(i) for the pairs in rows begin ... end - 1 that may be within reach now.
     template <class Visit>
     void for_each_due(std::size_t begin, std::size_t end, Visit&& visit) const {
-        verlet_.for_each_within<true>(begin, end, motion_.age(), motion_.ways(), visit);
+        verlet_.for_each_within<true>(begin, end, motion_.age(), motion_.displacements(), visit);
     }
 
     /// Likewise those that may be within reach in the step ahead, if nodes go on as they did; after
     /// follow().
     template <class Visit>
     void for_each_due_ahead(std::size_t begin, std::size_t end, Visit&& visit) const {
-        verlet_.for_each_within<true>(begin, end, motion_.age_ahead(), motion_.ways_ahead(), visit);
+        verlet_.for_each_within<true>(begin, end, motion_.age_ahead(),
+                                      motion_.displacement_bounds(), visit);
     }
 
     /// Likewise those that may meet in the step that was foreseen last.
     template <class Visit>
     void for_each_meeting(std::size_t begin, std::size_t end, Visit&& visit) const {
-        verlet_.for_each_within<false>(begin, end, motion_.age(), motion_.ways_ahead(), visit);
+        verlet_.for_each_within<false>(begin, end, motion_.age(), motion_.displacement_bounds(),
+                                       visit);
     }
 
     /// Takes how far the sides of pair i are apart at the present x, as a vector and a distance.
@@ -161,7 +163,7 @@ private:
 
     /// By what a pair's distance has shrunk at most since the lists were built, and more. [m]
     [[nodiscard]] double spent(std::size_t i) const {
-        return verlet_.spent(i, motion_.age(), motion_.ways());
+        return verlet_.spent(i, motion_.age(), motion_.displacements());
     }
     [[nodiscard]] double least_distance(std::size_t i) const { return verlet_.sum[i] - spent(i); }
     void build(const Points& x, const Points& v, double t, double dt);
@@ -180,8 +182,8 @@ private:
         double life;        ///< [s]
         bool is_build;      ///< nodes are where they are predicted, and memories are sorted
     };
-    struct Meeting {  ///< of two triangles
-        Index a, b;   ///< rows; the pair's first is of a
+    struct TrianglePair {  ///< of two triangles
+        Index a, b;        ///< rows; the pair's first is of a
         Distances apart;
         const Outlook& ahead;
         Chunk& out;
@@ -191,10 +193,10 @@ private:
                static_cast<std::uint64_t>(first) << 32 | static_cast<std::uint64_t>(second);
     }
     void find_late(const Points& x, double time);
-    void meet_edges(Piece a, Piece b, Distances apart, const Outlook& ahead, Chunk& out) const;
-    void meet_node(Piece n, Index triangle, Distances apart, const Outlook& ahead,
+    void meet_edges(Feature a, Feature b, Distances apart, const Outlook& ahead, Chunk& out) const;
+    void meet_node(Feature n, Index triangle, Distances apart, const Outlook& ahead,
                    Chunk& out) const;
-    void list(const Pair& pair, int card, std::uint64_t key, const Meeting& where) const;
+    void list(const Pair& pair, int card, std::uint64_t key, const TrianglePair& where) const;
     [[nodiscard]] double closing_rate(const Pair& pair, const Vec3& apart, double gap,
                                       const Points& x, double time) const;
     [[nodiscard]] double neighbours_thickness(const Pair& pair) const;

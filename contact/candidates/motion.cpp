@@ -32,8 +32,8 @@ Motion::Motion(const Cloth& cloth, const Pieces& pieces)
       pieces_(pieces),
       velocity_(cloth.inverse_mass.size(), Vec3::Zero()),
       relative_(velocity_),
-      way_(cloth.triangles.size(), 0.0),
-      way_ahead_(way_.size()),
+      displacement_(cloth.triangles.size(), 0.0),
+      displacement_bound_(displacement_.size()),
       node_stepped_(velocity_.size(), 0.0),
       node_speed_(velocity_.size(), 0.0),
       node_deviation_(velocity_.size(), 0.0),
@@ -61,8 +61,9 @@ void Motion::follow(const Points& x, double t, double dt) {
     parallel::for_each(pieces_.triangles.size(), [&](std::size_t i) {
         const Index triangle = pieces_.triangles[i];
         const Triangle& nodes = cloth_.triangles[triangle];
-        way_[triangle] += greatest(node_stepped_, nodes);
-        way_ahead_[triangle] = way_[triangle] + dt * greatest(node_deviation_, nodes);
+        displacement_[triangle] += greatest(node_stepped_, nodes);
+        displacement_bound_[triangle] =
+            displacement_[triangle] + dt * greatest(node_deviation_, nodes);
     });
 }
 
@@ -88,8 +89,8 @@ void Motion::foresee(const Points& x, const Points& v, double dt) {
     stray_ = *std::max_element(strays.begin(), strays.end());
     parallel::for_each(pieces_.triangles.size(), [&](std::size_t i) {
         const Index triangle = pieces_.triangles[i];
-        way_ahead_[triangle] =
-            way_[triangle] + dt * greatest(node_speed_, cloth_.triangles[triangle]);
+        displacement_bound_[triangle] =
+            displacement_[triangle] + dt * greatest(node_speed_, cloth_.triangles[triangle]);
     });
 }
 

@@ -43,15 +43,17 @@ public:
 
     /// Bound of how far a triangle's nodes have left their predictions, summed since the start: two
     /// triangles a and b cannot have come nearer to each other than predicted by more than what
-    /// way(a) + way(b) has grown. [m]
-    [[nodiscard]] double way(Index triangle) const { return way_[triangle]; }
+    /// displacement(a) + displacement(b) has grown. [m]
+    [[nodiscard]] double displacement(Index triangle) const { return displacement_[triangle]; }
 
     /// That of all triangles.                                                                 [m]
-    [[nodiscard]] const std::vector<double>& ways() const { return way_; }
+    [[nodiscard]] const std::vector<double>& displacements() const { return displacement_; }
 
     /// Likewise at the end of the step ahead, if nodes go on as they did (after follow()), age() then
     /// being age_ahead(); after foresee(), age() being what it is, for what they do.       [m]
-    [[nodiscard]] const std::vector<double>& ways_ahead() const { return way_ahead_; }
+    [[nodiscard]] const std::vector<double>& displacement_bounds() const {
+        return displacement_bound_;
+    }
 
     /// How far at most a node will be from its prediction after the step ahead, over its slack. [m]
     [[nodiscard]] double stray() const { return stray_; }
@@ -68,8 +70,8 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(base_, last_, velocity_, relative_, common_, t_, age_, stray_, way_, way_ahead_,
-                node_deviation_, age_ahead_, slack_, strays_);
+        archive(base_, last_, velocity_, relative_, common_, t_, age_, stray_, displacement_,
+                displacement_bound_, node_deviation_, age_ahead_, slack_, strays_);
     }
 
 private:
@@ -80,7 +82,8 @@ private:
     Vec3 common_ = Vec3::Zero();  ///< mean displacement of all since the restart             [m]
     double t_ = 0.0, age_ = 0.0, age_ahead_ = 0.0;  ///< [s]
     double stray_ = 0.0;                            ///< [m]
-    std::vector<double> way_, way_ahead_;  ///< by triangle                                [m]
+    std::vector<double> displacement_,
+        displacement_bound_;            ///< by triangle                                [m]
     std::vector<double> node_stepped_;  ///< by node: way from its prediction in the last step [m]
     /// By node, as foreseen last: speed, less that of all, and against its prediction.     [m/s]
     std::vector<double> node_speed_, node_deviation_;

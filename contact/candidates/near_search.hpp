@@ -13,7 +13,7 @@
 namespace corpuscle::contact {
 
 /// A node or an edge of the triangle that owns it, or a whole triangle (side 0).
-struct Piece {
+struct Feature {
     Index triangle, side;
 };
 
@@ -44,13 +44,15 @@ public:
     void renew(std::span<const Index> triangles, const Points& x, const Points& late,
                std::span<const Box> node_box, std::span<const double> own);
 
-    /// Each pair between a pair of patches once: edges(Piece, Piece, Distances) and node(Piece,
+    /// Each pair between a pair of patches once: edges(Feature, Feature, Distances) and node(Feature,
     /// triangle, Distances). None has a node in common.
     template <class Edges, class Node>
     void for_each_in(const PatchPair& patches, Edges&& edges, Node&& node) const {
         const auto [p, q] = patches;
         for_each_pair(edges_, p, edges_, q, edges_by_edges_, p == q, edges);
-        const auto turned = [&](Piece t, Piece n, Distances apart) { node(n, t.triangle, apart); };
+        const auto turned = [&](Feature t, Feature n, Distances apart) {
+            node(n, t.triangle, apart);
+        };
         for_each_pair(triangles_, p, nodes_, q, triangles_by_nodes_, false, turned);
         if (p != q) for_each_pair(triangles_, q, nodes_, p, triangles_by_nodes_, false, turned);
     }
@@ -62,12 +64,13 @@ public:
             if (const auto [block, lane] = edges_.place(triangle, side); block >= 0)
                 meet_all(edges_, block, lane, edges_, edges_by_edges_, edges);
             if (const auto [block, lane] = nodes_.place(triangle, side); block >= 0)
-                meet_all(nodes_, block, lane, triangles_, nodes_by_triangles_,
-                         [&](Piece n, Piece t, Distances apart) { node(n, t.triangle, apart); });
+                meet_all(
+                    nodes_, block, lane, triangles_, nodes_by_triangles_,
+                    [&](Feature n, Feature t, Distances apart) { node(n, t.triangle, apart); });
         }
         const auto [block, lane] = triangles_.place(triangle);
         meet_all(triangles_, block, lane, nodes_, triangles_by_nodes_,
-                 [&](Piece t, Piece n, Distances apart) { node(n, t.triangle, apart); });
+                 [&](Feature t, Feature n, Distances apart) { node(n, t.triangle, apart); });
     }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
@@ -88,8 +91,9 @@ private:
     /// One lane of a block against another block.
     /// @param allowed  lanes that are to be met
     template <int A, int B, class Meet>
-    void meet_block(const typename Blocks<A>::Block& mine, int lane,
-                    const typename Blocks<B>::Block& other, unsigned allowed, Meet&& meet) const {
+    void meet_block(const typename Blocks<A>::PackedBlock& mine, int lane,
+                    const typename Blocks<B>::PackedBlock& other, unsigned allowed,
+                    Meet&& meet) const {
         const EightSeparations apart = separations_of(spread(mine.moving, lane), other.moving);
         for (unsigned bits = allowed & near(apart, mine.margin[lane] + other.margin); bits != 0;
              bits &= bits - 1) {
@@ -98,8 +102,8 @@ private:
             const auto distance = [&](float along) {
                 return length > 0.0 ? static_cast<double>(along) / length - 2.0 * rounding_ : 0.0;
             };
-            meet(Piece{mine.triangle[lane], mine.side[lane]},
-                 Piece{other.triangle[l], other.side[l]},
+            meet(Feature{mine.triangle[lane], mine.side[lane]},
+                 Feature{other.triangle[l], other.side[l]},
                  Distances{std::max(0.0, distance(apart.now[l])), distance(apart.late[l])});
         }
     }
@@ -123,7 +127,7 @@ private:
     void for_each_pair(const Blocks<A>& mine, Index p, const Blocks<B>& others, Index q,
                        const SharedNodes& shared, bool is_same, Meet&& meet) const {
         for (Index i = mine.start()[p]; i < mine.start()[p + 1]; ++i) {
-            const typename Blocks<A>::Block& block = mine[i];
+            const typename Blocks<A>::PackedBlock& block = mine[i];
             others.for_each_near(block.whole, q, [&](Index j) {
                 if (is_same && j < i) return;
                 const std::uint64_t neighbours = shared.lanes(i, j);

@@ -23,22 +23,22 @@ void for_each_node(const Blocks<CORNERS>& blocks, Index begin, Index end, Visit&
 
 template <int A, int B>
 SharedNodes::SharedNodes(const Blocks<A>& mine, const Blocks<B>& others) : start_{0} {
-    struct Place {
+    struct Corner {
         Index node, block;
         int lane;
     };
-    std::vector<Place> places;
+    std::vector<Corner> places;
     for_each_node(others, 0, others.start().back(), [&](Index node, Index b, int lane) {
         places.push_back({node, b, lane});
     });
-    const auto by_node = [](const Place& a, const Place& b) { return a.node < b.node; };
+    const auto by_node = [](const Corner& a, const Corner& b) { return a.node < b.node; };
     std::stable_sort(places.begin(), places.end(), by_node);
     std::map<Index, std::uint64_t> found;  // by the other block
     for (Index block = 0; block < mine.start().back(); ++block) {
         found.clear();
         for_each_node(mine, block, block + 1, [&](Index node, Index, int lane) {
             const auto [first, last] =
-                std::equal_range(places.begin(), places.end(), Place{node, 0, 0}, by_node);
+                std::equal_range(places.begin(), places.end(), Corner{node, 0, 0}, by_node);
             for (auto place = first; place != last; ++place)
                 found[place->block] |= std::uint64_t{1} << (EIGHT * lane + place->lane);
         });

@@ -42,21 +42,25 @@ public:
     void set_approach(std::size_t row, float approach) { approach_[row] = approach; }
 
     /// What a distance has shrunk by at most, at an age and after these ways of triangles:
-    ///     age · approach + way(first) + way(second)                                        [m]
-    [[nodiscard]] double spent(std::size_t i, double age, const std::vector<double>& way) const {
-        return age * static_cast<double>(approach_[i]) + (way[first[i]] + way[second[i]]);
+    ///     age · approach + displacement(first) + displacement(second)                                        [m]
+    [[nodiscard]] double spent(std::size_t i, double age,
+                               const std::vector<double>& displacement) const {
+        return age * static_cast<double>(approach_[i]) +
+               (displacement[first[i]] + displacement[second[i]]);
     }
 
     /// visit(row) for those in begin ... end - 1 with sum - spent <= reach, or <= 0.
     template <bool WITH_REACH, class Visit>
     void for_each_within(std::size_t begin, std::size_t end, double age,
-                         const std::vector<double>& way, Visit&& visit) const {
+                         const std::vector<double>& displacement, Visit&& visit) const {
         std::size_t i = begin;
         for (; i + FOUR <= end; i += FOUR)
-            for (unsigned bits = within<WITH_REACH>(i, age, way); bits != 0; bits &= bits - 1)
+            for (unsigned bits = within<WITH_REACH>(i, age, displacement); bits != 0;
+                 bits &= bits - 1)
                 visit(i + static_cast<std::size_t>(std::countr_zero(bits)));
         for (; i < end; ++i)
-            if (sum[i] - spent(i, age, way) <= (WITH_REACH ? static_cast<double>(reach[i]) : 0.0))
+            if (sum[i] - spent(i, age, displacement) <=
+                (WITH_REACH ? static_cast<double>(reach[i]) : 0.0))
                 visit(i);
     }
 
@@ -69,9 +73,12 @@ public:
 private:
     /// Bit l: row i + l is within.
     template <bool WITH_REACH>
-    [[nodiscard]] unsigned within(std::size_t i, double age, const std::vector<double>& way) const {
+    [[nodiscard]] unsigned within(std::size_t i, double age,
+                                  const std::vector<double>& displacement) const {
         const Four is_at = load(&sum[i]), rate = load(&approach_[i]);
-        const Four left = is_at - (age * rate + (gather(way, &first[i]) + gather(way, &second[i])));
+        const Four left =
+            is_at -
+            (age * rate + (gather(displacement, &first[i]) + gather(displacement, &second[i])));
         const FourBits is_within = left <= (WITH_REACH ? load(&reach[i]) : Four{});
         return bits_of(is_within);
     }

@@ -17,7 +17,7 @@ constexpr int ROUNDS = 8;                         ///< of impulses before impact
 constexpr int LOOKS = 4;      ///< at new dangers, before they are met with impact zones at once
 constexpr double KEPT = 0.5;  ///< part of the way to the impact that a stopped pair may still go
 
-Corners moves(const Pair& pair, double dt, const Movement& motion) {
+Corners moves(const Pair& pair, double dt, const VelocityState& motion) {
     Corners move;
     for (int k = 0; k < 4; ++k) move[k] = dt * motion.velocity(pair.node[k]);
     return move;
@@ -32,7 +32,7 @@ CcdLimiter::CcdLimiter(const Cloth& cloth)
 }
 
 void CcdLimiter::stop(double t, double dt, Candidates& pairs, StoppingImpulses& impulses,
-                      FacetLoad& load, Movement& motion) {
+                      FacetLoad& load, VelocityState& motion) {
     // Impulses change velocities, and so what may meet: look again until nothing new has to be
     // stopped.
     for (int look = 0;; ++look) {
@@ -52,7 +52,7 @@ void CcdLimiter::stop(double t, double dt, Candidates& pairs, StoppingImpulses& 
 /// Stops the listed pairs, by impulses for so many rounds, then by impact zones.
 /// @returns whether there was anything to stop
 bool CcdLimiter::stop_dangers(int rounds, double dt, Candidates& pairs, StoppingImpulses& impulses,
-                              FacetLoad& load, Movement& motion) {
+                              FacetLoad& load, VelocityState& motion) {
     checked_ = 0;
     int n = 0;
     for (; find_impacts(dt, pairs, motion); ++n) {
@@ -90,7 +90,7 @@ void CcdLimiter::list_dangers(double t, const Candidates& pairs) {
 /// Finds impacts among the pairs that may meet, after the first round only where a velocity has
 /// changed since.
 /// @returns whether there are any
-bool CcdLimiter::find_impacts(double dt, const Candidates& pairs, const Movement& motion) {
+bool CcdLimiter::find_impacts(double dt, const Candidates& pairs, const VelocityState& motion) {
     const auto search = [&](std::size_t begin, std::size_t, std::size_t) {
         found_[begin].clear();
         for (const std::size_t i : near_[begin]) {
@@ -111,7 +111,7 @@ bool CcdLimiter::find_impacts(double dt, const Candidates& pairs, const Movement
 
 /// Stops each pair as it is at its time of impact.
 void CcdLimiter::stop_impacts(double dt, const Candidates& pairs, StoppingImpulses& impulses,
-                              FacetLoad& load, Movement& motion) {
+                              FacetLoad& load, VelocityState& motion) {
     for (const auto& some : found_)
         for (const auto& [i, time] : some) {
             const Pair& pair = pairs[i];
@@ -137,7 +137,8 @@ void CcdLimiter::stop_impacts(double dt, const Candidates& pairs, StoppingImpuls
 /// several places of a body are several: else a form, the pack under it and the housing that this
 /// rests on would stop dead as one whenever a few layers are tangled.
 /// @returns whether anything was joined that was not before
-bool CcdLimiter::join_zones(const Candidates& pairs, StoppingImpulses& impulses, Movement& motion) {
+bool CcdLimiter::join_zones(const Candidates& pairs, StoppingImpulses& impulses,
+                            VelocityState& motion) {
     bool is_new = false;
     for (const auto& some : found_)
         for (const auto& impact : some) {

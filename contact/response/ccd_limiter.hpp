@@ -24,7 +24,7 @@ public:
     /// Changes velocities so that the step is safe. Pairs whose card is off at t are left alone.
     /// @param load  takes what stops the others
     void stop(double t, double dt, Candidates& pairs, StoppingImpulses& impulses, FacetLoad& load,
-              Movement& motion);
+              VelocityState& motion);
 
     [[nodiscard]] std::size_t impacts() const { return impacts_; }  ///< stopped by impulses so far
     [[nodiscard]] std::size_t impact_zones() const { return zones_; }  ///< made so far
@@ -46,12 +46,12 @@ private:
     };
 
     bool stop_dangers(int rounds, double dt, Candidates& pairs, StoppingImpulses& impulses,
-                      FacetLoad& load, Movement& motion);
+                      FacetLoad& load, VelocityState& motion);
     void list_dangers(double t, const Candidates& pairs);
-    bool find_impacts(double dt, const Candidates& pairs, const Movement& motion);
+    bool find_impacts(double dt, const Candidates& pairs, const VelocityState& motion);
     void stop_impacts(double dt, const Candidates& pairs, StoppingImpulses& impulses,
-                      FacetLoad& load, Movement& motion);
-    bool join_zones(const Candidates& pairs, StoppingImpulses& impulses, Movement& motion);
+                      FacetLoad& load, VelocityState& motion);
+    bool join_zones(const Candidates& pairs, StoppingImpulses& impulses, VelocityState& motion);
     Index root(Index node);
     /// @returns whether they were of two impact zones before
     bool unite(Index node, Index other) {

@@ -74,14 +74,14 @@ private:
         return order_.size() > FEW;
     }
 
-    struct Place {
+    struct Slot {
         std::uint32_t chunk, row;
     };
 
     const Cloth& cloth_;
     std::array<int, 2> axis_{0, 1};  ///< across the columns
     double per_width_ = 0.0;         ///< 1 / their width                                  [1/m]
-    std::vector<Place> order_;
+    std::vector<Slot> order_;
     std::array<std::size_t, COUNT + 2> start_{};  ///< by column, and of those that stand alone
     std::vector<std::array<std::uint32_t, COUNT + 1>> next_;  ///< by chunk and column
 };

@@ -23,7 +23,7 @@ ImplicitResponse::ImplicitResponse(const Cloth& cloth) : cloth_(cloth), areas_(c
 }
 
 void ImplicitResponse::apply(double span, double dt, ContactList& contacts,
-                             ColumnColouring& columns, Candidates& pairs, Movement& motion,
+                             ColumnColouring& columns, Candidates& pairs, VelocityState& motion,
                              std::vector<ImpulseBooks>& books,
                              const std::function<void(bool is_last)>& hold) {
     for (ImpulseBooks& book : books) book.given.setZero();
@@ -44,7 +44,7 @@ void ImplicitResponse::apply(double span, double dt, ContactList& contacts,
 /// Makes contacts of pairs that are near and whose nodes are so fast that they may come within
 /// rest.
 void ImplicitResponse::take_up(double dt, ContactList& contacts, const ColumnColouring& columns,
-                               const Candidates& pairs, const Movement& motion) {
+                               const Candidates& pairs, const VelocityState& motion) {
     contacts.for_each_chunk([&](std::size_t chunk) {
         for (const NearPair& near : contacts.near(chunk)) {
             const Pair& pair = near.nodes;
@@ -65,7 +65,7 @@ void ImplicitResponse::take_up(double dt, ContactList& contacts, const ColumnCol
     });
 }
 
-double ImplicitResponse::solve_all(const ColumnColouring& columns, Movement& motion,
+double ImplicitResponse::solve_all(const ColumnColouring& columns, VelocityState& motion,
                                    const std::function<void(bool is_last)>& hold) {
     active_.resize(rows_.size());
     bool is_whole = true;
@@ -79,7 +79,8 @@ double ImplicitResponse::solve_all(const ColumnColouring& columns, Movement& mot
     }
 }
 
-double ImplicitResponse::sweep(bool is_whole, const ColumnColouring& columns, Movement& motion) {
+double ImplicitResponse::sweep(bool is_whole, const ColumnColouring& columns,
+                               VelocityState& motion) {
     columns.for_each([&](std::size_t column) {
         Share& share = share_[column];
         share.changed = share.all = 0.0;
@@ -110,7 +111,7 @@ double ImplicitResponse::sweep(bool is_whole, const ColumnColouring& columns, Mo
 }
 
 /// Brings a row between free or held nodes to its law, all else as it is; returns the change of J.
-double ImplicitResponse::solve(Row& row, Movement& motion) {
+double ImplicitResponse::solve(Row& row, VelocityState& motion) {
     Points& v = motion.node_velocities();
     Vec3 relative = row.weight[0] * v[row.node[0]] + row.weight[1] * v[row.node[1]] +
                     row.weight[2] * v[row.node[2]] + row.weight[3] * v[row.node[3]];
@@ -135,7 +136,7 @@ double ImplicitResponse::solve(Row& row, Movement& motion) {
 }
 
 /// Likewise where a body takes part, whose mass is another in each direction.
-double ImplicitResponse::solve_on_body(Row& row, Movement& motion) {
+double ImplicitResponse::solve_on_body(Row& row, VelocityState& motion) {
     Contact& c = *row.contact;
     const double rate = motion.rate(c);
     const double change = row.change(rate);
@@ -163,7 +164,7 @@ double ImplicitResponse::solve_on_body(Row& row, Movement& motion) {
 /// Books what the impulses have taken, of all together exactly J · (velocity before + after) / 2,
 /// and remembers them.
 void ImplicitResponse::close(double span, const ColumnColouring& columns, Candidates& pairs,
-                             const Movement& motion, std::vector<ImpulseBooks>& books) {
+                             const VelocityState& motion, std::vector<ImpulseBooks>& books) {
     columns.for_each([&](std::size_t column) {
         for (ImpulseBooks& book : share_[column].books) book = {};
         for (std::size_t i = columns.begin(column); i < columns.begin(column + 1); ++i) {

@@ -11,7 +11,7 @@
 #include "contact/response/area_shares.hpp"
 #include "contact/response/column_colouring.hpp"
 #include "contact/response/impulse_books.hpp"
-#include "contact/surface/movers.hpp"
+#include "contact/surface/rigid_proxies.hpp"
 
 namespace corpuscle::contact {
 
@@ -47,7 +47,7 @@ public:
     /// @param books    by card
     /// @param hold     what else holds nodes, after each sweep and after the last
     void apply(double span, double dt, ContactList& contacts, ColumnColouring& columns,
-               Candidates& pairs, Movement& motion, std::vector<ImpulseBooks>& books,
+               Candidates& pairs, VelocityState& motion, std::vector<ImpulseBooks>& books,
                const std::function<void(bool is_last)>& hold = {});
 
     /// How the sweeps went: what the last one of a step still changed, over all its impulses.
@@ -115,25 +115,25 @@ private:
         std::size_t active = 0;
     };
     void take_up(double dt, ContactList& contacts, const ColumnColouring& columns,
-                 const Candidates& pairs, const Movement& motion);
+                 const Candidates& pairs, const VelocityState& motion);
     void set_rows(double span, double dt, ContactList& contacts, const ColumnColouring& columns,
-                  Candidates& pairs, Movement& motion);
+                  Candidates& pairs, VelocityState& motion);
     void recall(ContactList& contacts, Candidates& pairs);
     [[nodiscard]] const PairMemory* last(const Contact& contact, Candidates& pairs) const;
     [[nodiscard]] Row row_of(double span, double dt, Contact& contact,
-                             const Movement& motion) const;
+                             const VelocityState& motion) const;
     static void warm(double span, const PairMemory& memory, Row& row);
-    void begin(Row& row, Movement& motion);
+    void begin(Row& row, VelocityState& motion);
     /// Sweeps until little changes; returns what the last one did, over all impulses.
-    double solve_all(const ColumnColouring& columns, Movement& motion,
+    double solve_all(const ColumnColouring& columns, VelocityState& motion,
                      const std::function<void(bool is_last)>& hold);
     /// @param is_whole  over all rows; else over those that the last such sweep found to push
     /// @returns what it changed, over all impulses
-    double sweep(bool is_whole, const ColumnColouring& columns, Movement& motion);
-    double solve(Row& row, Movement& motion);
-    double solve_on_body(Row& row, Movement& motion);
+    double sweep(bool is_whole, const ColumnColouring& columns, VelocityState& motion);
+    double solve(Row& row, VelocityState& motion);
+    double solve_on_body(Row& row, VelocityState& motion);
     void close(double span, const ColumnColouring& columns, Candidates& pairs,
-               const Movement& motion, std::vector<ImpulseBooks>& books);
+               const VelocityState& motion, std::vector<ImpulseBooks>& books);
 
     const Cloth& cloth_;
     AreaShares areas_;

@@ -45,7 +45,7 @@ void ImplicitResponse::recall(ContactList& contacts, Candidates& pairs) {
 
 void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
                                 const ColumnColouring& columns, Candidates& pairs,
-                                Movement& motion) {
+                                VelocityState& motion) {
     recall(contacts, pairs);
     contacts.for_each_apart([&](Contact& c) { c.exposure = exposure(cloth_, motion.x(), c); });
     areas_.find(motion.x(), columns, contacts);
@@ -65,7 +65,7 @@ void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
 }
 
 ImplicitResponse::Row ImplicitResponse::row_of(double span, double dt, Contact& c,
-                                               const Movement& motion) const {
+                                               const VelocityState& motion) const {
     const ContactCard& card = cloth_.rules.card(c.card);
     const double at = std::min(c.gap, c.rest);
     const double area = c.area * c.exposure;
@@ -109,7 +109,7 @@ void ImplicitResponse::warm(double span, const PairMemory& memory, Row& row) {
 }
 
 /// Gives what a row starts with.
-void ImplicitResponse::begin(Row& row, Movement& motion) {
+void ImplicitResponse::begin(Row& row, VelocityState& motion) {
     if (row.mass == INF) {
         row.impulse = 0.0;
         row.rubbed.setZero();

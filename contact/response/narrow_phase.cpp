@@ -62,7 +62,7 @@ private:
         }
     }
 
-    std::array<Found, MOST> found_;
+    std::array<NearPair, MOST> found_;
     std::size_t count_ = 0;
     std::array<Kind, 2> kind_;
 };
@@ -73,7 +73,7 @@ void NarrowPhase::find(const Scene& scene, const ColumnColouring& columns, Candi
     const auto look = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
         Batch batch;
         const auto finish = [&] {
-            batch.finish(pairs, scene.x, [&](const Found& found) {
+            batch.finish(pairs, scene.x, [&](const NearPair& found) {
                 take(found, scene, columns, pairs, contacts, chunk);
             });
         };
@@ -87,7 +87,7 @@ void NarrowPhase::find(const Scene& scene, const ColumnColouring& columns, Candi
     parallel::for_chunks(pairs.size(), look, ContactList::CHUNK);
 }
 
-void NarrowPhase::take(const Found& found, const Scene& scene, const ColumnColouring& columns,
+void NarrowPhase::take(const NearPair& found, const Scene& scene, const ColumnColouring& columns,
                        Candidates& pairs, ContactList& contacts, std::size_t chunk) const {
     const auto& [row, places, gap] = found;
     const int card = pairs.card(row);

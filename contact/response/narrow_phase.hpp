@@ -7,7 +7,7 @@
 #include "contact/candidates/candidates.hpp"
 #include "contact/response/column_colouring.hpp"
 #include "contact/surface/contact_list.hpp"
-#include "contact/surface/movers.hpp"
+#include "contact/surface/rigid_proxies.hpp"
 
 namespace corpuscle::contact {
 
@@ -21,7 +21,7 @@ public:
         const Points &x, &v;                  ///< N × 3                                  [m, m/s]
         double t;                             ///< [s]
         double dt;                            ///< looked ahead                                [s]
-        std::span<const RigidMover> bodies;   ///< by number
+        std::span<const RigidProxy> bodies;   ///< by number
         std::span<const std::uint8_t> is_on;  ///< by card
         std::span<const double> most;         ///< contact thickness now, by card          [m]
     };
@@ -31,7 +31,7 @@ public:
 
 private:
     class Batch;
-    struct Found {
+    struct NearPair {
         std::size_t row;
         Nearest places;
         double gap;  ///< [m]
@@ -40,7 +40,7 @@ private:
         double now;   ///< [m]
         double rate;  ///< at which it grows                                               [m/s]
     };
-    void take(const Found& found, const Scene& scene, const ColumnColouring& columns,
+    void take(const NearPair& found, const Scene& scene, const ColumnColouring& columns,
               Candidates& pairs, ContactList& contacts, std::size_t chunk) const;
     [[nodiscard]] RestGap rest_gap(double thickness, double t, PairMemory* memory) const;
 

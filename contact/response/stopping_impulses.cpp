@@ -12,7 +12,7 @@ constexpr int BODY_SWEEPS = 4;  ///< over the nodes of an impact zone that a rig
 
 }  // namespace
 
-void StoppingImpulses::raise_rate(double rate, Contact& c, Movement& motion) {
+void StoppingImpulses::raise_rate(double rate, Contact& c, VelocityState& motion) {
     const double impulse = c.mass * (rate - motion.rate(c));
     c.impulse += impulse;
     book(c).normal += push(impulse, c.normal, c.mass, c, motion);
@@ -20,7 +20,7 @@ void StoppingImpulses::raise_rate(double rate, Contact& c, Movement& motion) {
 }
 
 void StoppingImpulses::join_zone(std::span<const Index> nodes, std::span<const double> mass,
-                                 Movement& motion) {
+                                 VelocityState& motion) {
     const auto on_body =
         std::find_if(nodes.begin(), nodes.end(), [&](Index n) { return cloth_.body[n] >= 0; });
     if (on_body != nodes.end()) return clump_round(cloth_.body[*on_body], nodes, motion);
@@ -48,7 +48,8 @@ void StoppingImpulses::join_zone(std::span<const Index> nodes, std::span<const d
 
 /// Joins nodes to a rigid body one after the other [Gauss-Seidel]: they are light beside it, so a
 /// few sweeps leave next to nothing between them.
-void StoppingImpulses::clump_round(Index body, std::span<const Index> nodes, Movement& motion) {
+void StoppingImpulses::clump_round(Index body, std::span<const Index> nodes,
+                                   VelocityState& motion) {
     for (int sweep = 0; sweep < BODY_SWEEPS; ++sweep)
         for (const Index n : nodes) {
             const auto [taken, work] = motion.join(n, body);
@@ -59,7 +60,7 @@ void StoppingImpulses::clump_round(Index body, std::span<const Index> nodes, Mov
 
 /// Brings the friction of a contact to what stops its sliding, as far as its normal impulse allows:
 ///     |sum of friction impulses| <= mu · sum of normal impulses
-void StoppingImpulses::rub(Contact& c, Movement& motion) {
+void StoppingImpulses::rub(Contact& c, VelocityState& motion) {
     const ContactCard& by = cloth_.rules.card(c.card);
     const double most = std::max(by.friction_static, by.friction_dynamic);
     if (most == 0.0 || c.mass == INF) return;
@@ -86,7 +87,7 @@ void StoppingImpulses::rub(Contact& c, Movement& motion) {
 /// @param mass  of the contact along that direction                                       [kg]
 /// @returns energy taken: -J (rate before + rate after) / 2                                    [J]
 double StoppingImpulses::push(double impulse, const Vec3& direction, double mass, const Contact& c,
-                              Movement& motion) {
+                              VelocityState& motion) {
     const double rate = direction.dot(motion.relative(c));
     const Vec3 whole = impulse * direction;
     for (int i = 0; i < 4; ++i)

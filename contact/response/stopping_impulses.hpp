@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "contact/response/impulse_books.hpp"
-#include "contact/surface/movers.hpp"
+#include "contact/surface/rigid_proxies.hpp"
 
 namespace corpuscle::contact {
 
@@ -20,18 +20,19 @@ public:
 
     /// Changes a contact's rate, and rubs.
     /// @param rate  wanted, not below the present one                                         [m/s]
-    void raise_rate(double rate, Contact& contact, Movement& motion);
+    void raise_rate(double rate, Contact& contact, VelocityState& motion);
 
     /// Gives nodes one velocity, that of their momentum, or the held ones' if there are any: a
     /// rigid impact zone. Nodes that touch a rigid body move with it.
-    void join_zone(std::span<const Index> nodes, std::span<const double> mass, Movement& motion);
+    void join_zone(std::span<const Index> nodes, std::span<const double> mass,
+                   VelocityState& motion);
 
 private:
-    void rub(Contact& contact, Movement& motion);
+    void rub(Contact& contact, VelocityState& motion);
     double push(double impulse, const Vec3& direction, double mass, const Contact& contact,
-                Movement& motion);
+                VelocityState& motion);
     void note_given(const Contact& contact, const Vec3& impulse);
-    void clump_round(Index body, std::span<const Index> nodes, Movement& motion);
+    void clump_round(Index body, std::span<const Index> nodes, VelocityState& motion);
     [[nodiscard]] ImpulseBooks& book(const Contact& c) { return books_[c.card]; }
 
     const Cloth& cloth_;

@@ -83,12 +83,12 @@ void RigidWall::set_out(double t, double dt) {
     if (!curve_) return;
     const WallMotion& motion = card_.motion;
     const double from = std::max(t - card_.birth, 0.0), to = std::max(t + dt - card_.birth, 0.0);
-    double way = 0.0;
+    double travel = 0.0;
     if (t < card_.death && to > from)
-        way = motion.is_displacement ? (*curve_)(to) - (*curve_)(from)
-                                     : curve_->mean(from, to) * (to - from);
-    velocity_ = way / dt * motion.direction;
-    next_shift_ = shift_ + way * motion.direction;
+        travel = motion.is_displacement ? (*curve_)(to) - (*curve_)(from)
+                                        : curve_->mean(from, to) * (to - from);
+    velocity_ = travel / dt * motion.direction;
+    next_shift_ = shift_ + travel * motion.direction;
 }
 
 void RigidWall::note_nodes_behind(const Points& x) {
@@ -125,13 +125,13 @@ bool RigidWall::passes(std::size_t i, const Vec3& at, double gap) {
 
 /// The plane that keeps the node out, if its way leads in.
 std::optional<RigidWall::Plane> RigidWall::plane_before(std::size_t i, const Vec3& at,
-                                                        const Vec3& way) {
+                                                        const Vec3& travel) {
     const Nearby now = nearest(card_.shape, at);
     if (passes(i, at, now.gap)) return {};
     if (now.gap <= 0.0) return Plane{now.normal, now.gap};
-    const auto in = entry(card_.shape, at, at + way);
+    const auto in = entry(card_.shape, at, at + travel);
     if (!in) return {};
-    return Plane{in->normal, -in->share * in->normal.dot(way)};
+    return Plane{in->normal, -in->share * in->normal.dot(travel)};
 }
 
 void RigidWall::find_stops(const Points& x, double dt, const Points& v, const WallBodies& bodies) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "contact/rigid_walls/wall_card.hpp"
-#include "contact/surface/movers.hpp"
+#include "contact/surface/rigid_proxies.hpp"
 #include "solver/base/curve.hpp"
 #include "solver/base/parallel.hpp"
 
@@ -17,10 +17,10 @@ namespace corpuscle::contact {
 /// Rigid bodies that walls may meet.
 struct WallBodies {
     std::span<const Index> of_node;  ///< by node row: number of its body, or -1; empty: no bodies
-    std::span<RigidMover> movers;    ///< by number
+    std::span<RigidProxy> proxies;   ///< by number
 
     [[nodiscard]] bool has(Index node) const { return !of_node.empty() && of_node[node] >= 0; }
-    [[nodiscard]] RigidMover& of(Index node) const { return movers[of_node[node]]; }
+    [[nodiscard]] RigidProxy& of(Index node) const { return proxies[of_node[node]]; }
 };
 
 /// *RIGIDWALL: a convex shape that nodes cannot enter, whatever their speed. The impact is
@@ -106,7 +106,8 @@ private:
     void set_out(double t, double dt);
     void note_nodes_behind(const Points& x);
     [[nodiscard]] bool passes(std::size_t i, const Vec3& at, double gap);
-    [[nodiscard]] std::optional<Plane> plane_before(std::size_t i, const Vec3& at, const Vec3& way);
+    [[nodiscard]] std::optional<Plane> plane_before(std::size_t i, const Vec3& at,
+                                                    const Vec3& travel);
     [[nodiscard]] bool is_on(double t) const { return t >= card_.birth && t <= card_.death; }
     void find_stops(const Points& x, double dt, const Points& v, const WallBodies& bodies);
     [[nodiscard]] std::optional<Stop> stop_of(std::size_t i, const Points& x, double dt,
@@ -128,8 +129,8 @@ private:
     std::vector<std::uint8_t> is_behind_;  ///< by row in card_.nodes; empty before birth
     Points last_;                          ///< of a plate: where the nodes were, seen from it  [m]
     std::vector<Stop> stops_;
-    parallel::Found<Stop> found_stops_;
-    parallel::Found<std::size_t> found_near_;
+    parallel::Gathered<Stop> found_stops_;
+    parallel::Gathered<std::size_t> found_near_;
     std::vector<std::size_t> near_;  ///< rows in card_.nodes
     std::vector<Bump> bumps_;
     std::vector<Index> touching_;

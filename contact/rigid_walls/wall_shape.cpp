@@ -46,7 +46,7 @@ Nearby nearest_to(const Rod& s, const Vec3& at) {
     return side > end ? Nearby{side, sideways} : Nearby{end, endways};
 }
 
-Nearby nearest_to(const Block& s, const Vec3& at) {
+Nearby nearest_to(const Brick& s, const Vec3& at) {
     const Vec3 q = s.axes.transpose() * (at - s.corner);
     const Vec3 beyond = (q - s.high).cwiseMax(s.low - q);  // of each pair of faces
     const Vec3 outside = beyond.cwiseMax(0.0);
@@ -132,7 +132,7 @@ std::optional<Entry> entry_to(const Rod& s, const Vec3& from, const Vec3& to) {
     return inside.entry();
 }
 
-std::optional<Entry> entry_to(const Block& s, const Vec3& from, const Vec3& to) {
+std::optional<Entry> entry_to(const Brick& s, const Vec3& from, const Vec3& to) {
     const Vec3 q = s.axes.transpose() * (from - s.corner), d = s.axes.transpose() * (to - from);
     Stretch inside;
     for (int a = 0; a < 3; ++a) inside.cut_slab(q[a], d[a], s.low[a], s.high[a], s.axes.col(a));

@@ -39,13 +39,13 @@ struct Rod {
 };
 
 /// A brick.
-struct Block {
+struct Brick {
     Vec3 corner = Vec3::Zero();                                   ///< [m]
     Mat3 axes = Mat3::Identity();                                 ///< columns
     Vec3 low = Vec3::Constant(-INF), high = Vec3::Constant(INF);  ///< along the axes         [m]
 };
 
-using WallShape = std::variant<HalfSpace, Plate, Ball, Rod, Block>;
+using WallShape = std::variant<HalfSpace, Plate, Ball, Rod, Brick>;
 
 /// Of a point: its distance from the shape, below 0 inside, and the outward normal there. Of a
 /// plate: the height above its plane.

@@ -118,17 +118,17 @@ void find_near_nodes(double reach, Cloth& cloth) {
         found.clear();
         for (const Index n : ring[i]) found.emplace_back(n, length(node, n));
         for (std::size_t f = 0; f < found.size(); ++f) {
-            const auto [at, way] = found[f];
-            if (way >= reach) continue;
+            const auto [at, path] = found[f];
+            if (path >= reach) continue;
             for (const Index n : ring[at]) {
                 const bool is_known =
                     n == node || std::any_of(found.begin(), found.end(),
                                              [n](const auto& k) { return k.first == n; });
-                if (!is_known) found.emplace_back(n, way + length(at, n));
+                if (!is_known) found.emplace_back(n, path + length(at, n));
             }
         }
         std::sort(found.begin(), found.end());
-        for (const auto& [n, way] : found) cloth.near_node.push_back(n);
+        for (const auto& [n, path] : found) cloth.near_node.push_back(n);
         cloth.near_start.push_back(static_cast<Index>(cloth.near_node.size()));
     }
 }

@@ -98,7 +98,7 @@ void CellSort::move_rows(Particles& particles) {
         for (int a = 0; a < 3; ++a) move((*column)[0].data() + a, 3);
     move(particles.e.data(), 1);
     for (auto* column : {&particles.species, &particles.id}) move(column->data(), 1);
-    move(particles.clear.data(), 1);
+    move(particles.safe_distance.data(), 1);
     if (!particles.room.empty()) move(particles.room.data(), 1);
     parallel::for_each(n, [&](std::size_t i) { order_[i] = static_cast<Index>(i); });
 }

@@ -53,28 +53,28 @@ bool CollisionCells::is_due(double dt) {
 }
 
 /// Internal facets that let through whoever comes hide nothing.
-void CollisionCells::find_open_facets(const Gates* gates) {
+void CollisionCells::find_open_facets(const Transmission* transmission) {
     is_open_.clear();
-    if (gates == nullptr) return;
-    const auto lets_all_through = [](const Gates::Gate& gate) {
-        return gate.is_internal && std::all_of(gate.chance.begin(), gate.chance.end(),
-                                               [](double chance) { return chance >= 1.0; });
+    if (transmission == nullptr) return;
+    const auto lets_all_through = [](const Transmission::Chances& chances) {
+        return chances.is_internal && std::all_of(chances.chance.begin(), chances.chance.end(),
+                                                  [](double chance) { return chance >= 1.0; });
     };
-    if (std::none_of(gates->all.begin(), gates->all.end(), lets_all_through)) return;
+    if (std::none_of(transmission->all.begin(), transmission->all.end(), lets_all_through)) return;
     is_open_.assign(lists_.triangles().size(), 0);
     for (std::size_t f = closing_; f < is_open_.size(); ++f)
-        is_open_[f] = gates->of_facet[f] >= 0 && gates->open[f] >= 1.0 &&
-                      lets_all_through(gates->all[gates->of_facet[f]]);
+        is_open_[f] = transmission->of_facet[f] >= 0 && transmission->open[f] >= 1.0 &&
+                      lets_all_through(transmission->all[transmission->of_facet[f]]);
 }
 
-void CollisionCells::find_groups(const Points& x, const Gates* gates, Collider& collider,
-                                 Particles& particles) {
+void CollisionCells::find_groups(const Points& x, const Transmission* transmission,
+                                 Collider& collider, Particles& particles) {
     const double edge = lists_.grid().edge;
     const bool fits = wanted_edge_ < 1.2 * edge && edge < 1.2 * wanted_edge_;
     if (!fits || !lists_.hold_for(x))
         build_over_bag(lists_, wanted_edge_, SIDE_MARGIN * wanted_edge_, 0.0, x, x);
     edge_ = lists_.grid().edge;
-    find_open_facets(gates);
+    find_open_facets(transmission);
     collider.find_groups(lists_.grid(), {&lists_, x, is_open_}, particles,
                          steps_ % MOVE_ROWS_EVERY == 0);
 }

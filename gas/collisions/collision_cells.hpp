@@ -8,7 +8,7 @@
 
 #include "gas/collisions/collide.hpp"
 #include "gas/flight/facet_lists.hpp"
-#include "gas/flight/gates.hpp"
+#include "gas/flight/transmission.hpp"
 #include "gas/particles.hpp"
 
 namespace corpuscle::gas {
@@ -27,7 +27,8 @@ public:
     /// A step of dt goes by: is it the one that comes nearest to the share of a cell?
     [[nodiscard]] bool is_due(double dt);
     /// In cells of about the wanted size, made anew when fabric has moved too far.
-    void find_groups(const Points& x, const Gates* gates, Collider& collider, Particles& particles);
+    void find_groups(const Points& x, const Transmission* transmission, Collider& collider,
+                     Particles& particles);
     /// After a collision step: measures the thermal speed now and then, counts the step, adapts the
     /// cells that the next facet lists will have to how many particles the occupied ones hold.
     void finish(const Lists& cells, std::span<const double> mass, const Particles& particles);
@@ -46,7 +47,7 @@ public:
     }
 
 private:
-    void find_open_facets(const Gates* gates);
+    void find_open_facets(const Transmission* transmission);
     void measure_speed(std::span<const double> mass, const Particles& particles);
 
     FacetLists lists_;

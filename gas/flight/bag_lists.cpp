@@ -26,7 +26,7 @@ void build_over_bag(FacetLists& lists, double edge, double margin, double reach,
     lists.build(Grid::over(bag.low, bag.high, edge, MOST_CELLS), x_0, x_1, margin, reach);
 }
 
-double ways_of_size(const FacetLists& lists, const Points& x_0, const Points& x_1) {
+double displacement_over_size(const FacetLists& lists, const Points& x_0, const Points& x_1) {
     contact::Box box;
     for (const Index n : lists.nodes()) box.include(x_0[n]);
     const double size = (box.high - box.low).maxCoeff();

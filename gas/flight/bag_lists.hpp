@@ -12,6 +12,7 @@ void build_over_bag(FacetLists& lists, double edge, double margin, double reach,
                     const Points& x_1);
 
 /// The way from x_0 to x_1 as a multiple of the bag's size.
-[[nodiscard]] double ways_of_size(const FacetLists& lists, const Points& x_0, const Points& x_1);
+[[nodiscard]] double displacement_over_size(const FacetLists& lists, const Points& x_0,
+                                            const Points& x_1);
 
 }  // namespace corpuscle::gas

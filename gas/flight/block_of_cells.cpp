@@ -77,7 +77,7 @@ void BlockOfCells::take_corners(std::span<const Triangle> triangles, std::span<c
         const auto at = [&](const Vec3& x) { return Vec3(x - grid_->low).cast<float>().eval(); };
         const std::array<Eigen::Vector3f, 6> x{at(x_0[i]), at(x_0[j]), at(x_0[k]),
                                                at(x_1[i]), at(x_1[j]), at(x_1[k])};
-        Corners& out = corners_[f];
+        FacetCorners& out = corners_[f];
         for (int a = 0; a < 3; ++a)
             out.along[a] =
                 Eight{x[0][a], x[1][a], x[2][a], x[3][a], x[4][a], x[5][a], x[0][a], x[0][a]};

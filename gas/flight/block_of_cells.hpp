@@ -90,7 +90,7 @@ private:
         CellRange range;  ///< within the block
     };
     /// Three corners at t, three at t + dt, the first again, and again.
-    struct Corners {
+    struct FacetCorners {
         std::array<Eight, 3> along;
         Quad normal;  ///< at t + dt, of no particular length
     };
@@ -100,7 +100,7 @@ private:
     std::size_t entries_ = 0;
     std::array<Index, CELLS> last_eight_{}, eights_{};  ///< by cell: entered last; so far
     std::vector<Entered> entered_;
-    std::vector<Corners> corners_;
+    std::vector<FacetCorners> corners_;
     std::array<std::int32_t, CELLS + 1> start_{};  ///< until sort(): facets in the cell before
     std::vector<std::int32_t> sorted_;
     std::vector<int> cells_;

@@ -24,7 +24,7 @@ struct FlightScene {
     const Triangle* triangles;
     const Vec3 *x_0, *x_1;
     double dt;
-    const Gates* gates;  ///< nullptr: none
+    const Transmission* transmission;  ///< nullptr: none
     const WallFriction& friction;
 };
 

@@ -56,7 +56,7 @@ void Clearance::build(std::span<const Triangle> triangles, std::span<const Vec3>
         block.sort();
         block.take_corners(triangles, x, x);
         for (const int cell : block.cells()) {
-            Slab& slab = slab_[row_[block.row(cell)]];
+            SafeSlab& slab = slab_[row_[block.row(cell)]];
             static_cast<Planes&>(slab) = block.planes(cell, sum_of_magnitudes);
             slab.low -= static_cast<float>(rounding);
             slab.high += static_cast<float>(rounding);

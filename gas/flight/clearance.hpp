@@ -36,7 +36,7 @@ public:
         const auto p = small(x);
         const Index row = row_of(p);
         if (row < 0) return free_[-1 - row];
-        const Slab& slab = slab_[row];
+        const SafeSlab& slab = slab_[row];
         const float h = slab.height(p);
         return std::min(reach_, std::max(h - slab.high, slab.low - h));
     }
@@ -46,7 +46,7 @@ public:
         const auto p = small(from);
         const Index row = row_of(p);
         if (row < 0) return true;
-        const Slab& slab = slab_[row];
+        const SafeSlab& slab = slab_[row];
         const float h_0 = slab.height(p), h_1 = slab.height(small(to));
         return (std::min(h_0, h_1) > slab.high + moved) | (std::max(h_0, h_1) < slab.low - moved);
     }
@@ -59,7 +59,7 @@ public:
     }
 
 private:
-    struct Slab : Planes {
+    struct SafeSlab : Planes {
         [[nodiscard]] float height(const std::array<float, 3>& x) const {
             return normal[0] * x[0] + normal[1] * x[1] + normal[2] * x[2];
         }
@@ -82,9 +82,9 @@ private:
 
     Grid grid_;
     float per_edge_ = 1.0F, reach_ = 0.0F;
-    std::vector<Index> row_;   ///< per cell: of its slab, or -1 - cells to the next that has one
-    std::vector<Slab> slab_;   ///< of cells with facets within reach
-    std::vector<float> free_;  ///< by cells to the next with facets                       [m]
+    std::vector<Index> row_;      ///< per cell: of its slab, or -1 - cells to the next that has one
+    std::vector<SafeSlab> slab_;  ///< of cells with facets within reach
+    std::vector<float> free_;     ///< by cells to the next with facets                       [m]
     std::vector<std::uint8_t> off_, off_before_;  ///< per cell
     std::vector<CellRange> range_;                ///< of the facets
     std::vector<Index> start_, facet_;            ///< facets by block, compressed rows

@@ -93,9 +93,9 @@ public:
         SmallPath out;
         float most = 0.0F;
         for (int a = 0; a < 3; ++a) {
-            const double way = to[a] - from[a];
-            const auto p = static_cast<float>(from[a] + enters * way - origin_[a]),
-                       q = static_cast<float>(from[a] + leaves * way - origin_[a]);
+            const double displacement = to[a] - from[a];
+            const auto p = static_cast<float>(from[a] + enters * displacement - origin_[a]),
+                       q = static_cast<float>(from[a] + leaves * displacement - origin_[a]);
             out.from[a] = p;
             out.to[a] = q;
             out.box.low[a] = std::min(p, q);

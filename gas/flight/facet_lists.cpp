@@ -11,7 +11,7 @@
 namespace corpuscle::gas {
 namespace {
 
-/// Cells of the table of free ways, in cells of the lists. Smaller: tighter planes, more cells.
+/// Cells of the table of safe distances, in cells of the lists. Smaller: tighter planes, more cells.
 constexpr double CLEARANCE_CELL = 2.0 / 3.0;
 
 /// Of a cell's edge: nearer than this to its faces, single precision may be wrong about the cell.
@@ -74,7 +74,7 @@ void FacetLists::build(const Grid& grid, std::span<const Vec3> x_0, std::span<co
         block_[b].slab = block.cells().size();
     });
     std::size_t entries = 0, slabs = 1;
-    for (Block& b : block_) {
+    for (CellBlock& b : block_) {
         entries += std::exchange(b.entry, entries);
         slabs += std::exchange(b.slab, slabs);
     }

@@ -41,7 +41,7 @@ struct Slab {
 /// Patches of facets and blocks of 8 × 8 × 8 cells are paired by FCL; facets are then entered into
 /// the cells that their boxes overlap. Boxes are inflated by `margin`, so the lists serve until a
 /// node has moved that far: a rebuild every ten steps or so, whatever the number of particles. With
-/// a `reach` there is a table of free ways, too, up to some cells and that (clearance.hpp).
+/// a `reach` there is a table of safe distances, too, up to some cells and that (clearance.hpp).
 class FacetLists {
 public:
     /// A cell's list is one of its facets, or of the eights that have facets in it.
@@ -212,10 +212,10 @@ private:
     std::vector<contact::Box> box_;
     std::vector<std::pair<Index, Index>> pairs_;  ///< block, patch
     /// A block's first pair; its first entry of its lists and of slab_.
-    struct Block {
+    struct CellBlock {
         std::size_t pair, entry, slab;
     };
-    std::vector<Block> block_;            ///< those with patches, and one more for where they end
+    std::vector<CellBlock> block_;        ///< those with patches, and one more for where they end
     std::vector<Index> facet_;            ///< cell after cell, block after block
     std::vector<EightEights> eights_in_;  ///< likewise
     std::vector<Slab> slab_;              ///< first that of all empty cells, then one a cell

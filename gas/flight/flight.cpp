@@ -15,7 +15,7 @@ namespace corpuscle::gas {
 namespace {
 
 constexpr std::size_t PARTICLES_A_CHUNK =
-    64;  ///< near walls some ten microseconds; whole blocks of free ways
+    64;  ///< near walls some ten microseconds; whole blocks of safe distances
 
 /// Share of the step by which a particle stops short of a facet, so that it stays on its side
 /// whatever the rounding: far above the error of tau (some 1e-13), far below anything that matters.
@@ -111,27 +111,28 @@ End fly_one(const FlightScene& scene, double born, Flyer& who) {
             return End::FLOWN;
         }
         last = meeting;
-        Gates::Passage passage;
-        if (scene.gates != nullptr)
-            passage = scene.gates->passage(meeting.facet, who.species, who.id, who.bounces++);
-        if (passage.way == Gates::Way::THROUGH) {
-            who.arrivals.push_back({who.row, meeting.facet, passage, 0.0});
+        Transmission::Outcome outcome;
+        if (scene.transmission != nullptr)
+            outcome =
+                scene.transmission->outcome(meeting.facet, who.species, who.id, who.bounces++);
+        if (outcome.fate == Transmission::Fate::THROUGH) {
+            who.arrivals.push_back({who.row, meeting.facet, outcome, 0.0});
             after = meeting.where.tau;
             continue;
         }
         const auto [away, impulse, heat] = bounce(scene, meeting, who.mass, who.v);
         const double before = 0.5 * who.mass * who.v.squaredNorm();
-        const double given = passage.push * (before - 0.5 * who.mass * away.squaredNorm() - heat);
+        const double given = outcome.push * (before - 0.5 * who.mass * away.squaredNorm() - heat);
         if (!std::isfinite(given)) return End::BROKEN;
         const double stop = std::max(now, meeting.where.tau - SHORT_OF);
         const Vec3 turn = from + (stop - now) * scene.dt * who.v;
         const auto row = static_cast<Index>(who.row);
         who.hits.push_back(
-            {meeting.facet, row, meeting.where.at, passage.push * impulse, given, turn});
-        if (passage.gate >= 0)
+            {meeting.facet, row, meeting.where.at, outcome.push * impulse, given, turn});
+        if (outcome.opening >= 0)
             who.arrivals.push_back(
-                {who.row, meeting.facet, passage, before - given + who.internal});
-        if (passage.way == Gates::Way::OUT) return End::GONE;
+                {who.row, meeting.facet, outcome, before - given + who.internal});
+        if (outcome.fate == Transmission::Fate::OUT) return End::GONE;
         from = turn;
         who.v = away;
         who.internal += heat;
@@ -162,8 +163,8 @@ End fly_in_parts(const FlightScene& scene, int parts, double born, Points& y_0, 
     for (int part = first; part < parts && end == End::FLOWN; ++part) {
         y_0.swap(y_1);
         place(part + 1, y_1);
-        const FlightScene within{scene.lists, nullptr,          scene.triangles, y_0.data(),
-                                 y_1.data(),  scene.dt / parts, scene.gates,     scene.friction};
+        const FlightScene within{scene.lists, nullptr,          scene.triangles,    y_0.data(),
+                                 y_1.data(),  scene.dt / parts, scene.transmission, scene.friction};
         const double late = part == first ? std::max(0.0, born * parts - first) : 0.0;
         end = fly_one(within, late, who);
     }
@@ -223,11 +224,11 @@ void clear(std::vector<std::vector<T>>& lists, std::size_t count) {
 
 void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec3> x_1, double dt,
          std::span<const double> mass, std::span<const double> born, Particles& gas,
-         FlightResult& result, const Gates* gates, const WallFriction& friction) {
+         FlightResult& result, const Transmission* transmission, const WallFriction& friction) {
     result.bounds.update(lists, x_0, x_1);
-    const FlightScene scene{lists,      &result.bounds, lists.triangles().data(),
-                            x_0.data(), x_1.data(),     dt,
-                            gates,      friction};
+    const FlightScene scene{lists,        &result.bounds, lists.triangles().data(),
+                            x_0.data(),   x_1.data(),     dt,
+                            transmission, friction};
     const std::size_t chunks = parallel::chunk_count(gas.size(), PARTICLES_A_CHUNK);
     clear(result.hits, chunks + 1);
     clear(result.arrivals, chunks + 1);
@@ -261,15 +262,15 @@ void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec
                 result.caught[chunk].push_back(i);
         }
     };
-    FreeWays& ways = result.ways;
-    ways.begin_flight(lists, x_0, x_1, gas);
+    SafeDistances& safe = result.safe;
+    safe.begin_flight(lists, x_0, x_1, gas);
     parallel::for_chunks(
         gas.size(),
         [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-            for (std::size_t i = begin; i < end; i += FreeWays::BLOCK) {
-                const std::size_t count = std::min(end - i, FreeWays::BLOCK);
+            for (std::size_t i = begin; i < end; i += SafeDistances::BLOCK) {
+                const std::size_t count = std::min(end - i, SafeDistances::BLOCK);
                 // (Who has just been born flies less than a step.)
-                const std::uint32_t unclear = ways.ask(lists, i, count, dt, gas);
+                const std::uint32_t unclear = safe.ask(lists, i, count, dt, gas);
                 if (unclear == 0 && i + count <= old) {
                     stream(dt, i, count, gas);
                     continue;

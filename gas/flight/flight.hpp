@@ -9,9 +9,9 @@
 #include "gas/cards/bag.hpp"
 #include "gas/flight/facet_bounds.hpp"
 #include "gas/flight/facet_lists.hpp"
-#include "gas/flight/free_ways.hpp"
-#include "gas/flight/gates.hpp"
 #include "gas/flight/rough_wall.hpp"
+#include "gas/flight/safe_distances.hpp"
+#include "gas/flight/transmission.hpp"
 #include "gas/particles.hpp"
 
 namespace corpuscle::gas {
@@ -47,7 +47,7 @@ struct FlightResult {
     std::vector<std::vector<Hit>> hits;  ///< a list a chunk, to be read in order
     std::vector<Lost> lost;
     FacetBounds bounds;                          ///< of this flight; kept for its memory
-    FreeWays ways;                               ///< kept from flight to flight
+    SafeDistances safe;                          ///< kept from flight to flight
     std::vector<std::vector<Arrival>> arrivals;  ///< at gates, a list a chunk, to be read in order
     std::vector<std::vector<std::size_t>> caught;  ///< that had to fly again, a list a chunk
 };
@@ -67,6 +67,7 @@ struct FlightResult {
 /// to be removed. @throws BrokenParticle, and the flight is void
 void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec3> x_1, double dt,
          std::span<const double> mass, std::span<const double> born, Particles& gas,
-         FlightResult& result, const Gates* gates = nullptr, const WallFriction& friction = {});
+         FlightResult& result, const Transmission* transmission = nullptr,
+         const WallFriction& friction = {});
 
 }  // namespace corpuscle::gas

@@ -55,10 +55,10 @@ Openings::Openings(const BagCard& card, const BagWalls& walls, std::span<const C
     for (const Species& gas : species_) weight_.push_back(std::sqrt(gas.molar_mass() / heaviest));
     for (const double mass : mass_) heaviest_ = std::max(heaviest_, mass);
 
-    gates_.seed = seed;
-    gates_.of_facet.assign(triangles_.size(), -1);
-    gates_.collar_of.assign(triangles_.size(), -1);
-    gates_.open.assign(triangles_.size(), 1.0);
+    transmission_.seed = seed;
+    transmission_.of_facet.assign(triangles_.size(), -1);
+    transmission_.collar_of.assign(triangles_.size(), -1);
+    transmission_.open.assign(triangles_.size(), 1.0);
     for (std::size_t v = 0; v < vents_.size(); ++v)
         add_vent(walls, vents_[v], static_cast<Index>(v), surface);
     const std::size_t vents = openings_.size();
@@ -90,11 +90,11 @@ double Openings::most(const VentCard& vent) const {
 }
 
 void Openings::add_opening(Opening opening, bool counts_all, double push) {
-    gates_.all.push_back({opening.is_internal, counts_all, push,
-                          std::vector<double>(species_.size(), 0.0),
-                          std::vector<double>(species_.size(), 0.0)});
-    const auto gate = static_cast<Index>(openings_.size());
-    for (const Index f : opening.facets) gates_.of_facet[f] = gate;
+    transmission_.all.push_back({opening.is_internal, counts_all, push,
+                                 std::vector<double>(species_.size(), 0.0),
+                                 std::vector<double>(species_.size(), 0.0)});
+    const auto row = static_cast<Index>(openings_.size());
+    for (const Index f : opening.facets) transmission_.of_facet[f] = row;
     openings_.push_back(std::move(opening));
 }
 
@@ -105,7 +105,7 @@ void Openings::add_vent(const BagWalls& walls, const VentCard& vent, Index row,
     for (std::size_t f = 0; f < walls.triangles.size(); ++f) {
         const Index part = walls.part_rows[walls.part[f]];
         if (std::find(vent.parts.begin(), vent.parts.end(), part) == vent.parts.end()) continue;
-        if (gates_.of_facet[f] >= 0)
+        if (transmission_.of_facet[f] >= 0)
             throw InputError(Fault{
                 .of = name_,
                 .property = Property::VENT_WALL,
@@ -166,7 +166,7 @@ void Openings::add_leak(const BagWalls& walls, const LeakCard& leak, Index row,
         for (const Index side : samples.patches()[k]) {
             const auto f = static_cast<std::size_t>(surface.facet(side));
             if (surface.is_front(side) || walls.part_rows[walls.part[f]] != leak.part ||
-                gates_.of_facet[f] >= 0)  // else the part is a vent, and open as such
+                transmission_.of_facet[f] >= 0)  // else the part is a vent, and open as such
                 continue;
             opening.facets.push_back(static_cast<Index>(f));
         }
@@ -202,8 +202,8 @@ template <class Take>
 void Openings::grow_rings(const Opening& opening, const WettedSurface& surface,
                           std::span<const Vec3> x, double wanted, Take&& take) const {
     const auto is_vent = [&](std::size_t facet) {
-        const Index gate = gates_.of_facet[facet];
-        return gate >= 0 && openings_[gate].vent >= 0;
+        const Index row = transmission_.of_facet[facet];
+        return row >= 0 && openings_[row].vent >= 0;
     };
     std::vector<char> near(surface.points(), 0), taken(triangles_.size(), 0);
     for (const Index f : opening.facets)
@@ -233,9 +233,9 @@ void Openings::add_collar(Opening& opening, Index row, double wanted, std::span<
     std::vector<Index> near;
     for (const Index side : sides) near.push_back(surface.facet(static_cast<std::size_t>(side)));
     grow_rings(opening, surface, x, wanted + area_of(near, x), [&](Index f) {
-        if (gates_.collar_of[f] >= 0 || std::find(near.begin(), near.end(), f) != near.end())
+        if (transmission_.collar_of[f] >= 0 || std::find(near.begin(), near.end(), f) != near.end())
             return;
-        gates_.collar_of[f] = row;
+        transmission_.collar_of[f] = row;
         opening.collar.push_back(f);
     });
 }

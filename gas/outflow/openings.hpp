@@ -10,7 +10,7 @@
 #include "gas/cards/bag.hpp"
 #include "gas/enclosure/bag_walls.hpp"
 #include "gas/flight/flight.hpp"
-#include "gas/flight/gates.hpp"
+#include "gas/flight/transmission.hpp"
 #include "gas/outflow/gas_state.hpp"
 #include "gas/outflow/wall_samples.hpp"
 #include "gas/thermo/species.hpp"
@@ -84,7 +84,9 @@ public:
              std::uint64_t seed);
 
     [[nodiscard]] bool empty() const { return openings_.empty(); }
-    [[nodiscard]] const Gates* gates() const { return empty() ? nullptr : &gates_; }
+    [[nodiscard]] const Transmission* transmission() const {
+        return empty() ? nullptr : &transmission_;
+    }
     [[nodiscard]] const std::vector<Opening>& all() const { return openings_; }
 
     /// Takes what touches out of the open area, and of external vents where BLOCK says so only
@@ -92,10 +94,11 @@ public:
     void block(std::span<const std::uint8_t> touching, std::span<const std::uint8_t> pressed);
 
     /// Chances for a flight over dt from t. inside: the gas at each opening.
-    void set_gates(double t, double dt, std::span<const Vec3> x, std::span<const Inside> inside);
+    void set_transmission(double t, double dt, std::span<const Vec3> x,
+                          std::span<const Inside> inside);
     /// The same for one opening.
-    void set_gate(std::size_t row, double t, double dt, std::span<const Vec3> x,
-                  const Inside& inside);
+    void set_chances(std::size_t row, double t, double dt, std::span<const Vec3> x,
+                     const Inside& inside);
     /// Flow through an internal opening from gas of one state to where there is p_out, no particles
     /// on either side.                                                                  [kg/s]
     [[nodiscard]] double flow_between(std::size_t row, double t, const Inside& from, double p_out);
@@ -127,7 +130,7 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(openings_, gates_.step, part_mass_out_, particles_out_);
+        archive(openings_, transmission_.step, part_mass_out_, particles_out_);
     }
 
 private:
@@ -178,7 +181,7 @@ private:
     std::optional<Species> ambient_;  ///< comes in where the bag's pressure is lower
 
     std::vector<Opening> openings_;
-    Gates gates_;
+    Transmission transmission_;
     Passed passed_;
     std::vector<double> came_, came_to_collar_;  ///< by opening, in one flight          [kg]
     std::vector<double> part_mass_out_;          ///< [kg]

@@ -37,7 +37,8 @@ void Openings::block(std::span<const std::uint8_t> touching,
             const auto touched = static_cast<double>(std::count_if(
                 nodes.begin(), nodes.begin() + count, [&](Index n) { return closed[n] != 0; }));
             const double blocked = touched / static_cast<double>(count);
-            for (; i < end; ++i) gates_.open[opening.facets[i]] = 1.0 - blocked * (1.0 - kept);
+            for (; i < end; ++i)
+                transmission_.open[opening.facets[i]] = 1.0 - blocked * (1.0 - kept);
         }
     }
 }

@@ -31,26 +31,27 @@ const Openings::Passed& Openings::count(const FlightResult& flight, double dt,
     std::fill(came_to_collar_.begin(), came_to_collar_.end(), 0.0);
     for (const auto& arrivals : flight.arrivals)
         for (const Arrival& arrival : arrivals) {
-            const Index gate = arrival.passage.gate;
-            Opening& opening = openings_[gate];
+            const Index row = arrival.outcome.opening;
+            Opening& opening = openings_[row];
             const std::int32_t s = species[arrival.particle];
             const double mass = mass_[s];
-            (arrival.passage.by_collar ? came_to_collar_ : came_)[gate] +=
-                mass * weight_[s] * (arrival.passage.by_collar ? 1.0 : gates_.open[arrival.facet]);
-            const bool is_out = arrival.passage.way == Gates::Way::OUT;
+            (arrival.outcome.by_collar ? came_to_collar_ : came_)[row] +=
+                mass * weight_[s] *
+                (arrival.outcome.by_collar ? 1.0 : transmission_.open[arrival.facet]);
+            const bool is_out = arrival.outcome.fate == Transmission::Fate::OUT;
             if (opening.law == Opening::Law::SEEPAGE && !opening.is_internal)
-                opening.due_of[s] +=
-                    mass * (opening.share[s] * gates_.open[arrival.facet] - (is_out ? 1.0 : 0.0));
+                opening.due_of[s] += mass * (opening.share[s] * transmission_.open[arrival.facet] -
+                                             (is_out ? 1.0 : 0.0));
             if (!is_out) continue;
             opening.due -= mass;
             opening.mass_out += mass;
             // A collar's gas leaves through the vent's part.
-            part_mass_out_[part_[arrival.passage.by_collar ? opening.facets[0] : arrival.facet]] +=
+            part_mass_out_[part_[arrival.outcome.by_collar ? opening.facets[0] : arrival.facet]] +=
                 mass;
             passed_.energy += arrival.energy;
             if (opening.law != Opening::Law::PLAIN)
-                passed_.still_owed[gate] +=
-                    mass * species_[s].h(inside[gate].temperature) - arrival.energy;
+                passed_.still_owed[row] +=
+                    mass * species_[s].h(inside[row].temperature) - arrival.energy;
             passed_.rows.push_back(arrival.particle);
         }
     particles_out_ += passed_.rows.size();

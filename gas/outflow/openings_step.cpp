@@ -29,14 +29,14 @@ double beyond_chance(double p, double p_out, double error) {
 
 }  // namespace
 
-void Openings::set_gates(double t, double dt, std::span<const Vec3> x,
-                         std::span<const Inside> inside) {
-    ++gates_.step;
-    for (std::size_t o = 0; o < openings_.size(); ++o) set_gate(o, t, dt, x, inside[o]);
+void Openings::set_transmission(double t, double dt, std::span<const Vec3> x,
+                                std::span<const Inside> inside) {
+    ++transmission_.step;
+    for (std::size_t o = 0; o < openings_.size(); ++o) set_chances(o, t, dt, x, inside[o]);
 }
 
-void Openings::set_gate(std::size_t o, double t, double dt, std::span<const Vec3> x,
-                        const Inside& inside) {
+void Openings::set_chances(std::size_t o, double t, double dt, std::span<const Vec3> x,
+                           const Inside& inside) {
     const auto row = static_cast<Index>(o);
     Opening& opening = openings_[o];
     close(row);
@@ -77,9 +77,9 @@ double Openings::flow_between(std::size_t row, double t, const Inside& from, dou
 void Openings::close(Index row) {
     Opening& opening = openings_[row];
     opening.flow = opening.air_flow = opening.intake = 0.0;
-    Gates::Gate& gate = gates_.all[row];
-    std::fill(gate.chance.begin(), gate.chance.end(), 0.0);
-    std::fill(gate.collar_chance.begin(), gate.collar_chance.end(), 0.0);
+    Transmission::Chances& chances = transmission_.all[row];
+    std::fill(chances.chance.begin(), chances.chance.end(), 0.0);
+    std::fill(chances.collar_chance.begin(), chances.collar_chance.end(), 0.0);
     std::fill(opening.share.begin(), opening.share.end(), 0.0);
 }
 
@@ -91,7 +91,7 @@ void Openings::measure(Opening& opening, std::span<const Vec3> x) const {
         const auto& [a, b, c] = triangles_[f];
         const double area = vector_area(x[a], x[b], x[c]).norm();
         opening.area += area;
-        free += gates_.open[f] * area;
+        free += transmission_.open[f] * area;
     }
     opening.free = opening.area > 0.0 ? free / opening.area : 0.0;
 }
@@ -120,13 +120,13 @@ double Openings::leak_area(const Opening& opening, const Inside& inside) const {
 /// `share` of all that arrive pass; a share above 1 opens the collar, too.
 void Openings::set_plain(Index row, double share, std::span<const Vec3> x, const Inside& inside) {
     Opening& opening = openings_[row];
-    Gates::Gate& gate = gates_.all[row];
+    Transmission::Chances& chances = transmission_.all[row];
     const double own = std::min(1.0, share);
-    std::fill(gate.chance.begin(), gate.chance.end(), own);
+    std::fill(chances.chance.begin(), chances.chance.end(), own);
     if (opening.is_internal) return;
-    gate.push = std::min(1.0, p_atm_ / inside.pressure);
+    chances.push = std::min(1.0, p_atm_ / inside.pressure);
     if (share > 1.0 && !opening.collar.empty())
-        std::fill(gate.collar_chance.begin(), gate.collar_chance.end(),
+        std::fill(chances.collar_chance.begin(), chances.collar_chance.end(),
                   std::min(1.0, (share - 1.0) * opening.free * opening.area /
                                     area_of(opening.collar, x)));
     opening.air_flow = share * opening.free * opening.area * inside.air_density *
@@ -137,7 +137,7 @@ void Openings::set_plain(Index row, double share, std::span<const Vec3> x, const
 /// Wang-Nefske flow of the state at the opening through `area`.
 void Openings::set_isentropic(Index row, double area, double dt, const Inside& inside) {
     Opening& opening = openings_[row];
-    Gates::Gate& gate = gates_.all[row];
+    Transmission::Chances& chances = transmission_.all[row];
     if (opening.is_internal) return;  // the same gas on both sides, after TSW
     const double flow =
         area * orifice_flow(beyond_chance(inside.pressure, p_atm_, inside.error), p_atm_,
@@ -147,7 +147,7 @@ void Openings::set_isentropic(Index row, double area, double dt, const Inside& i
         opening.air_heat = 1.0;
         return;
     }
-    if (opening.vent >= 0) gate.push = std::min(1.0, p_atm_ / inside.pressure);
+    if (opening.vent >= 0) chances.push = std::min(1.0, p_atm_ / inside.pressure);
     expect_arrivals(opening, dt, inside);
     if (flow <= 0.0) return;
     double density = inside.air_density;
@@ -164,8 +164,8 @@ void Openings::set_isentropic(Index row, double area, double dt, const Inside& i
                               ? std::min(1.0, rest / opening.collar_arriving)
                               : 0.0;
     for (std::size_t s = 0; s < species_.size(); ++s) {
-        gate.chance[s] = chance * weight_[s];
-        gate.collar_chance[s] = collar * weight_[s];
+        chances.chance[s] = chance * weight_[s];
+        chances.collar_chance[s] = collar * weight_[s];
     }
 }
 
@@ -258,7 +258,7 @@ void Openings::set_seepage(Index row, double t, double dt, const Inside& inside)
         const double chance =
             velocity(inside.density[s], M) / effusion_speed(inside.temperature, gas_constant_, M);
         opening.share[s] = std::clamp(chance, 0.0, 1.0);
-        gates_.all[row].chance[s] = steered(opening, s, dt, inside);
+        transmission_.all[row].chance[s] = steered(opening, s, dt, inside);
         if (chance > 1.0 && !opening.is_internal)
             opening.short_of += (1.0 - 1.0 / chance) * velocity(inside.density[s], M) * area *
                                 inside.density[s] * dt;

@@ -29,7 +29,7 @@ class PointSmoother {
 public:
     explicit PointSmoother(const WettedSurface& surface);
 
-    /// Gates and weights for one step.
+    /// Transmission and weights for one step.
     /// @param area  points × 3, out of the gas                                        [m^2]
     /// @param size  its norm                                                          [m^2]
     /// @param takes_part  points: 0 where nothing is to be spread

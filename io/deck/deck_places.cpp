@@ -13,14 +13,14 @@
 namespace corpuscle::io {
 
 void DeckPlaces::add(std::string_view kind, int id, Place at, const std::string& keyword) {
-    things_.insert_or_assign({std::string(kind), id}, Found{at, "*" + keyword});
+    things_.insert_or_assign({std::string(kind), id}, KeywordPlace{at, "*" + keyword});
 }
 
 void DeckPlaces::add(std::string_view kind, Registry registry) {
     registries_.insert_or_assign(std::string(kind), std::move(registry));
 }
 
-bool DeckPlaces::find(std::string_view kind, int id, Found& found) const {
+bool DeckPlaces::find(std::string_view kind, int id, KeywordPlace& found) const {
     if (kind.starts_with("*AIRBAG_")) kind = "bag";
     if (const auto at = things_.find({std::string(kind), id}); at != things_.end()) {
         found = at->second;
@@ -41,7 +41,7 @@ std::string DeckPlaces::told(const std::string& fault) const {
         std::string_view number = words[i + 1];
         while (number.ends_with(':') || number.ends_with(',')) number.remove_suffix(1);
         const std::optional<int> id = parse_integer(number);
-        if (Found found; id && find(words[i], *id, found)) {
+        if (KeywordPlace found; id && find(words[i], *id, found)) {
             const std::string where = faults_.where(found.place);
             return fault.starts_with('*') ? fmt::format("{}: {}", where, fault)
                                           : fmt::format("{}: {}: {}", where, found.keyword, fault);

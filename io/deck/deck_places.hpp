@@ -30,14 +30,14 @@ public:
     [[nodiscard]] InputError told(const InputError& error) const;
 
 private:
-    struct Found {
+    struct KeywordPlace {
         Place place;
         std::string keyword;  ///< with its star
     };
-    [[nodiscard]] bool find(std::string_view kind, int id, Found& found) const;
+    [[nodiscard]] bool find(std::string_view kind, int id, KeywordPlace& found) const;
 
     Faults faults_;  ///< knows the names of files
-    std::map<std::pair<std::string, int>, Found> things_;
+    std::map<std::pair<std::string, int>, KeywordPlace> things_;
     std::map<std::string, Registry, std::less<>> registries_;
 };
 

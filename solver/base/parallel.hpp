@@ -125,7 +125,7 @@ template <class T, class Term>
 
 /// What a loop finds here and there: by chunk, then put together in the items' order.
 template <class T>
-class Found {
+class Gathered {
 public:
     /// body(i, take) for every i in 0..n; what it takes is added to `all`.
     template <class Body>

@@ -136,24 +136,24 @@ void RigidBody::book_kick() {
                  (k.span * k.torque + k.joint_turning).dot(mid_spin_);
 }
 
-void RigidBody::pull(const contact::RigidMover& mover, const Vec3& impulse, const Vec3& turning,
+void RigidBody::pull(const contact::RigidProxy& proxy, const Vec3& impulse, const Vec3& turning,
                      double span, bool is_of_kick) {
     if (is_of_kick) {
         kick_.joint_impulse += impulse;
         kick_.joint_turning += turning;
     }
-    give(mover, impulse, turning, span);
+    give(proxy, impulse, turning, span);
 }
 
 /// Changes V and L by an impulse and its moment, and by what holds answer.
-void RigidBody::give(const contact::RigidMover& mover, const Vec3& impulse, const Vec3& turning,
+void RigidBody::give(const contact::RigidProxy& proxy, const Vec3& impulse, const Vec3& turning,
                      double span) {
-    const Vec3 change = mover.inverse_mass * impulse;
+    const Vec3 change = proxy.inverse_mass * impulse;
     velocity_ += change;
     if (held_turns_.empty()) {
         angular_momentum_ += turning;
     } else {
-        const Vec3 local = turn_.conjugate() * (spin() + mover.inverse_inertia * turning);
+        const Vec3 local = turn_.conjugate() * (spin() + proxy.inverse_inertia * turning);
         angular_momentum_ = turn_ * inertia_.cwiseProduct(local);
     }
     if (span > 0.0) acceleration_ += change / span;
@@ -206,8 +206,8 @@ Mat3 RigidBody::turning_mobility() const {
     return inverse - IH * (H.transpose() * IH).inverse() * IH.transpose();
 }
 
-contact::RigidMover RigidBody::mover() const {
-    contact::RigidMover out;
+contact::RigidProxy RigidBody::proxy() const {
+    contact::RigidProxy out;
     out.centre = centre_;
     Mat3 moves = Mat3::Identity();
     for (const Vec3& axis : held_moves_) moves -= axis * axis.transpose();
@@ -225,7 +225,7 @@ contact::RigidMover RigidBody::mover() const {
     return out;
 }
 
-void RigidBody::take(const contact::RigidMover& moved, double dt, double span,
+void RigidBody::take(const contact::RigidProxy& moved, double dt, double span,
                      fabric::Nodes& nodes) {
     if (moved.impulse.isZero(0.0) && moved.turning.isZero(0.0)) return;
     give(moved, moved.impulse, moved.turning, span);

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "contact/surface/movers.hpp"
+#include "contact/surface/rigid_proxies.hpp"
 #include "fabric/nodes.hpp"
 #include "solver/bodies/constraints.hpp"
 #include "solver/model.hpp"
@@ -43,16 +43,16 @@ public:
     void advance(double t, double dt, double span, const Field& field, fabric::Nodes& nodes);
 
     /// As contact sees it at t: with the velocity before advance() or after it.
-    [[nodiscard]] contact::RigidMover mover() const;
+    [[nodiscard]] contact::RigidProxy proxy() const;
     /// Takes what contact has given in the step from t to t + dt, and carries its nodes anew.
-    void take(const contact::RigidMover& moved, double dt, double span, fabric::Nodes& nodes);
+    void take(const contact::RigidProxy& moved, double dt, double span, fabric::Nodes& nodes);
 
     /// What a joint gives between the kick and the drift (rigid_joints.hpp): changes V and L, and
     /// where foresee() says that the body goes; carry() then moves the nodes.
-    /// @param mover       what holds leave of it, as mover() said
+    /// @param proxy       what holds leave of it, as proxy() said
     /// @param turning     moment of the impulse about the centre                       [N m s]
     /// @param is_of_kick  it acts with the forces of the kick, and book_kick() knows it
-    void pull(const contact::RigidMover& mover, const Vec3& impulse, const Vec3& turning,
+    void pull(const contact::RigidProxy& proxy, const Vec3& impulse, const Vec3& turning,
               double span, bool is_of_kick);
     void foresee(double dt);
     void carry(double dt, fabric::Nodes& nodes);
@@ -120,7 +120,7 @@ private:
         MotionCurve curve;
     };
     void set_inertia(const Model& model, const RigidInertia& all);
-    void give(const contact::RigidMover& mover, const Vec3& impulse, const Vec3& turning,
+    void give(const contact::RigidProxy& proxy, const Vec3& impulse, const Vec3& turning,
               double span);
     [[nodiscard]] Vec3 spin_of(const Eigen::Quaterniond& turn, const Vec3& momentum) const;
     [[nodiscard]] double energy_of(const Vec3& velocity, const Vec3& angular_momentum) const {

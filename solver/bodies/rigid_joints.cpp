@@ -63,7 +63,7 @@ void RigidJoints::look(const std::vector<RigidBody>& bodies) {
 }
 
 /// S, from what an impulse of one along each row's direction does to all others.
-void RigidJoints::factor(const std::vector<contact::RigidMover>& movers) {
+void RigidJoints::factor(const std::vector<contact::RigidProxy>& proxies) {
     Eigen::MatrixXd S = Eigen::MatrixXd::Zero(rows_, rows_);
     Eigen::Index column = 0;
     for (const Pin& from : pins_)
@@ -74,7 +74,7 @@ void RigidJoints::factor(const std::vector<contact::RigidMover>& movers) {
                     for (int a = 0; a < 2; ++a)
                         for (int b = 0; b < 2; ++b) {
                             if (from.bodies[a] != to.bodies[b]) continue;
-                            const contact::RigidMover& body = movers[from.bodies[a]];
+                            const contact::RigidProxy& body = proxies[from.bodies[a]];
                             const Vec3& d = from.directions[j];
                             const Vec3 turned =
                                 body.inverse_inertia * (from.place - body.centre).cross(d);
@@ -106,11 +106,11 @@ void RigidJoints::share(const Eigen::VectorXd& impulse, Give&& give) {
 }
 
 void RigidJoints::hold(double t, double dt, double span, After after,
-                       std::vector<RigidBody>& bodies, std::vector<contact::RigidMover>& movers,
+                       std::vector<RigidBody>& bodies, std::vector<contact::RigidProxy>& proxies,
                        fabric::Nodes& nodes) {
     if (empty()) return;
     look(bodies);
-    factor(movers);
+    factor(proxies);
     Eigen::VectorXd gap(rows_);
     for (int sweep = 0; sweep < MOST_SWEEPS; ++sweep) {
         Eigen::Index row = 0;
@@ -130,7 +130,7 @@ void RigidJoints::hold(double t, double dt, double span, After after,
             throw PhysicsError(t, fmt::format("{}: what holds its bodies keeps them {:.3g} apart",
                                               open->name, widest));
         share(mobility_.solve(-gap / dt), [&](Index b, const Vec3& J, const Vec3& place) {
-            bodies[b].pull(movers[b], J, (place - movers[b].centre).cross(J), span,
+            bodies[b].pull(proxies[b], J, (place - proxies[b].centre).cross(J), span,
                            after == After::KICK);
         });
         for (const Pin& pin : pins_)
@@ -145,16 +145,16 @@ void RigidJoints::hold(double t, double dt, double span, After after,
         bodies[b].carry(dt, nodes);
         if (after == After::CONTACT) continue;
         bodies[b].book_kick();
-        movers[b] = bodies[b].mover();
+        proxies[b] = bodies[b].proxy();
     }
 }
 
-double RigidJoints::pass_on(std::vector<contact::RigidMover>& movers) {
+double RigidJoints::pass_on(std::vector<contact::RigidProxy>& proxies) {
     if (empty()) return 0.0;
     Eigen::VectorXd apart(rows_);
     Eigen::Index row = 0;
     const auto gained = [&](Index b, const Vec3& place) {
-        const contact::RigidMover& body = movers[b];
+        const contact::RigidProxy& body = proxies[b];
         return Vec3(body.inverse_mass * body.impulse +
                     (body.inverse_inertia * body.turning).cross(place - body.centre));
     };
@@ -165,7 +165,7 @@ double RigidJoints::pass_on(std::vector<contact::RigidMover>& movers) {
     double work = 0.0;
     if (apart.isZero(0.0)) return work;
     share(mobility_.solve(-apart),
-          [&](Index b, const Vec3& J, const Vec3& place) { work += movers[b].push(J, place); });
+          [&](Index b, const Vec3& J, const Vec3& place) { work += proxies[b].push(J, place); });
     return work;
 }
 

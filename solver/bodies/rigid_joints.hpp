@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/surface/movers.hpp"
+#include "contact/surface/rigid_proxies.hpp"
 #include "fabric/nodes.hpp"
 #include "solver/bodies/rigid_body.hpp"
 #include "solver/model.hpp"
@@ -34,13 +34,13 @@ public:
     /// Pulls bodies together and carries their nodes, after a kick, whose work is booked anew, or
     /// after they have taken what contact gave. Errors: PhysicsError where holds keep a joint's
     /// bodies apart.
-    /// @param movers  by body, as it is now; gets what it is after a kick
+    /// @param proxies  by body, as it is now; gets what it is after a kick
     void hold(double t, double dt, double span, After after, std::vector<RigidBody>& bodies,
-              std::vector<contact::RigidMover>& movers, fabric::Nodes& nodes);
+              std::vector<contact::RigidProxy>& proxies, fabric::Nodes& nodes);
 
     /// What contact has given to a body since hold() is passed on, as far as velocities show it.
     /// @returns  work that supports and motions do thereby                                  [J]
-    double pass_on(std::vector<contact::RigidMover>& movers);
+    double pass_on(std::vector<contact::RigidProxy>& proxies);
 
     /// By joint: the number that its name ends with; where two end with the same, the order of the
     /// deck from 1.
@@ -65,7 +65,7 @@ private:
         std::string name;
     };
     void look(const std::vector<RigidBody>& bodies);
-    void factor(const std::vector<contact::RigidMover>& movers);
+    void factor(const std::vector<contact::RigidProxy>& proxies);
     template <class Give>
     void share(const Eigen::VectorXd& impulse, Give&& give);
 

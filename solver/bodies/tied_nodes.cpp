@@ -70,14 +70,14 @@ std::vector<double> TiedNodes::met_mass(const std::vector<double>& mass) const {
 void TiedNodes::settle(const Points& before, const std::vector<double>& mass,
                        const std::vector<double>& met, const Points& x,
                        const std::vector<Index>& body_of_node,
-                       std::vector<contact::RigidMover>& movers, Points& v) const {
+                       std::vector<contact::RigidProxy>& proxies, Points& v) const {
     std::vector<Vec3> impulse(ties_.size(), Vec3::Zero());
     std::map<Index, Vec3> passed_on;  // to nodes that are tied themselves
     const auto push = [&](Index node, const Vec3& J) {
         const Index body = body_of_node.empty() ? -1 : body_of_node[node];
         if (body >= 0) {
-            movers[body].impulse += J;
-            movers[body].turning += Vec3(x[node] - movers[body].centre).cross(J);
+            proxies[body].impulse += J;
+            proxies[body].turning += Vec3(x[node] - proxies[body].centre).cross(J);
         } else if (mass[node] > 0.0) {
             v[node] += J / mass[node];
         } else {

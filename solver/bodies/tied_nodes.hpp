@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/surface/movers.hpp"
+#include "contact/surface/rigid_proxies.hpp"
 #include "solver/base/surface.hpp"
 #include "solver/model.hpp"
 
@@ -39,7 +39,7 @@ public:
     /// @param met  met_mass()
     void settle(const Points& before, const std::vector<double>& mass,
                 const std::vector<double>& met, const Points& x,
-                const std::vector<Index>& body_of_node, std::vector<contact::RigidMover>& movers,
+                const std::vector<Index>& body_of_node, std::vector<contact::RigidProxy>& proxies,
                 Points& v) const;
 
 private:

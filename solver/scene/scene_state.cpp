@@ -131,7 +131,7 @@ void SceneState::build_bodies() {
             nodes.mass[n] = 0.0;  // the body has it
         }
     if (!faults.empty()) throw InputError(std::move(faults));
-    bodies.movers.resize(bodies.all.size());
+    bodies.proxies.resize(bodies.all.size());
     if (bodies.all.empty()) return;
     bodies.of_node.assign(nodes.size(), -1);
     for (std::size_t b = 0; b < bodies.all.size(); ++b)
@@ -144,10 +144,10 @@ void SceneState::join_bodies() {
     bodies.joints.emplace(model, bodies.all);
     const double before = kinetic_energy(), blow = BLOW * model.end_time;
     for (std::size_t b = 0; b < bodies.all.size(); ++b) {
-        bodies.movers[b] = bodies.all[b].mover();
+        bodies.proxies[b] = bodies.all[b].proxy();
         bodies.all[b].foresee(blow);
     }
-    bodies.joints->hold(0.0, blow, 0.0, RigidJoints::After::CONTACT, bodies.all, bodies.movers,
+    bodies.joints->hold(0.0, blow, 0.0, RigidJoints::After::CONTACT, bodies.all, bodies.proxies,
                         nodes);
     for (RigidBody& body : bodies.all) body.foresee(0.0);  // they have not moved
     impulses.joints = impulses.turnings = ImpulseBook(bodies.joints->take_given().size());

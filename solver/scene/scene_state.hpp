@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "contact/rigid_walls/rigid_wall.hpp"
-#include "contact/surface/movers.hpp"
+#include "contact/surface/rigid_proxies.hpp"
 #include "contact/surface_contact.hpp"
 #include "fabric/membranes.hpp"
 #include "fabric/nodes.hpp"
@@ -57,8 +57,8 @@ struct SceneAirbags {
 
 struct SceneBodies {
     std::vector<RigidBody> all;
-    std::vector<Index> of_node;               ///< N: row in `all` or -1; empty without bodies
-    std::vector<contact::RigidMover> movers;  ///< the same as contact sees them
+    std::vector<Index> of_node;                ///< N: row in `all` or -1; empty without bodies
+    std::vector<contact::RigidProxy> proxies;  ///< the same as contact sees them
     std::optional<RigidJoints> joints;
 
     /// Positions are those that the last step led to.

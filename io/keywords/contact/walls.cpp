@@ -64,7 +64,7 @@ contact::WallShape rectangle(Cards& cards, const Arrow& normal, bool has_depth) 
         c.fault("XHEV", "the head of an edge that is square to the normal");
     along.normalize();
 
-    contact::Block block;
+    contact::Brick block;
     block.corner = normal.tail;
     block.axes << along, n.cross(along), n;
     if (l > 0.0) block.low[0] = 0.0, block.high[0] = l;

@@ -95,7 +95,7 @@ struct Movers {
 };
 
 /// STYP 1 part set, 2 part, 3 node set; ID = 0: everything.
-Movers movers(Card& c, const Draft& draft) {
+Movers proxies(Card& c, const Draft& draft) {
     Movers m;
     const bool all = c.integer("ID") == 0;
     const int type = all ? c.integer("STYP", NON_NEGATIVE) : c.choice("STYP", {1, 2, 3});
@@ -121,7 +121,7 @@ void generation(Cards& cards, Draft& draft) {
     Movers m;
     {
         Card c = cards.next("ID STYP OMEGA VX VY VZ IVATN ICID");
-        m = movers(c, draft);
+        m = proxies(c, draft);
     }
     Card c = cards.next("XC YC ZC NX NY NZ PHASE IRIGID");
     if (c.choice("IRIGID", {0, 1}) == 1)  // goes before the velocities of *PART_INERTIA

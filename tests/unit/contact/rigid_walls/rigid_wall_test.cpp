@@ -158,7 +158,7 @@ TEST_CASE("no node of a cloud ever gets into a shape, and none jumps through it"
     if (kind == 0) card.shape = Ball{Vec3(0.1, 0, 0), 0.05};
     if (kind == 1) card.shape = Rod{Vec3::Zero(), axis, 0.04, -0.05, 0.1};
     if (kind == 2) {
-        Block block;
+        Brick block;
         block.axes = Eigen::AngleAxisd(0.7, axis).toRotationMatrix();
         block.low = Vec3(-0.1, -0.02, -0.05);
         block.high = Vec3(0.05, 0.02, 0.0);

@@ -28,7 +28,7 @@ Case make(int kind) {
     if (kind == 1)
         return {Rod{place - 0.5 * turn.col(2), turn.col(2), 0.3, 0.0, 1.0},
                 object(std::make_shared<fcl::Cylinderd>(0.3, 1.0))};
-    Block block;
+    Brick block;
     block.axes = turn;
     block.corner = place;
     block.low = -Vec3(0.2, 0.3, 0.4);
@@ -112,7 +112,7 @@ TEST_CASE("the entry of a way is where walking along it first gets in", "[contac
 
 TEST_CASE("a way along a surface, away from it, or that ends before it, does not lead in",
           "[contact]") {
-    Block block;
+    Brick block;
     block.low = Vec3(0, 0, -1);
     block.high = Vec3(1, 1, 0);
     CHECK_FALSE(entry(block, {0.5, 0.5, 0.0}, {0.9, 0.5, 0.0}));

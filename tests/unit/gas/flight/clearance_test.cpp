@@ -7,7 +7,7 @@
 
 #include "gas/flight/clearance.hpp"
 #include "gas/flight/crossing.hpp"
-#include "gas/flight/free_ways.hpp"
+#include "gas/flight/safe_distances.hpp"
 #include "solver/base/random.hpp"
 #include "tests/support/geometry/shapes.hpp"
 
@@ -76,7 +76,7 @@ TEST_CASE("who streams meets no facet, however facets move and lists are renewed
     Particles gas;
     Random draw(2, Stream::INITIAL, 0, 0);
     for (int i = 0; i < 300; ++i) gas.add(anywhere(draw, 0.2), anywhere(draw, 500.0), 0.0, 0, i);
-    FreeWays ways;
+    SafeDistances safe;
     constexpr double STEP = 1e-5;
     std::size_t streamed = 0, asked = 0;
     for (int step = 0; step < 60; ++step) {
@@ -84,17 +84,17 @@ TEST_CASE("who streams meets no facet, however facets move and lists are renewed
         const Vec3 shift = 0.01 * std::sin(0.2 * (step + 1)) * Vec3(1, 0.5, -1);
         for (std::size_t n = 0; n < rest.size(); ++n) shape.x[n] = rest[n] + shift;
         if (!lists.hold_for(shape.x)) lists.build(lists.grid(), x_0, shape.x, 0.005, REACH);
-        ways.begin_flight(lists, x_0, shape.x, gas);
-        for (std::size_t begin = 0; begin < gas.size(); begin += FreeWays::BLOCK) {
-            const std::size_t count = std::min(gas.size() - begin, FreeWays::BLOCK);
-            const std::uint32_t unclear = ways.ask(lists, begin, count, STEP, gas);
+        safe.begin_flight(lists, x_0, shape.x, gas);
+        for (std::size_t begin = 0; begin < gas.size(); begin += SafeDistances::BLOCK) {
+            const std::size_t count = std::min(gas.size() - begin, SafeDistances::BLOCK);
+            const std::uint32_t unclear = safe.ask(lists, begin, count, STEP, gas);
             for (std::size_t k = 0; k < count; ++k) {
                 ++asked;
                 Vec3 &x = gas.x[begin + k], &v = gas.v[begin + k];
                 if ((unclear >> k & 1U) != 0) {
                     v = -x.normalized() * v.norm();  // inward, without asking where
                     x *= 0.9;
-                    gas.clear[begin + k] = 0.0F;
+                    gas.safe_distance[begin + k] = 0.0F;
                     continue;
                 }
                 ++streamed;

@@ -80,7 +80,7 @@ TEST_CASE("sphere, cylinder and prism", "[io]") {
     CHECK(endless.low == -INF);
     CHECK(endless.high == INF);
     const auto block =
-        shape<contact::Block>("*RIGIDWALL_GEOMETRIC_PRISM\n\n0,0,0,0,0,1\n3,0,0,1,2,4\n");
+        shape<contact::Brick>("*RIGIDWALL_GEOMETRIC_PRISM\n\n0,0,0,0,0,1\n3,0,0,1,2,4\n");
     CHECK(block.axes == Mat3::Identity());
     CHECK(block.low == Vec3(0, 0, -4));
     CHECK(block.high == Vec3(1, 2, 0));

@@ -39,7 +39,7 @@ TEST_CASE("a touching node blocks a third of a triangle's leak and a quarter of 
     gas::Openings openings(card, walls, {}, species, mass, *surface, samples, x, 1);
     const auto open = [&](std::vector<std::uint8_t> touching) {
         openings.block(touching, {});
-        return openings.gates()->open;
+        return openings.transmission()->open;
     };
     const double lost = 1.0 - leak.when_blocked;
     CHECK(open({0, 0, 0, 0, 0}) == std::vector<double>{1.0, 1.0, 1.0});
@@ -83,7 +83,7 @@ TEST_CASE(
         std::fill(force.begin(), force.end(), Vec3::Zero());
         for (const Index n : model.shells.back().nodes) force[n] = -share * 2.0 * P_ATM * area[n];
         bag.set_touching(all, force);
-        const std::vector<double>& open = bag.openings().gates()->open;
+        const std::vector<double>& open = bag.openings().transmission()->open;
         CHECK(open.back() == Approx(share > 1.0 ? 0.0 : 1.0));
         CHECK(open.front() == 1.0);
     }

@@ -52,7 +52,7 @@ TEST_CASE("what a loop finds is in the items' order on any number of threads", "
         if (i % 7 == 3) expected.push_back(i);
     for (const int n : {1, 2, 5}) {
         const Threads threads(n);
-        parallel::Found<std::size_t> found;
+        parallel::Gathered<std::size_t> found;
         for (int again = 0; again < 2; ++again) {
             std::vector<std::size_t> all;
             found.find(10000, all, [](std::size_t i, auto&& take) {

@@ -1,6 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "contact/surface/movers.hpp"
+#include "contact/surface/rigid_proxies.hpp"
 
 #include <Eigen/Eigenvalues>
 
@@ -28,12 +28,12 @@ Vec3 solve(const Mat3& A, const Vec3& b) {
 
 }  // namespace
 
-Mat3 RigidMover::mobility(const Vec3& at) const {
+Mat3 RigidProxy::mobility(const Vec3& at) const {
     const Mat3 arm = cross_matrix(at - centre);
     return inverse_mass - arm * inverse_inertia * arm;
 }
 
-double RigidMover::push(const Vec3& by, const Vec3& at) {
+double RigidProxy::push(const Vec3& by, const Vec3& at) {
     const Vec3 arm = at - centre, moment = arm.cross(by);
     impulse += by;
     turning += moment;
@@ -42,7 +42,7 @@ double RigidMover::push(const Vec3& by, const Vec3& at) {
     return -by.dot(held_velocity) - moment.dot(held_spin);
 }
 
-double inverse_mass(const RigidMover& body, Index number, const Cloth& cloth, const Points& x,
+double inverse_mass(const RigidProxy& body, Index number, const Cloth& cloth, const Points& x,
                     const Contact& c, const Vec3& direction) {
     double weight = 0.0;
     Vec3 arm = Vec3::Zero();
@@ -56,7 +56,7 @@ double inverse_mass(const RigidMover& body, Index number, const Cloth& cloth, co
            moment.dot(body.inverse_inertia * moment);
 }
 
-double mass_along(const Cloth& cloth, std::span<const RigidMover> bodies, const Points& x,
+double mass_along(const Cloth& cloth, std::span<const RigidProxy> bodies, const Points& x,
                   const Contact& c, const Vec3& direction) {
     double inverse = 0.0;
     for (int i = 0; i < 4; ++i)
@@ -66,7 +66,7 @@ double mass_along(const Cloth& cloth, std::span<const RigidMover> bodies, const 
     return 1.0 / inverse;
 }
 
-Contact contact_at(const Cloth& cloth, std::span<const RigidMover> bodies, const Points& x,
+Contact contact_at(const Cloth& cloth, std::span<const RigidProxy> bodies, const Points& x,
                    const Pair& pair, const Nearest& nearest, double gap) {
     Contact c = contact_at(pair, nearest, gap, cloth.inverse_mass);
     const bool has_held_axis = std::any_of(pair.node.begin(), pair.node.end(), [&](Index n) {
@@ -78,7 +78,7 @@ Contact contact_at(const Cloth& cloth, std::span<const RigidMover> bodies, const
     return c;
 }
 
-double Movement::push(Index node, const Vec3& impulse) {
+double VelocityState::push(Index node, const Vec3& impulse) {
     assert(has_begun_);
     if (const Index body = cloth_.body[node]; body >= 0)
         return bodies_[body].push(impulse, x_[node]);
@@ -87,9 +87,9 @@ double Movement::push(Index node, const Vec3& impulse) {
     return work;
 }
 
-double Movement::held_work(Index node, const Vec3& impulse) const {
+double VelocityState::held_work(Index node, const Vec3& impulse) const {
     if (const Index body = cloth_.body[node]; body >= 0) {
-        const RigidMover& of = bodies_[body];
+        const RigidProxy& of = bodies_[body];
         const Vec3 moment = (x_[node] - of.centre).cross(impulse);
         return -impulse.dot(of.held_velocity) - moment.dot(of.held_spin);
     }
@@ -99,11 +99,11 @@ double Movement::held_work(Index node, const Vec3& impulse) const {
     return work;
 }
 
-Movement::Joined Movement::join(Index node, Index body) {
+VelocityState::Joined VelocityState::join(Index node, Index body) {
     const Index own = cloth_.body[node];
     if (own == body) return {};
     const Vec3& at = x_[node];
-    RigidMover& anchor = bodies_[body];
+    RigidProxy& anchor = bodies_[body];
     const Vec3 apart = velocity(node) - anchor.velocity_at(at);
     Mat3 mobility = anchor.mobility(at);
     if (own >= 0)
@@ -117,9 +117,9 @@ Movement::Joined Movement::join(Index node, Index body) {
     return out;
 }
 
-void Movement::settle() {
+void VelocityState::settle() {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        RigidMover& body = bodies_[b];
+        RigidProxy& body = bodies_[b];
         if (body.velocity_change.isZero(0.0) && body.spin_change.isZero(0.0)) continue;
         for (const Index n : cloth_.nodes_of_body(b)) v_[n] += body.change_at(x_[n]);
         body.velocity += body.velocity_change;

@@ -12,7 +12,7 @@
 namespace corpuscle::contact {
 
 /// A rigid body as contact sees it: what hits one of its places moves all of it at once.
-struct RigidMover {
+struct RigidProxy {
     Vec3 centre = Vec3::Zero();           ///< of mass, at t                               [m]
     Mat3 inverse_mass = Mat3::Zero();     ///< zero along what supports and motions hold   [1/kg]
     Mat3 inverse_inertia = Mat3::Zero();  ///< about the centre, global axes; likewise [1/(kg m^2)]
@@ -40,7 +40,7 @@ struct RigidMover {
 
 /// What an impulse of one along `direction` between a contact's places makes of their rate, by the
 /// body with this number alone.                                                          [1/kg]
-[[nodiscard]] double inverse_mass(const RigidMover& body, Index number, const Cloth& cloth,
+[[nodiscard]] double inverse_mass(const RigidProxy& body, Index number, const Cloth& cloth,
                                   const Points& x, const Contact& c, const Vec3& direction);
 
 /// visit(number) for each body that has nodes of the contact: two at most.
@@ -58,22 +58,22 @@ void for_bodies_of(const Cloth& cloth, const Contact& c, Visit&& visit) {
 
 /// 1 / (what an impulse of one along `direction` makes of the rate along it); INF where nothing can
 /// move the pair.                                                                          [kg]
-[[nodiscard]] double mass_along(const Cloth& cloth, std::span<const RigidMover> bodies,
+[[nodiscard]] double mass_along(const Cloth& cloth, std::span<const RigidProxy> bodies,
                                 const Points& x, const Contact& c, const Vec3& direction);
 
 /// Contact between the nearest places of a pair that do not quite touch.
-[[nodiscard]] Contact contact_at(const Cloth& cloth, std::span<const RigidMover> bodies,
+[[nodiscard]] Contact contact_at(const Cloth& cloth, std::span<const RigidProxy> bodies,
                                  const Points& x, const Pair& pair, const Nearest& nearest,
                                  double gap);
 
 /// Velocities between the kick and the drift, which impulses change: those of free nodes in v, and
 /// of rigid bodies' nodes in v and what their bodies have taken since. Held nodes stay as they are.
-class Movement {
+class VelocityState {
 public:
     /// @param bodies    by the numbers that cloth.body has for their nodes
     /// @param v_before  gets the velocities that are about to change, if it is not null
-    Movement(const Cloth& cloth, const Points& x, Points& v, std::span<RigidMover> bodies,
-             Points* v_before)
+    VelocityState(const Cloth& cloth, const Points& x, Points& v, std::span<RigidProxy> bodies,
+                  Points* v_before)
         : cloth_(cloth), x_(x), v_(v), bodies_(bodies), v_before_(v_before) {}
 
     /// To be called before any velocity changes.
@@ -120,13 +120,13 @@ public:
     [[nodiscard]] bool has_begun() const { return has_begun_; }
     [[nodiscard]] const Points& v() const { return v_; }
     [[nodiscard]] const Points& x() const { return x_; }
-    [[nodiscard]] std::span<const RigidMover> bodies() const { return bodies_; }
+    [[nodiscard]] std::span<const RigidProxy> bodies() const { return bodies_; }
 
 private:
     const Cloth& cloth_;
     const Points& x_;
     Points& v_;
-    std::span<RigidMover> bodies_;
+    std::span<RigidProxy> bodies_;
     Points* v_before_;
     bool has_begun_ = false;
 };

@@ -1,6 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "gas/flight/gates.hpp"
+#include "gas/flight/transmission.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -23,7 +23,7 @@ struct Sheet {
     Points x_1 = shape.x;
     Particles gas;
     FlightResult flight;
-    Gates gates;
+    Transmission transmission;
     static constexpr double DT = 1e-3;
 
     Sheet(std::size_t count, double chance, bool is_internal, double push, double speed = 0.0) {
@@ -32,40 +32,40 @@ struct Sheet {
             const double s = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
             gas.add({0.9 - 1.8 * s, 0.3, 0.05}, {3.0, 0.0, 100.0}, 7.0, 0, static_cast<int>(i));
         }
-        gates.all.push_back({is_internal, true, push, {chance}, {0.0}});
-        gates.of_facet = {0, 0};
-        gates.collar_of = {-1, -1};
-        gates.open = {1.0, 1.0};
+        transmission.all.push_back({is_internal, true, push, {chance}, {0.0}});
+        transmission.of_facet = {0, 0};
+        transmission.collar_of = {-1, -1};
+        transmission.open = {1.0, 1.0};
     }
     void fly_through() {
         FacetLists lists(shape.triangles, shape.x, FacetLists::Of::EIGHTS);
         lists.build(Grid::over(Vec3(-1.1, -1.1, 0.0), Vec3(1.1, 1.1, 0.3), 0.1, 1000000), shape.x,
                     x_1, 0.0);
         const std::vector<double> mass{2.0};
-        fly(lists, shape.x, x_1, DT, mass, {}, gas, flight, &gates);
+        fly(lists, shape.x, x_1, DT, mass, {}, gas, flight, &transmission);
     }
-    [[nodiscard]] std::size_t passed(Gates::Way way) const {
+    [[nodiscard]] std::size_t passed(Transmission::Fate fate) const {
         std::size_t count = 0;
         for (const auto& chunk : flight.arrivals)
-            for (const Arrival& arrival : chunk) count += arrival.passage.way == way;
+            for (const Arrival& arrival : chunk) count += arrival.outcome.fate == fate;
         return count;
     }
 };
 
 }  // namespace
 
-TEST_CASE("the share of particles that pass a gate is its chance", "[gas][gates]") {
+TEST_CASE("the share of particles that pass an opening is its chance", "[gas][transmission]") {
     const double chance = GENERATE(0.0, 0.25, 0.8, 1.0);
     Sheet sheet(20000, chance, false, 0.0);
     sheet.fly_through();
-    const auto out = static_cast<double>(sheet.passed(Gates::Way::OUT));
-    CHECK(out + static_cast<double>(sheet.passed(Gates::Way::BACK)) == 20000.0);
+    const auto out = static_cast<double>(sheet.passed(Transmission::Fate::OUT));
+    CHECK(out + static_cast<double>(sheet.passed(Transmission::Fate::BACK)) == 20000.0);
     // four standard deviations of a binomial share
     CHECK(std::abs(out - 20000.0 * chance) <= 4.0 * std::sqrt(20000.0 * chance * (1.0 - chance)));
     CHECK(sheet.flight.lost.empty());
 }
 
-TEST_CASE("what leaves takes its energy, less the work of its push", "[gas][gates]") {
+TEST_CASE("what leaves takes its energy, less the work of its push", "[gas][transmission]") {
     const double push = GENERATE(0.0, 0.4, 1.0), speed = GENERATE(0.0, 20.0);
     Sheet sheet(100, 1.0, false, push, speed);
     sheet.fly_through();
@@ -84,11 +84,12 @@ TEST_CASE("what leaves takes its energy, less the work of its push", "[gas][gate
     CHECK(given == Approx(impulse.z() * speed).margin(1e-9));
 }
 
-TEST_CASE("an internal gate lets particles through as if it were not there", "[gas][gates]") {
+TEST_CASE("an internal opening lets particles through as if it were not there",
+          "[gas][transmission]") {
     Sheet sheet(100, 1.0, true, 0.0);
     const Particles before = sheet.gas;
     sheet.fly_through();
-    CHECK(sheet.passed(Gates::Way::THROUGH) == 100);
+    CHECK(sheet.passed(Transmission::Fate::THROUGH) == 100);
     for (std::size_t i = 0; i < 100; ++i) {
         CHECK(sheet.gas.v[i] == before.v[i]);
         CHECK((sheet.gas.x[i] - (before.x[i] + Sheet::DT * before.v[i])).norm() < 1e-15);
@@ -97,13 +98,13 @@ TEST_CASE("an internal gate lets particles through as if it were not there", "[g
     for (const auto& chunk : sheet.flight.hits) CHECK(chunk.empty());
 }
 
-TEST_CASE("a collar draws particles but is pushed like closed fabric", "[gas][gates]") {
+TEST_CASE("a collar draws particles but is pushed like closed fabric", "[gas][transmission]") {
     Sheet sheet(20000, 0.0, false, 0.0);
-    sheet.gates.of_facet = {-1, -1};
-    sheet.gates.collar_of = {0, 0};
-    sheet.gates.all[0].collar_chance = {0.3};
+    sheet.transmission.of_facet = {-1, -1};
+    sheet.transmission.collar_of = {0, 0};
+    sheet.transmission.all[0].collar_chance = {0.3};
     sheet.fly_through();
-    const auto out = static_cast<double>(sheet.passed(Gates::Way::OUT));
+    const auto out = static_cast<double>(sheet.passed(Transmission::Fate::OUT));
     CHECK(std::abs(out - 6000.0) < 4.0 * std::sqrt(6000.0 * 0.7));
     double impulse = 0.0;
     for (const auto& chunk : sheet.flight.hits)
@@ -111,11 +112,11 @@ TEST_CASE("a collar draws particles but is pushed like closed fabric", "[gas][ga
     CHECK(impulse == Approx(20000.0 * 2.0 * 2.0 * 100.0));
 }
 
-TEST_CASE("contact that covers a facet closes its gate", "[gas][gates]") {
+TEST_CASE("contact that covers a facet closes its opening", "[gas][transmission]") {
     Sheet sheet(1000, 1.0, false, 0.0);
-    sheet.gates.open = {0.0, 0.0};
+    sheet.transmission.open = {0.0, 0.0};
     sheet.fly_through();
-    CHECK(sheet.passed(Gates::Way::OUT) == 0);
+    CHECK(sheet.passed(Transmission::Fate::OUT) == 0);
 }
 
 TEST_CASE("rows are taken out in order", "[gas][particles]") {

@@ -14,34 +14,34 @@ namespace corpuscle::gas {
 ///
 /// A facet may belong to a gate (it is a hole, or leaks) and to the collar of a vent (closed fabric
 /// around a hole that takes in what the hole's own area cannot).
-struct Gates {
-    struct Gate {
+struct Transmission {
+    struct Chances {
         bool is_internal = false;    ///< passing particles stay in the bag
         bool counts_all = false;     ///< those that bounce are reported, too
         double push = 1.0;           ///< share of a bounce's impulse that a leaving particle gives
         std::vector<double> chance;  ///< by species                                          [-]
         std::vector<double> collar_chance;  ///< by species, on the collar                    [-]
     };
-    std::vector<Gate> all;
+    std::vector<Chances> all;
     std::vector<Index> of_facet;   ///< row in `all` of each facet, -1: none
     std::vector<Index> collar_of;  ///< row in `all` whose collar the facet belongs to, -1: none
     std::vector<double> open;      ///< by facet: share of the chance that contact leaves    [-]
     std::uint64_t seed = 0, step = 0;
 
-    enum class Way : std::uint8_t { BACK, THROUGH, OUT };
-    struct Passage {
-        Way way = Way::BACK;
-        Index gate = -1;  ///< whose passage it is; for BACK: who wants to know
+    enum class Fate : std::uint8_t { BACK, THROUGH, OUT };
+    struct Outcome {
+        Fate fate = Fate::BACK;
+        Index opening = -1;  ///< whose outcome it is; for BACK: who wants to know
         bool by_collar = false;
         double push = 1.0;  ///< share of the impulse of a bounce that the facet gets
     };
 
     /// What becomes of a particle at a facet: a function of (seed, step, particle, hit) alone.
-    [[nodiscard]] Passage passage(Index facet, std::int32_t species, std::int32_t particle,
+    [[nodiscard]] Outcome outcome(Index facet, std::int32_t species, std::int32_t particle,
                                   int hit) const {
-        const Index gate = of_facet[facet], collar = collar_of[facet];
-        if (gate < 0 && collar < 0) return {};
-        const double passing = gate < 0 ? 0.0 : open[facet] * all[gate].chance[species];
+        const Index row = of_facet[facet], collar = collar_of[facet];
+        if (row < 0 && collar < 0) return {};
+        const double passing = row < 0 ? 0.0 : open[facet] * all[row].chance[species];
         const double drawn = collar < 0 ? 0.0 : all[collar].collar_chance[species];
         if (passing > 0.0 || drawn > 0.0) {
             Random draw(seed, Stream::VENT, step,
@@ -49,13 +49,13 @@ struct Gates {
                                                                    << 32);
             const double u = draw.uniform();
             if (u < passing) {
-                const Gate& g = all[gate];
-                return {g.is_internal ? Way::THROUGH : Way::OUT, gate, false, g.push};
+                const Chances& g = all[row];
+                return {g.is_internal ? Fate::THROUGH : Fate::OUT, row, false, g.push};
             }
-            if (u < passing + drawn) return {Way::OUT, collar, true, 1.0};
+            if (u < passing + drawn) return {Fate::OUT, collar, true, 1.0};
         }
-        if (gate >= 0 && all[gate].counts_all) return {Way::BACK, gate, false, 1.0};
-        if (collar >= 0) return {Way::BACK, collar, true, 1.0};
+        if (row >= 0 && all[row].counts_all) return {Fate::BACK, row, false, 1.0};
+        if (collar >= 0) return {Fate::BACK, collar, true, 1.0};
         return {};
     }
 };
@@ -64,7 +64,7 @@ struct Gates {
 struct Arrival {
     std::size_t particle;  ///< row
     Index facet;
-    Gates::Passage passage;
+    Transmission::Outcome outcome;
     double energy;  ///< that it carries out                                       [J]
 };
 

@@ -19,10 +19,10 @@ namespace corpuscle::gas {
 /// How far each particle may fly before fabric can be in its way: most need not ask.
 ///
 /// The way that is free at a particle's place (Clearance) is used up by its flight, and looked up
-/// again when it no longer suffices. It stays with the particle (Particles::clear) when rows move.
+/// again when it no longer suffices. It stays with the particle (Particles::safe_distance) when rows move.
 /// What is not known is zero, so nothing here belongs in a checkpoint: who streams arrives where,
 /// to the bit, who is asked arrives.
-class FreeWays {
+class SafeDistances {
 public:
     static constexpr std::size_t BLOCK = 32;  ///< rows; chunks of flights are a multiple
 
@@ -35,7 +35,7 @@ public:
             const bool is_next = lists.builds() == builds_ + 1;
             const float since = is_next ? round_up(lists.moved_between_builds()) : INFINITY;
             parallel::for_each(gas.size(), [&](std::size_t i) {
-                gas.clear[i] = std::max(0.0F, gas.clear[i] - since);
+                gas.safe_distance[i] = std::max(0.0F, gas.safe_distance[i] - since);
             });
             builds_ = lists.builds();
         }
@@ -48,21 +48,21 @@ public:
                       Particles& gas) const {
         const std::uint32_t all = static_cast<std::uint32_t>((std::uint64_t{1} << count) - 1);
         if (!is_on_) return all;
-        float* const left = gas.clear.data() + begin;
-        const auto way = ways(gas.v[begin].data(), count, dt);
+        float* const left = gas.safe_distance.data() + begin;
+        const auto bound = displacement_bounds(gas.v[begin].data(), count, dt);
         std::uint32_t unclear = 0;
         for (std::size_t i = 0; i < count; ++i)
-            unclear |= static_cast<std::uint32_t>(!(left[i] - way[i] > moved_)) << i;
+            unclear |= static_cast<std::uint32_t>(!(left[i] - bound[i] > moved_)) << i;
         for (std::uint32_t rest = unclear; rest != 0; rest &= rest - 1) {
             const int i = std::countr_zero(rest);
             const Vec3& x = gas.x[begin + i];
             left[i] = lists.clearance().at(x);
-            const bool is_short = way[i] + moved_ < lists.clearance().reach();
-            if (left[i] - way[i] > moved_ ||
+            const bool is_short = bound[i] + moved_ < lists.clearance().reach();
+            if (left[i] - bound[i] > moved_ ||
                 (is_short && lists.clearance().is_free(x, x + dt * gas.v[begin + i], moved_)))
                 unclear &= ~(1U << i);
         }
-        for (std::size_t i = 0; i < count; ++i) left[i] = (left[i] - way[i]) * (1.0F - ROUNDING);
+        for (std::size_t i = 0; i < count; ++i) left[i] = (left[i] - bound[i]) * (1.0F - ROUNDING);
         for (std::uint32_t rest = unclear; rest != 0; rest &= rest - 1)
             left[std::countr_zero(rest)] = 0.0F;
         return unclear;
@@ -73,7 +73,8 @@ private:
 
     /// Largest component of each particle's way, rounded up; NaN where it is not finite. Three fours
     /// hold four velocities.
-    static std::array<float, BLOCK> ways(const double* v, std::size_t count, double dt) {
+    static std::array<float, BLOCK> displacement_bounds(const double* v, std::size_t count,
+                                                        double dt) {
         std::array<float, BLOCK> out;
         const auto longest = [&](double x, double y, double z) {
             return std::max(std::max(std::abs(x), std::abs(y)), std::abs(z)) + 0.0 * (x + y + z);
@@ -96,7 +97,7 @@ private:
         return out;
     }
 
-    static float round_up(double way) { return static_cast<float>(way) * (1.0F + ROUNDING); }
+    static float round_up(double bound) { return static_cast<float>(bound) * (1.0F + ROUNDING); }
 
     std::size_t builds_ = 0;
     float moved_ = 0.0F;  ///< farthest along an axis that a node has, since then        [m]
