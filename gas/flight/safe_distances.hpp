@@ -16,10 +16,10 @@
 
 namespace corpuscle::gas {
 
-/// How far each particle may fly before fabric can be in its way: most need not ask.
+/// Distance that each particle may fly before it can meet fabric: most need not ask.
 ///
-/// The way that is free at a particle's place (Clearance) is used up by its flight, and looked up
-/// again when it no longer suffices. It stays with the particle (Particles::safe_distance) when rows move.
+/// The distance at a particle's place (Clearance) is used up by its flight, and looked up again
+/// when it no longer suffices. It stays with the particle (Particles::safe_distance) when rows move.
 /// What is not known is zero, so nothing here belongs in a checkpoint: who streams arrives where,
 /// to the bit, who is asked arrives.
 class SafeDistances {
@@ -43,7 +43,7 @@ public:
     }
 
     /// Which of up to BLOCK rows may meet fabric in dt, or have no finite velocity, a bit each. The
-    /// others' ways are used up.
+    /// others' distances are used up.
     std::uint32_t ask(const FacetLists& lists, std::size_t begin, std::size_t count, double dt,
                       Particles& gas) const {
         const std::uint32_t all = static_cast<std::uint32_t>((std::uint64_t{1} << count) - 1);
@@ -71,7 +71,7 @@ public:
 private:
     static constexpr float ROUNDING = 1e-6F;
 
-    /// Largest component of each particle's way, rounded up; NaN where it is not finite. Three fours
+    /// Largest component of each particle's displacement, rounded up; NaN where it is not finite. Three fours
     /// hold four velocities.
     static std::array<float, BLOCK> displacement_bounds(const double* v, std::size_t count,
                                                         double dt) {
@@ -87,7 +87,7 @@ private:
                 return a < 0.0 ? -a : a;
             };
             const auto [x, y, z] = columns(size(0), size(1), size(2));
-            // what is not finite has no finite way: zero times it is NaN
+            // what is not finite has no finite displacement: zero times it is NaN
             const Four xy = x > y ? x : y, not_finite = 0.0 * (x + y + z);
             const Four most = factor * (xy > z ? xy : z) + not_finite;
             for (int l = 0; l < FOUR; ++l) out[i + l] = static_cast<float>(most[l]);

@@ -10,10 +10,10 @@
 
 namespace corpuscle::gas {
 
-/// Chances of passing through facets that hold for one step: all that flight knows of holes.
+/// Transmission probabilities of facets for one step: all that flight knows of holes.
 ///
-/// A facet may belong to a gate (it is a hole, or leaks) and to the collar of a vent (closed fabric
-/// around a hole that takes in what the hole's own area cannot).
+/// A facet may belong to an opening (it is a hole, or leaks) and to the collar of a vent (closed
+/// fabric around a hole that takes in what the hole's own area cannot).
 struct Transmission {
     struct Chances {
         bool is_internal = false;    ///< passing particles stay in the bag
@@ -60,7 +60,7 @@ struct Transmission {
     }
 };
 
-/// A particle that came to a gate.
+/// A particle that came to an opening.
 struct Arrival {
     std::size_t particle;  ///< row
     Index facet;

@@ -183,7 +183,7 @@ void Inflators::share_particles(std::size_t particles, Faults& faults) {
         moles.push_back(gases_[g].flow.total() / species_[g].molar_mass());
     if (species_.size() > gases_.size()) moles.push_back(resident_moles_);
     if (particles == 0) {
-        faults.push_back("NP = 0 particles, expected > 0");
+        faults.emplace_back("NP = 0 particles, expected > 0");
         return;
     }
     moles_each_ = std::accumulate(moles.begin(), moles.end(), 0.0) / static_cast<double>(particles);
