@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # Installs the libraries of a build, builds examples/ on them by find_package and one by pkg-config, runs them, and
-# holds what they print to what they must.
-# usage: examples.sh BUILD [COMPILER_LAUNCHER]
+# holds what they print to what they must. --prefix: on libraries that are installed already, as in /usr.
+# usage: examples.sh BUILD [COMPILER_LAUNCHER] | examples.sh --prefix PREFIX
 set -euo pipefail
-build=$1 launcher=${2:-}
 work=$(mktemp -d)
+launcher="" prefix=$work/usr
+if [ "$1" = --prefix ]; then prefix=$2; else launcher=${2:-}; fi
 trap 'rm -rf "$work"' EXIT
 fail() { echo "examples: $*" >&2; exit 1; }
 # close FILE 'fields' TOLERANCE: in each line of the awk expression two numbers that agree
@@ -13,10 +14,10 @@ close() {
         END { exit bad || !n }' "$1" || fail "$1: expected agreement to $3"
 }
 
-cmake --install "$build" --prefix "$work/usr" --component library >/dev/null
-grep -rnE '#include "|#include <(solver|gas|fabric|contact|io)/' "$work/usr/include" &&
+[ "$1" = --prefix ] || cmake --install "$1" --prefix "$prefix" --component library >/dev/null
+grep -rnE '#include "|#include <(solver|gas|fabric|contact|io)/' "$prefix/include/corpuscle" &&
     fail "an installed header includes what is not under corpuscle/"
-cmake -S examples -B "$work/build" -G Ninja -DCMAKE_PREFIX_PATH="$work/usr" \
+cmake -S examples -B "$work/build" -G Ninja -DCMAKE_PREFIX_PATH="$prefix" \
     ${launcher:+-DCMAKE_CXX_COMPILER_LAUNCHER=$launcher} >"$work/log" 2>&1 || { cat "$work/log"; fail "not configured"; }
 cmake --build "$work/build" -j2 >"$work/log" 2>&1 || { cat "$work/log"; fail "not built"; }
 ! grep -qE -- '-march|-mavx|-ffp-contract|-fno-' "$work/build/build.ninja" || fail "flags are forced on users"
@@ -41,7 +42,7 @@ awk '/lowest/ { z = $10 } END { exit !(z > 0.2 && z < 1.0) }' "$work/falling_clo
 [ "$(grep -c '^t ' "$work/deck.txt")" -ge 10 ] || fail "deck_step_by_step shows fewer than ten states"
 
 # shellcheck disable=SC2046
-PKG_CONFIG_PATH=$(find "$work/usr" -name pkgconfig -type d) &&
+PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name corpuscle.pc)") &&
     export PKG_CONFIG_PATH &&
     ${CXX:-g++} -O1 $(pkg-config --cflags corpuscle) -std=c++20 examples/own_law.cpp -o "$work/by_pkg_config" $(pkg-config --libs corpuscle) ||
     fail "not built by pkg-config"

@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# The Debian packages on a bare Debian 12, a fresh minimal system in a folder of its own: installs the program with what
+# it depends on and nothing else, runs the main job, a report and a restart, installs the libraries, builds and runs
+# examples/ on them, removes all, and holds files and packages of the system to those of before.
+# usage: deb.sh FOLDER     FOLDER: of the two packages, as tools/package/build makes them
+# Skipped (77) without root, debootstrap or packages. Some minutes; fetches some 400 MB from Debian's mirror.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+folder=${1:-build/package}
+say() { echo "deb: $*"; }
+fail() { echo "deb: $*" >&2; exit 1; }
+[ "$(id -u)" -eq 0 ] || { say "skipped: not root"; exit 77; }
+command -v debootstrap >/dev/null || { say "skipped: no debootstrap"; exit 77; }
+program=$(find "$folder" -maxdepth 1 -name 'corpuscle_*.deb' 2>/dev/null | head -1)
+library=$(find "$folder" -maxdepth 1 -name 'libcorpuscle-dev_*.deb' 2>/dev/null | head -1)
+[ -n "$program" ] && [ -n "$library" ] || { say "skipped: no packages in $folder: tools/package/build makes them"; exit 77; }
+mirror=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null |
+    sed -n 's/^URIs: *\(http[^ ]*\/debian\)\/*$/\1/p; s/^deb \(\[[^]]*\] \)\?\(http[^ ]*\/debian\)\/* .*/\2/p' | head -1)
+
+root=$(mktemp -d /var/tmp/deb-test.XXXXXX)
+clean() {
+    umount -l "$root/proc" "$root/dev" 2>/dev/null || true
+    mountpoint -q "$root/proc" || mountpoint -q "$root/dev" || rm -rf --one-file-system "$root"
+}
+trap clean EXIT
+debootstrap --variant=minbase bookworm "$root" "${mirror:-http://deb.debian.org/debian}" >/dev/null
+mount -t proc proc "$root/proc"
+mount --bind /dev "$root/dev"
+cp /etc/resolv.conf "$root/etc/resolv.conf"
+cp -r /etc/apt/apt.conf.d/. "$root/etc/apt/apt.conf.d/"
+cp -r /usr/local/share/ca-certificates/. "$root/usr/local/share/ca-certificates/" 2>/dev/null || true
+mkdir -p "$root/job/models" "$root/job/tests"
+cp "$program" "$library" "$root/job"
+cp -r examples "$root/job"
+cp -r tests/package "$root/job/tests"
+cp -r models/tank_test "$root/job/models"
+
+inside() {
+    env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive OMP_WAIT_POLICY=passive \
+        ${http_proxy:+http_proxy=$http_proxy} ${https_proxy:+https_proxy=$https_proxy} \
+        chroot "$root" /bin/bash -euc "cd /job; $*"
+}
+# What the system holds, but for caches, logs and the lists of the package system itself
+state() {
+    inside "dpkg-query -W -f '\${Package} \${Status}\n' | grep 'ok installed'"
+    (cd "$root" && find . -xdev \( -path ./job -o -path ./proc -o -path ./dev -o -path ./tmp -o -path ./var/cache -o -path ./var/log \
+        -o -path ./var/lib/apt -o -path ./var/lib/dpkg \) -prune -o -print)
+}
+inside "apt-get update -q >/dev/null"
+state | sort >"$root/job/before"
+
+inside "apt-get install -y -q --no-install-recommends ./$(basename "$program") >/dev/null"
+inside "corpuscle --version"
+run="corpuscle run /usr/share/corpuscle/models/driver_bag_folded/driver_bag_folded.k -D NP=20000 -q -o folded"
+inside "$run --until 2; corpuscle report folded >/dev/null; test -s folded/report.html"
+inside "timeout -s INT 3 $run --until 4 || true; $run --until 4 --restart; corpuscle export folded --csv >/dev/null; tail -1 folded/history.csv" >"$root/job/end"
+awk -F, '{ exit !($1 > 3.99 && $1 < 4.01) }' "$root/job/end" || fail "the restarted run did not come to 4 ms: $(cut -c1-80 "$root/job/end")"
+inside "test -s /usr/share/man/man1/corpuscle-run.1.gz -o -s /usr/share/man/man1/corpuscle-run.1" || true
+say "program: installed, run, restarted, reported"
+
+inside "apt-get install -y -q --no-install-recommends ./$(basename "$library") g++ cmake ninja-build pkg-config >/dev/null"
+inside "CXX=g++ tests/package/examples.sh --prefix /usr" || fail "examples"
+say "examples: built and run on the installed libraries"
+
+inside "apt-get purge -y -q --autoremove corpuscle libcorpuscle-dev g++ cmake ninja-build pkg-config >/dev/null"
+state | sort >"$root/job/after"
+comm -13 "$root/job/before" "$root/job/after" >"$root/job/left"
+if grep -i corpuscle "$root/job/left"; then fail "traces of corpuscle are left"; fi
+say "removed: $(wc -l <"$root/job/left") files are left by Debian's own packages, none of corpuscle"
+sed 's/^/    /' "$root/job/left" | head -20
