@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs every command of corpuscle that the manuals show, page by page and in the page's order, in a scratch folder that
-# has what the pages name: the models, panel.stl and bag.stl. What is shortened is said:
+# has what the pages name: the models, panel.stl, bag.stl and wrong.k. What is shortened is said:
 #
 #   run       ends after some 20 steps; with --restart a run of 200 steps is broken off first, to be gone on with
 #   study     each of its runs likewise, of the first value of each factor and one seed
@@ -82,6 +82,7 @@ shape() { # NAME
 
 shape panel >"$work/panel.stl"
 shape bag >"$work/bag.stl"
+printf '%s\n' '*KEYWORD' '*CONTROL_TERMINTION' '1.0' '*SECTION_SHELL' '1,2,1.0,x' '*END' >"$work/wrong.k"
 cp -r models "$work/models"
 # Studies with short runs, of the first value of each factor
 (cd "$work/models" && for study in */*.toml; do
@@ -100,7 +101,7 @@ for page in "${pages[@]}"; do
     scratch=$work/page
     rm -rf "$scratch"
     mkdir "$scratch"
-    cp -r "$work/models" "$work/panel.stl" "$work/bag.stl" "$scratch"
+    cp -r "$work/models" "$work/panel.stl" "$work/bag.stl" "$work/wrong.k" "$scratch"
     folder=$scratch
     [[ $page == models/* ]] && folder=$scratch/$(dirname "$page")
     begin=$SECONDS
