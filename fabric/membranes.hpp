@@ -33,6 +33,7 @@ public:
     Membranes(Membranes&&) noexcept;
     Membranes& operator=(Membranes&&) noexcept;
 
+    /// A stable step.
     struct Step {
         double dt;    ///< [s], infinite when nothing is active
         Index shell;  ///< row of the shell that sets it, -1 when nothing does
@@ -49,6 +50,7 @@ public:
     /// Energy stored at the last add_force, hourglass control and bent coats included; all and by
     /// part row.    [J]
     [[nodiscard]] double strain_energy() const;
+    /// By part row.                                                                         [J]
     [[nodiscard]] std::span<const double> part_strain_energy() const { return part_energy_; }
 
     /// The part of the last add_force that came from DAMP: N × 3, empty when no part is damped. [N]
@@ -88,6 +90,7 @@ public:
         visit_past([&](std::span<std::byte> bytes) { archive(bytes); });
     }
 
+    /// What mass scaling adds.
     struct AddedMass {
         std::vector<double> node;  ///< N, to be added to the lumped mass                     [kg]
         double total = 0.0;        ///< may be negative when the step was forced on all       [kg]
@@ -103,7 +106,9 @@ public:
     void stress_strain(const Points& x, std::span<std::array<float, 3>> stress,
                        std::span<std::array<float, 3>> strain) const;
 
+    /// Bending of coats; empty: none.
     [[nodiscard]] const CoatBending& coat() const { return coat_; }
+    /// Elements that have strains.
     [[nodiscard]] std::size_t element_count() const { return element_count_; }
 
 private:

@@ -11,17 +11,18 @@ namespace corpuscle {
 
 /// One shell of the deck. A triangle repeats its 3rd node.
 struct Shell {
-    int id = 0;
+    int id = 0;                    ///< the deck's
     Index part = -1;               ///< row among the parts
     std::array<Index, 4> nodes{};  ///< node rows
 
+    /// A triangle repeats its third node.
     [[nodiscard]] bool is_triangle() const { return nodes[2] == nodes[3]; }
 };
 
 /// *PART with its *SECTION_SHELL.
 struct Part {
-    int id = 0;
-    std::string title;
+    int id = 0;                      ///< the deck's
+    std::string title;               ///< for messages
     Index material = -1;             ///< row among the materials
     double thickness = NaN;          ///< mean of T1-T4 [m]
     double contact_thickness = NaN;  ///< OPTT; NaN: the thickness [m]

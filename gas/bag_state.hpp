@@ -8,22 +8,34 @@
 
 namespace corpuscle::gas {
 
-/// A snapshot of the gas in one bag.
+/// The gas of a bag at t.
 struct GasState {
-    double volume = 0, pressure = 0, temperature = 0, area = 0;
-    double mass = 0, mass_in = 0;
-    double mass_out_vent = 0, mass_out_fabric = 0, particles_out = 0;  ///< so far
-    double energy = 0;         ///< all that the gas inside holds
-    double translational = 0;  ///< of which makes pressure, p = 2/3 translational / volume
+    double volume = 0;       ///< [m^3]
+    double pressure = 0;     ///< absolute                                                  [Pa]
+    double temperature = 0;  ///< at which the gas at rest would hold its energy             [K]
+    double area = 0;         ///< of what closes the bag                                   [m^2]
+    double mass = 0;         ///< inside                                                    [kg]
+    double mass_in = 0;      ///< so far                                                    [kg]
+    double mass_out_vent = 0, mass_out_fabric = 0;  ///< so far                             [kg]
+    double particles_out = 0;                       ///< so far                              [-]
+    double energy = 0;         ///< all that the gas inside holds                            [J]
+    double translational = 0;  ///< of which makes pressure, p = 2/3 translational / volume  [J]
+    /// One gas of it.
     struct Share {
-        double mass = 0, temperature = 0, energy = 0;
+        double mass = 0;         ///< [kg]
+        double temperature = 0;  ///< [K]
+        double energy = 0;       ///< [J]
     };
     std::vector<Share> species;  ///< initial air first, if any
 };
 
 /// The gas in one chamber of a bag.
 struct ChamberState {
-    double volume = 0, pressure = 0, temperature = 0, mass = 0, energy = 0;
+    double volume = 0;       ///< [m^3]
+    double pressure = 0;     ///< absolute                                                  [Pa]
+    double temperature = 0;  ///< [K]
+    double mass = 0;         ///< [kg]
+    double energy = 0;       ///< [J]
 };
 
 /// A chamber's state while it is added up, room by room.
@@ -33,7 +45,7 @@ struct ChamberSum {
     EnergyPolynomial content;  ///< energy of its gas at rest, as a polynomial in T
 };
 
-/// What the gas does to each part.
+/// What the gas did to each part of a bag, in the order of BagWalls::part_rows.
 struct PartState {
     std::vector<double> pressure;  ///< absolute, mean since the last look   [Pa]
     std::vector<double> area;      ///< now                                  [m^2]

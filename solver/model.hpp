@@ -36,32 +36,32 @@ using DofMask = unsigned;
 
 struct Support {  ///< *BOUNDARY_SPC
     Index node = -1;
-    DofMask fixed = 0;
+    DofMask fixed = 0;  ///< held for good
 };
 
 enum class MotionKind { VELOCITY, ACCELERATION, DISPLACEMENT };  ///< VAD 0, 1, 2
 
 /// *BOUNDARY_PRESCRIBED_MOTION of nodes or of one rigid part.
 struct PrescribedMotion {
-    std::vector<Index> nodes;  ///< node rows (empty for a rigid part)
-    Index rigid_part = -1;     ///< part row of a *MAT_RIGID, or -1
-    MotionKind kind = MotionKind::VELOCITY;
-    bool rotation = false;      ///< DOF 5-8: about `axis`, rigid parts only
-    Vec3 axis = Vec3::UnitX();  ///< unit direction of the motion
-    Index curve = -1;
-    double scale = 1.0;                ///< SF
-    double birth = 0.0, death = 1e28;  ///< [s]
+    std::vector<Index> nodes;                ///< node rows (empty for a rigid part)
+    Index rigid_part = -1;                   ///< part row of a *MAT_RIGID, or -1
+    MotionKind kind = MotionKind::VELOCITY;  ///< what the curve gives
+    bool rotation = false;                   ///< DOF 5-8: about `axis`, rigid parts only
+    Vec3 axis = Vec3::UnitX();               ///< unit direction of the motion
+    Index curve = -1;                        ///< row: over time                 [m/s] or as `kind`
+    double scale = 1.0;                      ///< SF
+    double birth = 0.0, death = 1e28;        ///< [s]
 };
 
-struct RigidVelocity {  ///< initial velocity of a rigid part
-    Index part = -1;
+struct RigidVelocity {             ///< initial velocity of a rigid part
+    Index part = -1;               ///< row
     Vec3 velocity = Vec3::Zero();  ///< of the centre of mass          [m/s]
     Vec3 spin = Vec3::Zero();      ///< angular velocity               [rad/s]
 };
 
 /// *PART_INERTIA, or the solids of a rigid part: its mass, whatever its shells would weigh.
 struct RigidInertia {
-    Index part = -1;
+    Index part = -1;              ///< row
     double mass = NaN;            ///< [kg]
     Vec3 centre = Vec3::Zero();   ///< of mass, at the start                     [m]
     Mat3 inertia = Mat3::Zero();  ///< about the centre, global axes             [kg m^2]
@@ -107,7 +107,8 @@ struct AddedLeak {
 
 /// Shells that a contact means of parts of which it does not mean all; rows.
 struct ContactShells {
-    std::vector<Index> first, second;  ///< of SURFA; of SURFB
+    std::vector<Index> first;   ///< of SURFA
+    std::vector<Index> second;  ///< of SURFB
 };
 
 /// *LOAD_BODY_X/Y/Z, *LOAD_GRAVITY_PART: acceleration of the frame; bodies feel its opposite.
@@ -151,47 +152,50 @@ struct PartDamping {
 struct OutputIntervals {
     double frames = NaN;            ///< *DATABASE_BINARY_D3PLOT
     double checkpoint_steps = NaN;  ///< *DATABASE_BINARY_D3DUMP; NaN: by the clock            [-]
+    /// Text files of these names, *DATABASE_...                                             [s]
     double abstat = NaN, glstat = NaN, rcforc = NaN, rwforc = NaN, rbdout = NaN, nodout = NaN;
-    double abstat_cpm = NaN, matsum = NaN, cpm_sensor = NaN;
+    double abstat_cpm = NaN, matsum = NaN, cpm_sensor = NaN;  ///< likewise                  [s]
 };
 
+/// Nodes, shells, and what they are made of.
 struct ModelMesh {
-    std::vector<int> node_id;
-    Points x;  ///< initial (folded) node positions, N × 3        [m]
-    std::vector<Shell> shells;
-    std::vector<Part> parts;
-    std::vector<fabric::Material> materials;
-    std::vector<ReferenceGeometry> references;
+    std::vector<int> node_id;   ///< N, the deck's
+    Points x;                   ///< initial (folded) node positions, N × 3        [m]
+    std::vector<Shell> shells;  ///< E; nodes and part by row
+    std::vector<Part> parts;    ///< material by row
+    std::vector<fabric::Material> materials;       ///< cards, as the deck has them
+    std::vector<ReferenceGeometry> references;     ///< stress-free shapes of nodes
     std::vector<ShellReference> shell_references;  ///< go before `references`
-    std::vector<NodeMass> node_masses;
+    std::vector<NodeMass> node_masses;             ///< beside those of shells
 };
 
 /// Rigid bodies, and what joins them and nodes.
 struct ModelBodies {
-    std::vector<RigidVelocity> rigid_velocity;  ///< the last one of a part counts
-    std::vector<RigidInertia> rigid_inertia;    ///< at most one a part
-    std::vector<RigidExtraNode> rigid_extra_nodes;
+    std::vector<RigidVelocity> rigid_velocity;      ///< the last one of a part counts
+    std::vector<RigidInertia> rigid_inertia;        ///< at most one a part
+    std::vector<RigidExtraNode> rigid_extra_nodes;  ///< that ride on parts
     std::vector<RigidMerge> rigid_merges;  ///< a part is led by one other at most, none by itself
-    std::vector<RigidJoint> rigid_joints;
-    std::vector<TiedNode> tied_nodes;  ///< a node at most once
+    std::vector<RigidJoint> rigid_joints;  ///< between two bodies
+    std::vector<TiedNode> tied_nodes;      ///< a node at most once
 };
 
 /// What holds, moves and loads nodes.
 struct ModelLoads {
-    Points velocity;  ///< initial node velocities, N × 3                [m/s]
-    std::vector<Support> supports;
-    std::vector<PrescribedMotion> motions;
-    std::vector<BodyLoad> body_loads;
-    std::vector<PressureLoad> pressure_loads;
-    std::vector<NodeLoad> node_loads;
-    std::vector<PartDamping> part_dampings;
+    Points velocity;                ///< initial node velocities, N × 3                [m/s]
+    std::vector<Support> supports;  ///< held nodes
+    std::vector<PrescribedMotion> motions;     ///< driven nodes and bodies
+    std::vector<BodyLoad> body_loads;          ///< gravity
+    std::vector<PressureLoad> pressure_loads;  ///< on facets
+    std::vector<NodeLoad> node_loads;          ///< on nodes
+    std::vector<PartDamping> part_dampings;    ///< by part
     double mass_damping = 0.0;      ///< *DAMPING_GLOBAL VALDMP                        [1/s]
     Index mass_damping_curve = -1;  ///< *DAMPING_GLOBAL LCID                          [1/s]
 };
 
+/// Bags, and what closes them.
 struct ModelAirbags {
-    std::vector<AddedLeak> added_leaks;
-    std::vector<gas::BagCard> bags;
+    std::vector<AddedLeak> added_leaks;             ///< by material
+    std::vector<gas::BagCard> bags;                 ///< *AIRBAG_PARTICLE
     std::vector<gas::UniformBagCard> uniform_bags;  ///< that never hold particles
     std::vector<gas::ExchangeCard> exchanges;       ///< between two of these
     std::vector<gas::SensorCard> sensors;           ///< *DATABASE_CPM_SENSOR, one a segment
@@ -202,10 +206,11 @@ struct ModelAirbags {
     std::vector<std::string> mendings;  ///< what was done to close bags
 };
 
+/// Who may touch whom.
 struct ModelContacts {
-    std::vector<contact::ContactCard> contacts;
+    std::vector<contact::ContactCard> contacts;  ///< the first that holds for a pair counts
     std::vector<ContactShells> contact_shells;  ///< by contact; none: all contacts mean whole parts
-    std::vector<contact::WallCard> walls;
+    std::vector<contact::WallCard> walls;       ///< *RIGIDWALL
 };
 
 /// Control and output.
@@ -215,16 +220,16 @@ struct ModelControl {
     double step_start = 0.0;        ///< DTINIT, 0: stable step                        [s]
     double step_mass_scaled = 0.0;  ///< DT2MS < 0: mass is added where the step would be below
                                     ///< |DT2MS|; > 0: everywhere to that step; 0: none         [s]
-    OutputIntervals output;
+    OutputIntervals output;         ///< how often which file
     std::vector<Index> history_nodes;  ///< node rows of *DATABASE_HISTORY_NODE
 };
 
 /// A scene: pure data, in the deck's units. Built by io from a deck, or by hand in a test.
 struct Model : ModelMesh, ModelBodies, ModelLoads, ModelAirbags, ModelContacts, ModelControl {
-    std::string title;
-    std::string deck;         ///< file name, for messages and results
-    std::string unit_system;  ///< "kg-mm-ms-K", "SI", "ton-mm-s-K", or "consistent"
-    std::vector<Curve> curves;
+    std::string title;                  ///< *TITLE
+    std::string deck;                   ///< file name, for messages and results
+    std::string unit_system;            ///< "kg-mm-ms-K", "SI", "ton-mm-s-K", or "consistent"
+    std::vector<Curve> curves;          ///< that cards name by row
     std::vector<std::string> notes;     ///< what was decided where a deck may be read in two ways
     std::vector<std::string> warnings;  ///< each with file and line, for the user
 };

@@ -18,9 +18,10 @@
 
 namespace corpuscle {
 
+/// What a step was.
 struct StepReport {
-    double t, dt;  ///< of the step that was made: from t, by dt                [s]
-    StepLimit limit;
+    double t, dt;     ///< of the step that was made: from t, by dt                [s]
+    StepLimit limit;  ///< who set dt
 };
 
 /// A scene in motion, step by step, with its energy balance and its records.
@@ -43,13 +44,18 @@ public:
     /// Brings forces and books to the end time, for the last observation.
     void close(const Observer& observe);
 
+    /// Has t come to the end time?
     [[nodiscard]] bool is_over() const { return scene_.clock.t >= scene_.model.end_time; }
-    [[nodiscard]] double time() const { return scene_.clock.t; }
-    [[nodiscard]] std::int64_t steps() const { return scene_.clock.step; }
-    [[nodiscard]] std::size_t particles() const { return scene_.particles(); }
+    [[nodiscard]] double time() const { return scene_.clock.t; }            ///< t            [s]
+    [[nodiscard]] std::int64_t steps() const { return scene_.clock.step; }  ///< made so far
+    [[nodiscard]] std::size_t particles() const { return scene_.particles(); }  ///< of all bags
+    /// Everything that moves, and how.
     [[nodiscard]] const SceneState& scene() const { return scene_; }
+    /// What the scene was built from.
     [[nodiscard]] const Model& model() const { return scene_.model; }
+    /// x at t, v at the last half step, f and m.
     [[nodiscard]] const fabric::Nodes& nodes() const { return scene_.nodes; }
+    /// Bags of particles, and those of uniform pressure from the start, in the order of the deck.
     [[nodiscard]] const std::vector<gas::BagGas>& bags() const { return scene_.airbags.particle; }
     [[nodiscard]] const std::vector<gas::UniformBag>& uniform_bags() const {
         return scene_.airbags.uniform;
@@ -58,16 +64,21 @@ public:
     [[nodiscard]] const std::optional<contact::SurfaceContact>& contact() const {
         return scene_.obstacles.contact;
     }
+    /// *RIGIDWALL, in the order of the deck.
     [[nodiscard]] const std::vector<contact::RigidWall>& walls() const {
         return scene_.obstacles.walls;
     }
+    /// One for each rigid part that leads.
     [[nodiscard]] const std::vector<RigidBody>& bodies() const { return scene_.bodies.all; }
+    /// Wall time by phase.                                                                  [s]
     [[nodiscard]] const Timings& timings() const { return timings_; }
     /// Found in the first step, or by look_at_contacts().
     [[nodiscard]] BadStarts bad_starts() const { return scene_.bad_starts(); }
     /// As the first step will, at the start.
     void look_at_contacts() { scene_.find_contacts(stable_step().dt); }
+    /// Shells that have strains.
     [[nodiscard]] std::size_t active_shells() const { return scene_.cloth.active_shells; }
+    /// By DT2MS.                                                                           [kg]
     [[nodiscard]] double added_mass() const { return scene_.cloth.added_mass; }
 
     /// The next step and who limits it.
@@ -80,6 +91,7 @@ public:
 
     /// At t, inside an observer.
     [[nodiscard]] EnergyBooks books() const { return EnergyAudit::books(scene_); }
+    /// Who the entries of samples and frames are.
     [[nodiscard]] RecordLayout layout() const { return Recorder::layout(scene_); }
     /// Of contact and gas on a body, in the kick at t.                               [N]
     [[nodiscard]] Vec3 force_on(const RigidBody& body) const {

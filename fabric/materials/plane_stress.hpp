@@ -7,19 +7,22 @@ namespace corpuscle::fabric {
 /// Green-Lagrange strain on the warp and weft of the reference shape; shear is the angle's.   [-]
 template <class Real>
 struct Strain {
-    Real warp, weft, shear;  ///< E11, E22, 2·E12
+    Real warp, weft;  ///< E11, E22
+    Real shear;       ///< 2·E12
 };
 
 /// Second Piola-Kirchhoff stress on warp and weft, and the energy it stores.
 template <class Real>
 struct Stress {
-    Real warp, weft, shear;  ///< S11, S22, S12                          [Pa]
-    Real energy;             ///< of the reference volume                [J/m^3]
+    Real warp, weft;  ///< S11, S22                               [Pa]
+    Real shear;       ///< S12                                    [Pa]
+    Real energy;      ///< of the reference volume                [J/m^3]
 };
 
 /// Stiffness of a thin sheet on its warp and weft.                       [Pa]
 struct PlaneModuli {
-    double warp = 0, cross = 0, weft = 0, shear = 0;  ///< D11, D12, D22, G
+    double warp = 0, cross = 0, weft = 0;  ///< D11, D12, D22     [Pa]
+    double shear = 0;                      ///< G                 [Pa]
 
     /// S = D·E without the energy.
     template <class Real>
@@ -27,9 +30,11 @@ struct PlaneModuli {
         return {warp * e.warp + cross * e.weft, cross * e.warp + weft * e.weft, shear * e.shear,
                 Real{}};
     }
+    /// Of two layers that share their strain.
     friend PlaneModuli operator+(const PlaneModuli& a, const PlaneModuli& b) {
         return {a.warp + b.warp, a.cross + b.cross, a.weft + b.weft, a.shear + b.shear};
     }
+    /// Of a layer s times as thick.
     friend PlaneModuli operator*(double s, const PlaneModuli& a) {
         return {s * a.warp, s * a.cross, s * a.weft, s * a.shear};
     }
