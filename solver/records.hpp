@@ -12,7 +12,7 @@
 
 /// What a run hands to its results: plain numbers in deck units. io writes them, nothing reads them
 /// back. Simulation::layout() says once who is who; Simulation::sample() and frame() give, inside
-/// an observer, the numbers at t in the same order. io/FORMAT.md has the paths under which they lie.
+/// an observer, the numbers at t in the same order. io/FORMAT.md has the paths where they lie.
 namespace corpuscle {
 
 /// Who the entries of a Sample and a Frame are; fixed for the whole run.
