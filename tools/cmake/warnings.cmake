@@ -10,6 +10,10 @@ target_compile_options(corpuscle_warnings INTERFACE
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     # false alarms from inlined Eigen temporaries in g++ 12
     target_compile_options(corpuscle_warnings INTERFACE -Wno-maybe-uninitialized)
+    if(CORPUSCLE_ARCH)
+        # packs of four numbers go through memory where a processor has no AVX; nobody outside is handed one
+        target_compile_options(corpuscle_warnings INTERFACE -Wno-psabi)
+    endif()
 else()
     # comparisons joined by & have no branch: meant so
     target_compile_options(corpuscle_warnings INTERFACE -Wno-bitwise-instead-of-logical)
