@@ -48,8 +48,13 @@ run)
         until=$(time_of 20 "$deck" "${settings[@]}")
     else
         until=$(time_of 200 "$deck" "${settings[@]}")
-        timeout -s INT 2 "$program" run "$deck" "${settings[@]}" --until "$until" -q
-        [ -n "$(find "$(basename "$deck" .k).out" -name '*checkpoint*')" ] || { echo "nothing to go on from"; exit 9; }
+        folder=$(basename "$deck" .k).out
+        "$program" run "$deck" "${settings[@]}" --until "$until" -q &
+        for ((k = 0; k < 600; ++k)); do [ -e "$folder/results.h5" ] && break; sleep 0.1; done
+        sleep 0.3
+        kill -INT $!
+        wait $!
+        [ -n "$(find "$folder" -name '*checkpoint*')" ] || { echo "nothing to go on from"; exit 9; }
     fi
     exec "$program" "$@" ${until:+--until "$until"}
     ;;
