@@ -1,7 +1,8 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 //
-// Claim: the page of a large run is small enough to send, and opens in less than two seconds.
+// Claim: the page of a large run is small enough to send, and opens in less than two seconds; a page
+// that comes slowly shows each frame when all of its bytes are there.
 // Without Chromium and its driver this says that the opening was skipped.
 
 #include <catch2/catch.hpp>
@@ -74,4 +75,16 @@ TEST_CASE("10 000 nodes, 20 000 particles and 40 frames make a page of 12 MB or 
     WARN(1e-6 * static_cast<double>(page.size())
          << " MB, first picture by a software renderer after " << seen["first"]
          << " s, opened again after " << seen["opened"] << " s");
+}
+
+TEST_CASE("a page that stops within a frame's bytes goes on when they come", "[report]") {
+    if (!test::Visit::is_possible()) return;
+    const scene::Folder folder("slow_page");
+    test::write_results(folder.path);
+    const test::Visit seen("visit_slow.mjs", report::page({folder.path}),
+                           {"frame0_1", "frame0_2", "frame0_3"}, folder.path);
+    CHECK(seen["read"] == R"({"frame0_1":[1,4],"frame0_2":[2,4],"frame0_3":[3,4]})");
+    for (const char* frame : {"frame0_1", "frame0_2", "frame0_3"})
+        CHECK_THAT(seen[fmt::format("state of {}", frame)], !Catch::Contains("cannot be shown"));
+    CHECK(seen["faults"] == "[]");
 }

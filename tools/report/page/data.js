@@ -6,9 +6,15 @@ const OF_PARTICLES = ["speed", "temperature"];
 /** Frames but the first stand behind the scripts, so that those need not wait for them. */
 const wholePage = new Promise((go) => document.addEventListener("DOMContentLoaded", go));
 
+/**
+ * Whether <script id> has all of its text. The parser adds an element at its start tag and its text piece by piece, and
+ * goes on behind it only after its end tag.
+ */
+const isWhole = (id) => Boolean(document.getElementById(id)?.nextSibling);
+
 /** The bytes behind <script id>: base64 of deflate. */
 async function bytesOf(id) {
-    if (!document.getElementById(id)) await wholePage;
+    if (!isWhole(id)) await wholePage;
     const text = atob(document.getElementById(id).textContent.trim());
     const packed = new Uint8Array(text.length);
     for (let k = 0; k < text.length; ++k) packed[k] = text.charCodeAt(k);  // Uint8Array.from is many times slower
