@@ -2,8 +2,8 @@
 target_sources(corpuscle_io PRIVATE
     deck.cpp deck_mesh.cpp
     # text -> cards
-    deck/card.cpp deck/card_faults.cpp deck/cards.cpp deck/deck_fingerprint.cpp deck/deck_places.cpp
-    deck/deck_words.cpp deck/expression.cpp deck/faults.cpp
+    deck/card.cpp deck/card_faults.cpp deck/cards.cpp deck/comment_settings.cpp deck/deck_fingerprint.cpp
+    deck/deck_places.cpp deck/deck_words.cpp deck/expression.cpp deck/faults.cpp
     deck/keyword_reader.cpp deck/lines.cpp deck/parameter_cards.cpp deck/parameters.cpp
     # cards -> scene, a file a family
     keywords/control_output.cpp keywords/curves.cpp keywords/database_sensor.cpp keywords/keyword_table.cpp
@@ -41,4 +41,4 @@ target_sources(corpuscle_io PRIVATE
     keywords/motion/loads.cpp
     keywords/motion/motion.cpp
     # what no single keyword sees
-    model/beam_bodies.cpp model/loose_ends.cpp model/rigid_start.cpp model/solid_skin.cpp)
+    model/beam_bodies.cpp model/loose_ends.cpp model/part_remarks.cpp model/rigid_start.cpp model/solid_skin.cpp)

@@ -19,6 +19,7 @@
 #include "io/model/rigid_start.hpp"
 #include "io/model/solid_skin.hpp"
 #include "io/text/text.hpp"
+#include "io/text/units.hpp"
 #include "solver/base/error.hpp"
 
 namespace corpuscle::io {
@@ -93,33 +94,27 @@ std::string units(Parameters& parameters, Faults& faults) {
     std::optional<std::string> text = parameters.take_override("UNITS");
     if (const Parameter* p = parameters.find("UNITS", 0); !text && p != nullptr) text = p->text;
     if (!text) return {};
-    const std::string word = upper(trim(*text));
-    for (const auto& [name, system] :
-         {std::pair{"SI", "SI"}, std::pair{"KG-M-S", "SI"}, std::pair{"KG-MM-MS", "kg-mm-ms-K"},
-          std::pair{"KG-MM-MS-K", "kg-mm-ms-K"}, std::pair{"TON-MM-S", "ton-mm-s-K"},
-          std::pair{"T-MM-S", "ton-mm-s-K"}, std::pair{"TON-MM-S-K", "ton-mm-s-K"}})
-        if (word == name) return system;
-    faults.fault(Place{0, 1}, fmt::format("UNITS = {}, expected SI, kg-mm-ms or ton-mm-s", *text));
+    if (const std::string_view system = unit_system_named(*text); !system.empty())
+        return std::string(system);
+    faults.fault(Place{0, 1}, fmt::format("UNITS = {}, expected {}", *text, unit_systems()));
     return {};
 }
 
-/// The system in which density and modulus of the first fabric or elastic sheet are those of cloth,
-/// if one alone is: 200 to 3000 kg/m^3 and 1 MPa to 100 GPa.
+/// The system in which density and modulus of the first fabric are those of cloth, if one alone is:
+/// 200 to 3000 kg/m^3 and 1 MPa to 100 GPa.
 std::string guessed_units(const Model& model) {
     for (const fabric::Material& material : model.materials) {
-        double density = NaN, E = NaN;
-        if (const auto* cloth = std::get_if<fabric::FabricCard>(&material.card)) {
-            density = cloth->density;
-            E = cloth->E_warp;
+        const auto* cloth = std::get_if<fabric::FabricCard>(&material.card);
+        if (cloth == nullptr || !(cloth->density > 0.0)) continue;
+        std::vector<std::string_view> fitting;
+        for (const std::string_view name : unit_system_names()) {
+            const UnitScale unit = *scale_of(name);
+            const double density = cloth->density * unit.kilogram / std::pow(unit.metre, 3.0),
+                         E = cloth->E_warp * unit.kilogram /
+                             (unit.metre * unit.second * unit.second);
+            if (density > 200.0 && density < 3000.0 && E > 1e6 && E < 1e11) fitting.push_back(name);
         }
-        if (!(density > 0.0)) continue;
-        const std::pair<const char*, std::array<double, 2>> systems[] = {
-            {"SI", {1.0, 1.0}}, {"kg-mm-ms-K", {1e9, 1e9}}, {"ton-mm-s-K", {1e12, 1e6}}};
-        for (const auto& [name, to_si] : systems)
-            if (density * to_si[0] > 200.0 && density * to_si[0] < 3000.0 && E * to_si[1] > 1e6 &&
-                E * to_si[1] < 1e11)
-                return name;
-        return {};
+        return fitting.size() == 1 ? std::string(fitting[0]) : std::string();
     }
     return {};
 }
@@ -138,12 +133,17 @@ void settle_units(const std::string& said, Model& model, Faults& faults) {
         return;
     }
     const std::string guess = guessed_units(model);
-    if (guess.empty()) return;
+    if (guess.empty()) {
+        model.notes.push_back(fmt::format(
+            "units are not known, numbers are told as the deck has them (-D UNITS={} says them)",
+            unit_systems()));
+        return;
+    }
     model.unit_system = guess;
     model.notes.push_back(
         fmt::format("units are taken as {}, from density and modulus of the "
-                    "fabric (-D UNITS=kg-mm-ms, ton-mm-s or SI says them)",
-                    guess));
+                    "fabric (-D UNITS={} says them)",
+                    guess, unit_systems()));
 }
 
 struct Task {

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "io/text/text.hpp"
+#include "io/text/units.hpp"
 #include "tools/version.hpp"
 
 namespace corpuscle::tools {
@@ -106,7 +107,7 @@ void add_responses(CLI::App& app, ResponsesArguments& to) {
     command.add_option("DIR", to.folder, "folder of a run's results")->required();
     command.add_option("--body", to.body, "part id of one body; default: all");
     command.add_option("--units", to.units,
-                       "SI, kg-mm-ms-K or ton-mm-s-K, where the results do not know");
+                       io::unit_systems() + ", where the results do not know");
     command.add_flag("--json", to.json, "print JSON instead of a table");
     command.footer(
         "Examples:\n"

@@ -9,6 +9,7 @@
 #include <optional>
 #include <system_error>
 
+#include "io/deck/comment_settings.hpp"
 #include "io/deck/parameter_cards.hpp"
 #include "io/text/text.hpp"
 
@@ -98,6 +99,7 @@ private:
     void read_file(std::uint32_t file, const fs::path& path, Columns columns) {
         open_files_.push_back(canonical(path));
         const std::span<const Line> lines = text_.files.back().lines;
+        read_comment_settings(text_.files.back().text, file, parameters_, faults_);
         std::size_t i = skip_to_keyword(lines, 0);
         if (i > 0 && !trim(lines[0].text).empty())
             faults_.fault({file, lines[0].number}, fmt::format("expected a *KEYWORD before \"{}\"",

@@ -43,9 +43,9 @@ public:
             faults.emplace_back("--iso-mme: expected results with a rigid body that can move");
         if (!scale)
             faults.push_back(
-                fmt::format("--iso-mme: expected results in SI, kg-mm-ms-K or "
-                            "ton-mm-s-K, whose units have names: these are {}",
-                            system));
+                fmt::format("--iso-mme: expected results in {}, whose units have names: these "
+                            "are {}",
+                            unit_systems(), system));
         if (!faults.empty()) throw InputError(faults);
         scale_ = *scale;
         for (std::size_t b = 0; b < ids_.size(); ++b) add_body(b);

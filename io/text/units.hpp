@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace corpuscle::io {
 
@@ -30,8 +31,9 @@ enum class Quantity {
 
 /// The unit of a quantity in a deck's unit system, as text: "GPa" for a pressure in kg-mm-ms-K.
 ///
-/// @param unit_system  "SI", "kg-mm-ms-K" or "ton-mm-s-K"; any other name is an unknown consistent
-///                     system, for which the answer is "deck [pressure]"
+/// @param unit_system  "SI", "kg-mm-ms-K", "ton-mm-s-K", "g-mm-ms-K" or "lbf-in-s-K" (mass: lbf s2/in,
+///                     386.1 pounds); any other name is an unknown consistent system, for which the
+///                     answer is "deck [pressure]"
 [[nodiscard]] std::string unit_of(Quantity quantity, std::string_view unit_system);
 
 /// The unit in which people say a quantity, whatever the deck's are: kPa, l, g, ms, kN, J, m/s, mm,
@@ -54,5 +56,13 @@ struct UnitScale {
 
 /// None for an unknown consistent system.
 [[nodiscard]] std::optional<UnitScale> scale_of(std::string_view unit_system);
+
+/// The system of a name as people write it, in either case, with or without the K: "kg-mm-ms-K" of
+/// "kg-mm-ms", "SI" of "kg-m-s". Empty where there is none.
+[[nodiscard]] std::string_view unit_system_named(std::string_view word);
+
+[[nodiscard]] std::vector<std::string_view> unit_system_names();
+/// All systems, for messages: "SI, kg-mm-ms-K, ... or lbf-in-s-K".
+[[nodiscard]] std::string unit_systems();
 
 }  // namespace corpuscle::io

@@ -13,12 +13,11 @@
 #include "gas/thermo/species.hpp"
 #include "io/text/units.hpp"
 #include "solver/simulation.hpp"
+#include "tools/check/filling.hpp"
 
 namespace corpuscle::tools {
 namespace {
 
-/// Volume of two discs sewn together and inflated, over the 3/2 power of their area.
-constexpr double FULL = 0.0774;
 constexpr double MOST_STRAIN = 0.3;
 
 /// Factors from deck units to SI.
@@ -34,35 +33,6 @@ struct ToSI {
 std::string told(double value, double to_unit, const char* unit, bool is_known) {
     return is_known ? fmt::format("{:.4g} {}", value * to_unit, unit)
                     : fmt::format("{:.4g}", value);
-}
-
-/// What comes in, and its share of heat capacities.
-struct Filling {
-    double mass = 0.0, moles = 0.0, enthalpy = 0.0;  ///< deck units
-    double heat = 0.0, gas = 0.0;                    ///< n cv, n R at the end
-    double coldest = INF, hottest = 0.0;             ///< [K]
-};
-
-void add_inflow(Filling& all, const Curve& rate, double end, const gas::Species& species,
-                const std::function<double(double)>& temperature) {
-    const gas::FlowCurve flow(rate, end);
-    constexpr int STEPS = 200;
-    const double first = flow.begins(), last = std::min(end, flow.ends());
-    for (int i = 0; i < STEPS; ++i) {
-        const double a = first + (last - first) * i / STEPS,
-                     b = first + (last - first) * (i + 1) / STEPS;
-        const double mass = flow.sum_until(b) - flow.sum_until(a);
-        if (!(mass > 0.0)) continue;
-        const double T = temperature(0.5 * (a + b));
-        const double moles = mass / species.molar_mass();
-        all.mass += mass;
-        all.moles += moles;
-        all.enthalpy += mass * species.h(T);
-        all.heat += mass * species.cv(T);
-        all.gas += moles * species.gas_constant();
-        all.coldest = std::min(all.coldest, T);
-        all.hottest = std::max(all.hottest, T);
-    }
 }
 
 class Judge {
@@ -155,8 +125,8 @@ private:
     }
 
     void bag(int id, const gas::BagWalls& walls, double volume, double surface, double p_atm,
-             const Filling& in, double inside_energy, double inside_heat, double inside_gas) {
-        const double full = std::max(volume, FULL * std::pow(surface, 1.5));
+             const Filling& in, const Filling& inside) {
+        const double full = full_volume(volume, surface);
         const double litre = 1e3 * std::pow(si_.length, 3.0), kPa = 1e-3 * si_.pressure();
         say(fmt::format("airbag {}: {} now, some {} full", id, told(volume, litre, "l", is_known_),
                         told(full, litre, "l", is_known_)));
@@ -164,10 +134,10 @@ private:
             say(fmt::format(
                 "  gas: {}, {} mol, {}, {:.4g} to {:.4g} K",
                 told(in.mass, 1e3 * si_.mass, "g", is_known_), fmt::format("{:.4g}", in.moles),
-                told(in.enthalpy, 1e-3 * si_.energy(), "kJ", is_known_), in.coldest, in.hottest));
-        const double heat = in.heat + inside_heat, gas = in.gas + inside_gas;
+                told(in.energy, 1e-3 * si_.energy(), "kJ", is_known_), in.coldest, in.hottest));
+        const double heat = in.heat + inside.heat, gas = in.gas + inside.gas;
         if (!(heat > 0.0)) return;
-        const double energy = in.enthalpy + inside_energy - p_atm * (full - volume);
+        const double energy = in.energy + inside.energy - p_atm * (full - volume);
         const double p = gas / heat * energy / full - p_atm;
         say(fmt::format("  if nothing leaves: {} gauge in that volume",
                         told(p, kPa, "kPa", is_known_)));
@@ -189,39 +159,42 @@ private:
                              in.coldest));
     }
 
+    /// Of each gas: argon has 520, hydrogen 14 300 J/(kg K).
+    void heat_capacity(int id, const gas::Species& gas) {
+        constexpr double WARM = 400.0;  // [K]
+        const double v = si_.length / si_.time;
+        expect(fmt::format("airbag {}: Cp of its gas", id), gas.cp(WARM) * v * v, 400.0, 2e4,
+               "J/(kg K)");
+    }
+
     void particle_bag(const gas::BagGas& bag) {
         const gas::BagCard& card = bag.card();
-        Filling in;
         for (const gas::InflowCard& flow : card.inflow)
-            add_inflow(in, model().curves[flow.mass_rate], card.all_in,
-                       gas::Species(flow.species, card.gas_constant, "gas"),
-                       [&](double t) { return model().curves[flow.temperature](t); });
+            heat_capacity(card.id, gas::Species(flow.species, card.gas_constant, "gas"));
         const double volume = bag.enclosure().volume(model().x);
-        double energy = 0.0, heat = 0.0, moles = 0.0;
-        if (card.air) {
-            const gas::Species air(card.air->species, card.gas_constant, "air");
-            moles = card.air->pressure * volume / (card.gas_constant * card.air->temperature);
-            energy = moles * air.molar_energy()(card.air->temperature);
-            heat = moles * air.molar_mass() * air.cv(card.air->temperature);
-        }
-        this->bag(card.id, bag.walls(), volume, bag.enclosure().area(model().x), card.p_atm, in,
-                  energy, heat, moles * card.gas_constant);
+        this->bag(card.id, bag.walls(), volume, bag.enclosure().area(model().x), card.p_atm,
+                  inflow_until(model(), card, card.all_in), air_in(card, volume));
     }
 
     void uniform_bag(const gas::UniformBag& bag) {
         if (bag.card().law) return;  // no gas
         const gas::UniformBagCard& card = bag.card();
         const gas::Species& gas = bag.gas().species()[0];
-        Filling in;
+        for (const gas::Species& each : bag.gas().species()) heat_capacity(card.id, each);
+        Filling in, inside;
         if (card.mass_rate >= 0)
-            add_inflow(in, model().curves[card.mass_rate], model().end_time, gas, [&](double t) {
-                return card.temperature.curve >= 0 ? model().curves[card.temperature.curve](t)
-                                                   : card.temperature.value;
-            });
+            add_inflow(in, model().curves[card.mass_rate], model().end_time, model().end_time, gas,
+                       [&](double t) {
+                           return card.temperature.curve >= 0
+                                      ? model().curves[card.temperature.curve](t)
+                                      : card.temperature.value;
+                       });
         const double T = bag.gas().temperature();
+        inside.energy = bag.gas().energy();
+        inside.heat = bag.gas().mass() * gas.cv(T);
+        inside.gas = bag.gas().mass() * (gas.cp(T) - gas.cv(T));
         this->bag(card.id, bag.walls(), bag.gas().volume(), bag.enclosure().area(model().x),
-                  card.p_atm, in, bag.gas().energy(), bag.gas().mass() * gas.cv(T),
-                  bag.gas().mass() * (gas.cp(T) - gas.cv(T)));
+                  card.p_atm, in, inside);
     }
 
     const Simulation& simulation_;

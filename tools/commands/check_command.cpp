@@ -12,25 +12,13 @@
 #include "solver/simulation.hpp"
 #include "tools/check/bad_starts.hpp"
 #include "tools/check/check_json.hpp"
+#include "tools/check/cost.hpp"
 #include "tools/check/sanity.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/summary.hpp"
 
 namespace corpuscle::tools {
 namespace {
-
-// Rough costs of one core of a server of 2023, from runs of the models: they only serve the estimate.
-constexpr double SECONDS_PER_STEP = 300e-6;  ///< of a scene with next to nothing in it
-constexpr double SECONDS_PER_PARTICLE_STEP = 80e-9;
-constexpr double SECONDS_PER_ELEMENT_STEP = 150e-9;
-constexpr double SECONDS_PER_CONTACT_SHELL_STEP = 600e-9;
-/// Of a pair that is near at the start, over the whole run: a folded bag's come apart as it opens.
-constexpr double SECONDS_PER_NEAR_PAIR_STEP = 500e-9;
-/// Cloth that is stretched and sheared wants smaller steps than at the start: steps of the folded and
-/// the flat driver bag over end time / first step.
-constexpr double MORE_STEPS = 1.25;
-/// Share of a run that one thread does alone, or that is lost to waiting (Amdahl).
-constexpr double SERIAL = 0.1;
 
 /// Particles a facet of the closed bag that kept the pressure of models/driver_bag_folded at 20 and
 /// 30 ms within 2 % of 300 000 (26 a facet): 30 000 of them. With 10 000 it was 3.4 % off.
@@ -100,39 +88,18 @@ void print_needs(const Simulation& simulation) {
          "frames (no *DATABASE_BINARY_D3PLOT): only the first and the last state");
 }
 
-/// Of one step on one core; particles count until TSW.                                         [s]
-double step_seconds(const Simulation& simulation) {
-    const Model& model = simulation.model();
-    double seconds = static_cast<double>(simulation.active_shells()) * SECONDS_PER_ELEMENT_STEP;
-    for (const gas::BagCard& bag : model.bags)
-        seconds += static_cast<double>(bag.particles) * SECONDS_PER_PARTICLE_STEP *
-                   std::clamp(bag.switch_at / model.end_time, 0.0, 1.0);
-    if (!model.contacts.empty())
-        seconds += static_cast<double>(model.shells.size()) * SECONDS_PER_CONTACT_SHELL_STEP;
-    if (simulation.contact())
-        seconds +=
-            static_cast<double>(simulation.contact()->counts().near) * SECONDS_PER_NEAR_PAIR_STEP;
-    return seconds;
-}
-
 void print_estimate(const Simulation& simulation) {
-    const Model& model = simulation.model();
-    StepLimit limit = simulation.stable_step();
-    if (limit.who == StepLimit::Who::START) {  // DTINIT is of the first step alone
-        fmt::print("first step {:.4g}, by DTINIT\n", limit.dt);
-        limit = simulation.stable_step(/*without_start=*/true);
-    }
-    const StepLimit first = limit, shells = simulation.shells_step();
-    if (limit.who == StepLimit::Who::GAS && shells.dt < INF)
-        limit = shells;  // gas soon allows more
-    const bool is_by_cloth = limit.who != StepLimit::Who::GAS;
-    const double steps = std::ceil((is_by_cloth ? MORE_STEPS : 1.0) * model.end_time / limit.dt);
-    const double share = SERIAL + (1.0 - SERIAL) / parallel::threads();  // of one thread's time
-    const double seconds = steps * (SECONDS_PER_STEP + share * step_seconds(simulation));
+    if (const StepLimit limit = simulation.stable_step(); limit.who == StepLimit::Who::START)
+        fmt::print("first step {:.4g}, by DTINIT\n", limit.dt);  // of the first step alone
+    const Cost cost = cost_of(simulation);
+    const StepLimit shells = simulation.shells_step();
+    const std::string by_cloth =
+        shells.dt < INF && cost.first.who == StepLimit::Who::GAS
+            ? fmt::format(", the cloth allows {:.4g} ({})", shells.dt, shells.text())
+            : "";
     fmt::print(
-        "estimate: first step {:.4g} (set by {}), {:.3g} steps of {:.4g} and less ({}), "
-        "some {:.2g} s on {} threads\n",
-        first.dt, first.text(), steps, limit.dt, limit.text(), seconds, parallel::threads());
+        "estimate: first step {:.4g} (set by {}{}), {:.3g} steps, some {:.2g} s on {} threads\n",
+        cost.first.dt, cost.first.text(), by_cloth, cost.steps, cost.seconds, parallel::threads());
 }
 
 void print_contacts_at_start(Simulation& simulation) {

@@ -18,12 +18,13 @@ namespace {
 std::string units_for(const io::Hdf5Reader& file, const ResponsesArguments& arguments) {
     const std::string own = file.text("/", "unit_system");
     if (arguments.units.empty()) return own;
-    if (!io::scale_of(arguments.units))
+    const std::string said(io::unit_system_named(arguments.units));
+    if (said.empty())
         throw InputError(
-            fmt::format("--units {}: expected SI, kg-mm-ms-K or ton-mm-s-K", arguments.units));
-    if (io::scale_of(own) && own != arguments.units)
+            fmt::format("--units {}: expected {}", arguments.units, io::unit_systems()));
+    if (io::scale_of(own) && own != said)
         throw InputError(fmt::format("--units {}: the results are in {}", arguments.units, own));
-    return arguments.units;
+    return said;
 }
 
 std::vector<int> asked_for(const io::Hdf5Reader& file, const ResponsesArguments& arguments) {

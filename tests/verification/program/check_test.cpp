@@ -9,7 +9,9 @@
 #include <array>
 #include <cstdio>
 
+#include "io/results/hdf5.hpp"
 #include "tests/places.hpp"
+#include "tests/support/shell.hpp"
 #include "tests/unit/io/deck/deck_scene.hpp"
 
 using namespace corpuscle;
@@ -83,6 +85,84 @@ TEST_CASE("check says what a person can judge, and what cannot be", "[check]") {
     CHECK_THAT(absurd, Contains("material 1: its density is 8e+11 kg/m^3") &&
                            Contains("1e-09 times that would do"));
     CHECK_THAT(absurd, Contains("material 1: its modulus is 3e+17 Pa"));
+    CHECK_THAT(sane, !Contains("expected"));
+    CHECK_THAT(check(decks / "wang_nefske_inflator_card.k", "-D UNITS=ton-mm-s"),
+               Contains("airbag 7: Cp of its gas is 0.00100") &&
+                   Contains("1e+06 times that would do"));
+}
+
+TEST_CASE("pounds and inches are spoken of in everyday units, however they are said", "[check]") {
+    using Catch::Contains;
+    const test::DeckFolder folder;
+    // the cube of tests/decks, 10 inches wide
+    const auto decks = std::filesystem::path(CORPUSCLE_MODELS).parent_path() / "tests" / "decks";
+    const auto deck = [&](const std::string& remark) {
+        return folder.write("pounds.k", remark +
+                                            "*KEYWORD\n*TITLE\npounds and inches\n"
+                                            "*CONTROL_TERMINATION\n0.01\n*INCLUDE\n" +
+                                            (decks / "cube.inc").string() +
+                                            "\n*PART\na\n1,1,1\n*PART\nb\n2,1,1\n"
+                                            "*SET_PART_LIST\n1\n1,2\n*SECTION_SHELL\n1,9\n"
+                                            ".015,.015,.015,.015\n*MAT_ELASTIC\n1,1e-4,2e5,.3\n"
+                                            "*DEFINE_CURVE\n10\n0,.01\n1,.01\n"
+                                            "*AIRBAG_SIMPLE_AIRBAG_MODEL\n1,1\n"
+                                            "1.11e6,1.556e6,900,10,.6,0,14.7,1.1e-7\n*END\n");
+    };
+    for (const auto& [remark, option] :
+         {std::pair("$ corpuscle: UNITS = lbf-in-s\n", ""), std::pair("", "-D UNITS=lbf-in-s")}) {
+        const std::string told = check(deck(remark), option);
+        CHECK_THAT(told, Contains("units: lbf-in-s-K"));
+        // 0.06 square inches of .015 in; density 1e-4 lbf s2/in^4 = 1069 kg/m^3
+        CHECK_THAT(told, Contains("cloth: 0.01576 g on 3.871e-05 m^2"));
+        CHECK_THAT(told, Contains("airbag 1: 1.639e-05 l now"));
+        CHECK_THAT(told, !Contains("expected"));
+    }
+    CHECK_THAT(check(deck("")), Contains("units are not known") && Contains("lbf-in-s-K"));
+}
+
+TEST_CASE("check tells how many steps a run takes, whatever its first one is", "[check]") {
+    const auto models = std::filesystem::path(CORPUSCLE_MODELS);
+    const test::DeckFolder folder;
+    for (const char* model : {"fast_piston/fast_piston.k", "verification/vent_by_chamber/case.k"}) {
+        CAPTURE(model);
+        const std::string told = check(models / model, "-j 1");
+        const double steps = std::stod(told.substr(told.rfind("), ") + 3));
+        const std::string out = (folder.write("here", "").parent_path() / "out").string();
+        const auto [status, text] =
+            test::shell(CORPUSCLE_PROGRAM " run '" + (models / model).string() + "' -o '" + out +
+                        "' -j 2 2>&1");
+        REQUIRE(status == 0);
+        const double made = std::stod(text.substr(text.find(" after ") + 7));
+        CHECK(steps > 0.5 * made);
+        CHECK(steps < 2.0 * made);
+    }
+    // DTINIT is of the first step alone
+    const std::string plain = deck(0.01), with_start = "*KEYWORD\n*CONTROL_TIMESTEP\n1e-12\n" +
+                                                       plain.substr(plain.find('\n') + 1);
+    const std::string told = check(folder.write("start.k", with_start)),
+                      other = check(folder.write("plain.k", plain));
+    CHECK_THAT(told, Catch::Contains("first step 1e-12, by DTINIT"));
+    CHECK(std::stod(told.substr(told.rfind("), ") + 3)) ==
+          std::stod(other.substr(other.rfind("), ") + 3)));
+}
+
+TEST_CASE("every mending is told by check, by the summary and in results.h5", "[check]") {
+    using Catch::Contains;
+    const test::DeckFolder folder;
+    const auto decks = std::filesystem::path(CORPUSCLE_MODELS).parent_path() / "tests" / "decks";
+    const std::string out = (folder.write("here", "").parent_path() / "out").string();
+    for (const auto& [deck, what] : {std::pair("closing_rim_part.k", "joins it: its 4 shells"),
+                                     std::pair("closing_hanging.k", "16 hanging nodes tied"),
+                                     std::pair("closing_hole.k", "closed by a lid without mass")}) {
+        CAPTURE(deck);
+        CHECK_THAT(check(decks / deck), Contains("mended: ") && Contains(what));
+        CHECK_THAT(check(decks / deck, "--json"), Contains("\"mended\": [") && Contains(what));
+        const auto [status, told] = test::shell(
+            CORPUSCLE_PROGRAM " run '" + (decks / deck).string() + "' -o '" + out + "' 2>&1");
+        REQUIRE(status == 0);
+        CHECK_THAT(told, Contains("mended: ") && Contains(what));
+        CHECK_THAT(io::Hdf5Reader(out + "/results.h5").text("/", "mendings"), Contains(what));
+    }
 }
 
 TEST_CASE("check answers scripts in JSON, refused decks too", "[check]") {
