@@ -29,10 +29,10 @@ function settingsTable(run) {
 
 function summaryTables(run) {
     if (!run.summary) return [block("Warnings and timings", "the run left no run.json")];
-    const {warnings, phases, steps, wall} = run.summary;
-    const list = warnings.length ? make("ul", {class: "warning"}, ...warnings.map((text) => make("li", {}, text))) : "none";
+    const {warnings, mended = [], phases, steps, wall} = run.summary;
+    const items = (texts) => make("ul", {class: "warning"}, ...texts.map((text) => make("li", {}, text)));
     const rows = Object.entries(phases).filter(([, seconds]) => seconds > 0.0005 * wall).map(([name, seconds]) => [name, seconds, 100 * seconds / wall]);
-    return [block("Warnings", list), block(`Wall time: ${show(wall)} s, ${steps} steps`, table(["phase", "s", "%"], rows))];
+    return [block("Warnings", warnings.length ? items(warnings) : "none"), mended.length ? block("Mended", items(mended)) : "", block(`Wall time: ${show(wall)} s, ${steps} steps`, table(["phase", "s", "%"], rows))];
 }
 
 function fillTables(place, runs) {
