@@ -154,6 +154,7 @@ void tied_nodes(Cards&, Draft&);
 void contact_single_surface(Cards&, Draft&);
 void contact_surface_to_surface(Cards&, Draft&);
 void contact_nodes_to_surface(Cards&, Draft&);
+void contact_beams(Cards&, Draft&);
 void contact_tied(Cards&, Draft&);  // contact_tied.cpp
 void rigidwall_planar(Cards&, Draft&);
 void rigidwall_flat(Cards&, Draft&);

@@ -56,6 +56,10 @@ std::string remark_on(std::string_view keyword) {
         return "; contact pressure is in every frame of results.h5";
     if (keyword.starts_with("DATABASE_JNTFORC"))
         return "; forces of joints are in results.h5 (/history/joint) and in the export's binout";
+    if (keyword.starts_with("INITIAL_TEMPERATURE") || keyword.starts_with("LOAD_THERMAL"))
+        return "; no material here depends on temperature, the gas has its own";
+    if (keyword.starts_with("DEFINE_FRICTION"))
+        return "; friction is that of the contact's card: FS = -2 is refused";
     constexpr std::size_t SLIP = 2;
     constexpr std::size_t LONGEST = 60;
     if (keyword.size() > LONGEST || is_output(keyword)) return {};

@@ -23,6 +23,7 @@ struct Section {
     bool is_tube = false;   ///< *SECTION_BEAM, CST = 1
     double area = NaN;      ///< of *SECTION_BEAM                                      [m^2]
     std::string other;      ///< the keyword of one that is no shell's and no solid's
+    Place place;            ///< of its card
 };
 
 /// A keyword that is in the deck and that nothing acts on, as long as no element needs it.
@@ -102,6 +103,7 @@ struct Draft : DraftNames, DraftSets, DraftAirbags {
     std::map<Index, Unread> unread_materials;  ///< by material row
     std::map<Index, Unread> bare_parts;        ///< without section or material, by part row
     std::vector<Index> stiffened_parts;        ///< of solids that deform, taken as rigid
+    Place node_masses_at;                      ///< the first *ELEMENT_MASS
     std::vector<Index> inertia_nodes;          ///< NODEID of *PART_INERTIA, node rows
     std::vector<Eigen::AlignedBox3d> box;
     std::vector<Eigen::Affine3d> transformation;

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "io/keywords/bodies/rigid_parts.hpp"
+#include "io/model/part_remarks.hpp"
 
 namespace corpuscle::io {
 namespace {
@@ -80,6 +81,7 @@ void check_parts(Draft& draft, Faults& faults) {
         if (none < 0) none = no_material(model);
         part.material = none;
     }
+    check_forms(draft, faults);
 }
 
 namespace {
@@ -237,6 +239,7 @@ void settle_loose_ends(Draft& draft, Faults& faults) {
     hold_stiffened(draft, faults);
     check_leaks_count(draft, faults);
     check_gravity(draft, faults);
+    warn_of_lost_masses(draft, faults);
 }
 
 }  // namespace corpuscle::io

@@ -136,8 +136,10 @@ gas::OrificeCard orifice(Cards& cards, const Draft& draft, bool is_first) {
             c.noted("CHM_ID", "a nozzle is in the chamber that it lies in");
         nozzle.cone = cone(c, draft.dialect, is_first);
         nozzle.pushes = draft.dialect == Dialect::TODAY && c.choice("IMOM", {0, 1}) == 1;
-        if (nozzle.pushes && c.good() && nozzle.shell < 0 && !has_mass(draft, nozzle.node))
-            c.fault("IMOM", "0, or a node NID that belongs to a shell: this one has no mass");
+        if (nozzle.pushes && c.good() && nozzle.shell < 0 && !has_mass(draft, nozzle.node)) {
+            nozzle.pushes = false;
+            c.warn("IMOM", "node NID belongs to no shell and has no mass: the jet pushes nothing");
+        }
     }
     if (vd <= -3) nozzle.offset = cards.next("XOFF").real("XOFF", NON_NEGATIVE);
     return nozzle;

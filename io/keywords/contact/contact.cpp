@@ -113,7 +113,13 @@ void say_kind(Cards& cards) {
         cards.warn(
             "is taken as a two-way contact: nodes and edges of both sides are held, so less "
             "passes through");
-    if (!has("AUTOMATIC") && !has("AIRBAG"))
+    if (has("ERODING"))
+        cards.warn("is taken as a contact whose elements stay: nothing erodes here");
+    if (has("_RIGID_BODY"))
+        cards.warn("stops what meets it exactly: its force over penetration, LCID, does not count");
+    if (has("MORTAR") || has("SMOOTH"))
+        cards.warn("is taken as the contact that there is, of flat facets, nodes and edges");
+    if (!has("AUTOMATIC") && !has("AIRBAG") && !has("_RIGID_BODY"))
         cards.warn("holds facets on both their sides, as _AUTOMATIC_ does: normals do not count");
 }
 
@@ -149,6 +155,10 @@ void read_contact(Cards& cards, Draft& draft, Kind kind) {
     surfaces(cards, draft, contact, some);
     friction(cards, contact);
     thickness(cards, draft, contact);
+    if (cards.block().keyword.starts_with("CONTACT_ERODING"))
+        cards.next("ISYM EROSOP IADJ").harmless_all();
+    if (cards.block().keyword.starts_with("CONTACT_RIGID"))
+        cards.next("LCID FCM DS LCDC DSF UNLCID").harmless_all();
     options(cards, draft, contact);
     for (const contact::ContactCard& other : draft.model.contacts)
         if (other.id == contact.id)
@@ -164,6 +174,11 @@ void contact_single_surface(Cards& cards, Draft& draft) {
 }
 void contact_surface_to_surface(Cards& cards, Draft& draft) {
     read_contact(cards, draft, Kind::SURFACE_TO_SURFACE);
+}
+/// Beams are bodies of thin rods or left out: they have no surface.
+void contact_beams(Cards& cards, Draft&) {
+    cards.warn("is left out: beams have no surface here, cloth and rigid parts pass through them");
+    cards.abandon();
 }
 void contact_nodes_to_surface(Cards& cards, Draft& draft) {
     read_contact(cards, draft, Kind::NODES_TO_SURFACE);

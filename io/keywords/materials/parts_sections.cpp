@@ -103,15 +103,7 @@ void section_shell(Cards& cards, Draft& draft) {
             points = static_cast<int>(std::clamp(asked, 1.0, MOST_POINTS));
             has_angles = c.choice("ICOMP", {0, 1}) == 1;
             c.harmless("SHRF PROPT QR");
-            const int form = section.element_form;
-            const bool is_plane =
-                (form >= 12 && form <= 15) || form > 40 || form == 23 || form == 24;
-            if (is_plane)
-                c.fault("ELFORM", "a membrane, 5 or 9, or a thin shell of 3 or 4 nodes");
-            else if (form != 5 && form != 9)
-                c.warn("ELFORM",
-                       "this shell is taken as a membrane: only a coat bends (ECOAT, TCOAT of "
-                       "*MAT_FABRIC)");
+            section.place = c.place();
         }
         section.thickness = mean_thickness(cards);
         if (has_angles) blank_angles(cards, points);

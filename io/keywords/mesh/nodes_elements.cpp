@@ -92,6 +92,7 @@ void element_mass(Cards& cards, Draft& draft) {
         const Index node = c.row("NID", draft.nodes);
         const double mass = c.real("MASS", NON_NEGATIVE);
         c.harmless("EID PID");
+        if (draft.model.node_masses.empty()) draft.node_masses_at = c.place();
         if (node >= 0) draft.model.node_masses.push_back({node, mass});
     }
 }
@@ -104,6 +105,7 @@ void element_mass_node_set(Cards& cards, Draft& draft) {
         const Index set = c.row("NSID", draft.node_sets);
         const double mass = c.real("MASS", NON_NEGATIVE);
         c.harmless("EID PID");
+        if (draft.model.node_masses.empty()) draft.node_masses_at = c.place();
         if (set < 0) continue;
         for (const Index node : draft.node_set[static_cast<std::size_t>(set)])
             draft.model.node_masses.push_back({node, mass});

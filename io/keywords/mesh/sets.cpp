@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/keywords/mesh/sets.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -20,16 +23,60 @@ namespace {
 
 using Rows = std::vector<Index>;
 
+/// Ids of a set that nothing of the deck has: one fault for all of them.
+class MissingIds {
+public:
+    explicit MissingIds(const Registry& things) : things_(things) {}
+
+    [[nodiscard]] bool has(int id) const {
+        return things_.find(id) == nullptr && !things_.is_spoilt(id);
+    }
+    /// @param card, field  of the first one, from 1
+    void add(int id, Place at, std::size_t card, std::size_t field) {
+        if (ids_.empty()) {
+            first_ = at;
+            label_ = fmt::format(" card {}, field {} (ID{})", card, field, field);
+        }
+        ids_.push_back(id);
+    }
+    void tell(Cards& cards) const {
+        if (ids_.empty()) return;
+        constexpr std::ptrdiff_t FEW = 12;
+        const std::ptrdiff_t count = std::ssize(ids_), shown = std::min(count, FEW);
+        const std::string text =
+            fmt::format(" = {}, expected the id of a {} of the deck{}{}{}", ids_[0], things_.kind(),
+                        count > 1 ? ", nor are there " : "",
+                        fmt::join(ids_.begin() + 1, ids_.begin() + shown, ", "),
+                        count > FEW ? fmt::format(" and {} more", count - FEW) : "");
+        cards.faults().fault(first_, fmt::format("*{}{}{}", cards.block().keyword, label_, text),
+                             cards.block().keyword + text);
+    }
+
+private:
+    const Registry& things_;
+    std::vector<int> ids_;
+    Place first_;
+    std::string label_;
+};
+
 /// Eight ids a line.
 Rows listed(Cards& cards, const Registry& things) {
     static const Layout layout("ID1 ID2 ID3 ID4 ID5 ID6 ID7 ID8");
     Rows rows;
-    while (cards.rows()) {
+    MissingIds missing(things);
+    for (std::size_t card = cards.has("TITLE") ? 3 : 2; cards.rows(); ++card) {
         Card c = cards.next(layout);
-        for (std::size_t i = 0; i < 8; ++i)
-            if (c.given(i) && c.integer(i) != 0)
-                if (const Index row = c.row(i, things); row >= 0) rows.push_back(row);
+        for (std::size_t i = 0; i < 8; ++i) {
+            if (!c.given(i)) continue;
+            const int id = c.integer(i);
+            if (id == 0) continue;
+            if (missing.has(id))
+                missing.add(id, c.place(), card, i + 1);
+            else if (const Index row = c.row(i, things); row >= 0)
+                rows.push_back(row);
+        }
     }
+    missing.tell(cards);
     return rows;
 }
 

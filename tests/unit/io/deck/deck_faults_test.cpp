@@ -103,7 +103,8 @@ TEST_CASE("a keyword that is not supported is a fault, or a note when it cannot 
     const Model model = folder.read(small_deck(
         "*CONTROL_OUTPUT\n1\n*DATABASE_EXTENT_BINARY\n1\n*CONTROL_IMPLICIT_GENERAL\n0\n"));
     CHECK(model.warnings.empty());
-    CHECK(model.notes.size() == 3);
+    REQUIRE(model.notes.size() == 4);
+    CHECK(contains(model.notes[0], "units are not known"));
     CHECK(any_contains(folder.read(small_deck("*DATABASE_GLSTTA\n1\n")).notes,
                        "cannot change the answer (did you mean *DATABASE_GLSTAT?)"));
     CHECK(any_contains(folder.read(small_deck("*DATABASE_JNTFORC\n1\n")).notes, "/history/joint"));
@@ -143,6 +144,13 @@ TEST_CASE("faults of one cause are one line with a count, those that follow from
     CHECK(missing[0] ==
           "deck.k:31: *ELEMENT_SHELL card 1, field 2 (PID) = 9, expected the id of a "
           "*PART of the deck (and 19 more like it)");
+    // parts of a set that are missing are one line, of two sets alike too
+    const auto parts =
+        folder.faults(small_deck("*SET_PART_LIST\n7\n1,11,12,13\n*SET_PART_LIST\n8\n1,11,12,13\n"));
+    REQUIRE(parts.size() == 1);
+    CHECK(parts[0] ==
+          "deck.k:32: *SET_PART_LIST card 2, field 2 (ID2) = 11, expected the id of a *PART of the "
+          "deck, nor are there 12, 13 (and 1 more like it)");
     // a set that is refused is no second fault where it is named
     const auto refused = folder.faults(
         small_deck("*SET_PART_LIST_SMOOTH\n7\n1,2\n*CONTACT_AIRBAG_SINGLE_SURFACE\n7,0,2\n\n\n"));

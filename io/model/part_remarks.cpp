@@ -1,0 +1,91 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "io/model/part_remarks.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+#include <variant>
+#include <vector>
+
+namespace corpuscle::io {
+namespace {
+
+/// Parts whose shells have strains.
+std::set<Index> parts_that_deform(const Model& model) {
+    std::set<Index> parts;
+    for (const Shell& shell : model.shells) {
+        if (shell.part < 0) continue;
+        const Index material = model.parts[static_cast<std::size_t>(shell.part)].material;
+        if (material < 0) continue;
+        const auto& card = model.materials[static_cast<std::size_t>(material)].card;
+        if (std::holds_alternative<fabric::FabricCard>(card) ||
+            std::holds_alternative<fabric::ElasticCard>(card))
+            parts.insert(shell.part);
+    }
+    return parts;
+}
+
+/// Parts whose mass and inertia are said, not summed up from nodes.
+std::set<Index> parts_of_said_mass(const Model& model) {
+    std::set<Index> parts;
+    for (const RigidInertia& said : model.rigid_inertia) parts.insert(said.part);
+    for (const RigidMerge& merge : model.rigid_merges)
+        if (merge.keeps_inertia && parts.contains(merge.lead)) parts.insert(merge.part);
+    return parts;
+}
+
+}  // namespace
+
+void check_forms(const Draft& draft, Faults& faults) {
+    std::map<Index, std::vector<int>> parts_of;  // by section
+    for (const Index part : parts_that_deform(draft.model)) {
+        const Index section = draft.part_section[static_cast<std::size_t>(part)];
+        if (section >= 0)
+            parts_of[section].push_back(draft.model.parts[static_cast<std::size_t>(part)].id);
+    }
+    for (const auto& [row, parts] : parts_of) {
+        const Section& section = draft.section[static_cast<std::size_t>(row)];
+        const int form = section.element_form;
+        if (!section.other.empty() || section.is_solid || form == 5 || form == 9) continue;
+        const std::string which = fmt::format("*SECTION_SHELL, field 2 (ELFORM) = {}", form),
+                          whose = fmt::format(" (part{} {})", parts.size() > 1 ? "s" : "",
+                                              fmt::join(parts, ", "));
+        if ((form >= 12 && form <= 15) || form > 40 || form == 23 || form == 24)
+            faults.fault(
+                section.place,
+                which + ", expected a membrane, 5 or 9, or a thin shell of 3 or 4 nodes" + whose);
+        else
+            faults.warn(section.place, which +
+                                           ": this shell is taken as a membrane: only a coat bends "
+                                           "(ECOAT, TCOAT of *MAT_FABRIC)" +
+                                           whose);
+    }
+}
+
+void warn_of_lost_masses(const Draft& draft, Faults& faults) {
+    const Model& model = draft.model;
+    if (model.node_masses.empty()) return;
+    const std::set<Index> said = parts_of_said_mass(model);
+    std::set<Index> nodes;
+    for (const Shell& shell : model.shells)
+        if (said.contains(shell.part)) nodes.insert(shell.nodes.begin(), shell.nodes.end());
+    for (const RigidExtraNode& extra : model.rigid_extra_nodes)
+        if (said.contains(extra.part)) nodes.insert(extra.node);
+    std::size_t count = 0;
+    double mass = 0.0;
+    for (const NodeMass& added : model.node_masses) {
+        if (!nodes.contains(added.node)) continue;
+        ++count;
+        mass += added.mass;
+    }
+    if (count > 0)
+        faults.warn(
+            draft.node_masses_at,
+            fmt::format("*ELEMENT_MASS: {} masses, {:g} in all, are on nodes of rigid parts "
+                        "whose mass *PART_INERTIA says: they count for nothing",
+                        count, mass));
+}
+
+}  // namespace corpuscle::io

@@ -1,0 +1,19 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/deck/faults.hpp"
+#include "io/model/draft.hpp"
+
+/// What matters of sections and masses only where parts are of a certain kind.
+namespace corpuscle::io {
+
+/// ELFORM of shells that deform: a warning where it is not a membrane's, a fault where it is that of a
+/// plane or solid-like shell. Of rigid parts, and of parts that nothing is of, it does not matter.
+void check_forms(const Draft& draft, Faults& faults);
+
+/// A warning for masses of *ELEMENT_MASS on nodes of bodies whose mass *PART_INERTIA says: they count
+/// for nothing.
+void warn_of_lost_masses(const Draft& draft, Faults& faults);
+
+}  // namespace corpuscle::io

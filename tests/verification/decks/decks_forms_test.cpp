@@ -1,0 +1,106 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// Claim: what is written in other columns means the same, what cannot matter is not refused, and what
+// counts for nothing is said (tests/decks).
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/base/error.hpp"
+#include "tests/support/decks/stepped_deck.hpp"
+
+using namespace corpuscle;
+
+TEST_CASE("LONG=Y and I10=Y are the same scene in other columns", "[io]") {
+    Run standard("wang_nefske_inflator_card.k");
+    standard.steps(20);
+    for (const char* deck : {"format_long.k", "format_i10.k"}) {
+        CAPTURE(deck);
+        Run other(deck);
+        other.steps(20);
+        CHECK(other.scene.time() == standard.scene.time());
+        CHECK(other.scene.uniform_bags()[0].gas().pressure() ==
+              standard.scene.uniform_bags()[0].gas().pressure());
+        for (int node = 1; node <= 26; ++node) CHECK(other.x(node) == standard.x(node));
+    }
+}
+
+TEST_CASE("an inflator's particles carry what its curves say", "[io]") {
+    Run run("inflator_particles.k");
+    run.to_the_end();
+    const gas::GasState gas = run.scene.bags().at(0).state(run.scene.nodes().x);
+    CHECK(run.scene.bags()[0].particles().size() == 2000);
+    CHECK(gas.mass_in == Approx(0.1 * 0.002).epsilon(1e-9));
+    CHECK(gas.mass == Approx(gas.mass_in).epsilon(1e-9));
+    CHECK(gas.volume < 1e-3);  // the atmosphere presses on a bag that begins empty
+    CHECK(run.scene.books().inflow == Approx(gas.mass_in / 0.02897 * 29.1 * 500.0).epsilon(1e-6));
+}
+
+TEST_CASE("rarer kinds of contact are the one that there is; keywords that cannot matter", "[io]") {
+    using Kind = contact::ContactCard::Kind;
+    const Model model = read("contact_kinds_rare.k");
+    REQUIRE(model.contacts.size() == 5);
+    CHECK(model.contacts[0].kind == Kind::SINGLE_SURFACE);
+    CHECK(model.contacts[1].id == 2);
+    CHECK(model.contacts[3].kind == Kind::SURFACE_TO_SURFACE);
+    CHECK(model.contact_shells[4].first.size() == 2);
+    for (const char* what :
+         {"*CONTACT_AUTOMATIC_BEAMS_TO_SURFACE_ID is left out", "nothing erodes here",
+          "*CONTACT_AUTOMATIC_SINGLE_SURFACE_MORTAR_ID is taken as",
+          "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_SMOOTH is taken as",
+          "its force over penetration, LCID, does not count"}) {
+        CAPTURE(what);
+        CHECK(tells(model.warnings, what));
+    }
+    for (const char* what : {"*LOAD_THERMAL_CONSTANT", "*INITIAL_TEMPERATURE_SET",
+                             "*DEFINE_FRICTION", "*SET_SOLID", "*SET_BEAM"}) {
+        CAPTURE(what);
+        CHECK(tells(model.notes, std::string(what) + " is not read, it cannot change the answer"));
+    }
+    Run(model).steps(10);
+}
+
+TEST_CASE("masses on a rigid part whose mass is given count for nothing, which is said", "[io]") {
+    Run run("masses_of_rigid.k");
+    REQUIRE(run.scene.bodies().size() == 1);
+    CHECK(run.scene.bodies()[0].mass() == 2.5);
+    const std::vector<std::string>& warnings = run.scene.model().warnings;
+    CHECK(tells(warnings,
+                "2 masses, 0.5 in all, are on nodes of rigid parts whose mass "
+                "*PART_INERTIA says: they count for nothing"));
+    CHECK_FALSE(tells(warnings, "ELFORM"));  // of a rigid part alone
+    CHECK(run.scene.nodes().mass[run.row(25)] > 0.05);
+    run.steps(10);
+}
+
+TEST_CASE("HCONV, chambers and TSW together: a chamber cools by itself, the other keeps its heat",
+          "[io]") {
+    Run run("chambers_cooling.k");
+    const Model& model = run.scene.model();
+    double area = 0.0;
+    for (const Shell& shell : model.shells)
+        if (model.parts[static_cast<std::size_t>(shell.part)].id == 2)
+            area += 0.5 * (model.x[shell.nodes[2]] - model.x[shell.nodes[0]])
+                              .cross(model.x[shell.nodes[3]] - model.x[shell.nodes[1]])
+                              .norm();
+    const auto chambers = [&] {
+        return run.scene.bags().at(0).chamber_states(run.scene.nodes().x);
+    };
+    while (run.scene.time() < 0.002) run.steps(1);
+    const auto first = chambers();
+    const double begin = run.last_time;
+    run.to_the_end();
+    const auto last = chambers();
+    REQUIRE(last.size() == 2);
+    const double cv = (28.0 - GAS_CONSTANT) / 0.028;
+    const double rate = 20000.0 * area / (first[1].mass * cv);
+    const double cooled = std::exp(-rate * (run.last_time - begin));
+    CHECK(cooled < 0.9);  // long after TSW: what the walls were owed then is settled
+    CHECK((last[1].temperature - 250.0) / (first[1].temperature - 250.0) ==
+          Approx(cooled).epsilon(1e-9));
+    CHECK(last[0].temperature == Approx(first[0].temperature).epsilon(1e-12));
+    CHECK(last[1].mass == Approx(first[1].mass).epsilon(1e-12));
+}
