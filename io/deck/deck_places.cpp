@@ -53,8 +53,29 @@ std::string DeckPlaces::told(const std::string& fault) const {
 InputError DeckPlaces::told(const InputError& error) const {
     std::vector<std::string> faults;
     for (const Fault& fault : error.typed)
-        faults.push_back(told(fault.text(deck_word(fault.property, fault.of))));
-    return InputError(std::move(faults));
+        faults.push_back(fault.text(deck_word(fault.property, fault.of)));
+    return InputError(told(faults));
+}
+
+std::vector<std::string> DeckPlaces::told(const std::vector<std::string>& faults) const {
+    std::vector<std::string> lines;
+    std::map<std::string, std::pair<std::size_t, std::size_t>> alike;  // line and count, by cause
+    for (const std::string& fault : faults) {
+        std::string cause = fault;
+        for (const std::string_view kind : {"shell ", "node "})
+            if (fault.starts_with(kind))
+                cause.erase(kind.size(),
+                            fault.find_first_not_of("0123456789", kind.size()) - kind.size());
+        const auto [at, is_new] = alike.try_emplace(cause, lines.size(), 0);
+        if (is_new)
+            lines.push_back(told(fault));
+        else
+            ++at->second.second;
+    }
+    for (const auto& [cause, found] : alike)
+        if (found.second > 0)
+            lines[found.first] += fmt::format(" (and {} more like it)", found.second);
+    return lines;
 }
 
 }  // namespace corpuscle::io

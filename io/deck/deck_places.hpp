@@ -25,6 +25,8 @@ public:
     /// The fault behind file, line and keyword of the first thing in it that the deck has; as it is
     /// where there is none.
     [[nodiscard]] std::string told(const std::string& fault) const;
+    /// All of them; what is said of many shells or nodes alike is one line with a count.
+    [[nodiscard]] std::vector<std::string> told(const std::vector<std::string>& faults) const;
 
     /// A scene's faults in the deck's words (deck_words.hpp), each behind its file, line and keyword.
     [[nodiscard]] InputError told(const InputError& error) const;

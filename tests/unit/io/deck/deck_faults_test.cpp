@@ -215,6 +215,10 @@ TEST_CASE("faults that only the whole scene shows get file, line and keyword", "
     CHECK(contains(folder.bare(places.told("contact 7: too thick")),
                    "*CONTACT_AIRBAG_SINGLE_SURFACE_ID: contact 7: too thick"));
     CHECK(places.told("contact 8: is none") == "contact 8: is none");
+    const auto many = places.told(std::vector<std::string>{
+        "shell 98: is bad", "shell 99: is bad", "shell 97: is bad", "shell 98: is worse"});
+    CHECK(many ==
+          std::vector<std::string>{"shell 98: is bad (and 2 more like it)", "shell 98: is worse"});
 }
 
 TEST_CASE("typed faults of a scene are told in the deck's words", "[io]") {
