@@ -12,6 +12,7 @@
 #include "gas/inflow/flow_curve.hpp"
 #include "gas/thermo/species.hpp"
 #include "io/text/units.hpp"
+#include "solver/base/constants.hpp"
 #include "solver/simulation.hpp"
 #include "tools/check/filling.hpp"
 
@@ -132,8 +133,9 @@ private:
                         told(full, litre, "l", is_known_)));
         if (in.mass > 0.0)
             say(fmt::format(
-                "  gas: {}, {} mol, {}, {:.4g} to {:.4g} K",
-                told(in.mass, 1e3 * si_.mass, "g", is_known_), fmt::format("{:.4g}", in.moles),
+                "  gas: {}{}, {}, {:.4g} to {:.4g} K",
+                told(in.mass, 1e3 * si_.mass, "g", is_known_),
+                is_known_ ? fmt::format(", {:.4g} mol", in.gas * si_.energy() / GAS_CONSTANT) : "",
                 told(in.energy, 1e-3 * si_.energy(), "kJ", is_known_), in.coldest, in.hottest));
         const double heat = in.heat + inside.heat, gas = in.gas + inside.gas;
         if (!(heat > 0.0)) return;
@@ -182,13 +184,18 @@ private:
         const gas::Species& gas = bag.gas().species()[0];
         for (const gas::Species& each : bag.gas().species()) heat_capacity(card.id, each);
         Filling in, inside;
-        if (card.mass_rate >= 0)
-            add_inflow(in, model().curves[card.mass_rate], model().end_time, model().end_time, gas,
+        const auto blow = [&](Index rate, const gas::CurveOr& temperature,
+                              const gas::Species& blown) {
+            if (rate < 0) return;
+            add_inflow(in, model().curves[rate], model().end_time, model().end_time, blown,
                        [&](double t) {
-                           return card.temperature.curve >= 0
-                                      ? model().curves[card.temperature.curve](t)
-                                      : card.temperature.value;
+                           return temperature.curve >= 0 ? model().curves[temperature.curve](t)
+                                                         : temperature.value;
                        });
+        };
+        if (card.gases.empty()) blow(card.mass_rate, card.temperature, gas);
+        for (std::size_t k = 0; k < card.gases.size(); ++k)
+            blow(card.gases[k].mass_rate, card.gases[k].temperature, bag.gas().species()[k]);
         const double T = bag.gas().temperature();
         inside.energy = bag.gas().energy();
         inside.heat = bag.gas().mass() * gas.cv(T);

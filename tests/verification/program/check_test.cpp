@@ -80,6 +80,10 @@ TEST_CASE("check says what a person can judge, and what cannot be", "[check]") {
     CHECK_THAT(sane, Contains("airbag 7: 1 l now"));
     CHECK_THAT(sane, Contains("gas: 0.2 g") && Contains("500 to 500 K"));
     CHECK_THAT(sane, Contains("gauge in that volume"));
+    // two gases of 0.1 kg/s each for 2 ms, at 600 K, of 28 and 39.95 g/mol
+    const std::string mixed = check(decks / "hybrid.k");
+    CHECK_THAT(mixed, Contains("gas: 0.4 g, 0.01215 mol") && Contains("600 to 600 K"));
+    CHECK_THAT(mixed, !Contains("expected"));
     // the same numbers, said to be kg-mm-ms
     const std::string absurd = check(decks / "wang_nefske_inflator_card.k", "-D UNITS=kg-mm-ms");
     CHECK_THAT(absurd, Contains("material 1: its density is 8e+11 kg/m^3") &&
