@@ -116,10 +116,9 @@ private:
         for (std::int64_t k = 1; k <= parts; ++k) file.integer(k);
     }
 
+    /// Behind the end mark; the parts' come first, for VTK's reader takes the first table for theirs.
     void titles(D3plotWords& file) {
         file.real(END_MARK);
-        file.integer(90000);
-        file.text(results_.text("/", "deck"), 18);
         file.integer(90001);
         file.integer(static_cast<std::int64_t>(parts_.size()));
         for (const std::int32_t id : parts_) {
@@ -129,6 +128,8 @@ private:
                                                                        : fmt::format("part {}", id),
                       18);
         }
+        file.integer(90000);
+        file.text(results_.text("/", "deck"), 18);
         file.real(END_MARK);
     }
 

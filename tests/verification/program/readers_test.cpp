@@ -75,7 +75,7 @@ void check_block(std::istream& found, const std::string& name, std::size_t point
 
 }  // namespace
 
-TEST_CASE("VTK reads our d3plot: shells, places, stress and pressure", "[export]") {
+TEST_CASE("VTK reads our d3plot: shells, places, stress and pressure, parts by their names", "[export]") {
     const test::DeckFolder folder;
     const std::string out = ran(folder, "wang_nefske_inflator_card.k", "out");
     const std::string program = CORPUSCLE_PROGRAM;
@@ -94,7 +94,10 @@ TEST_CASE("VTK reads our d3plot: shells, places, stress and pressure", "[export]
     std::array<double, 6> box{};
     found >> states >> nodes >> shells >> time;
     for (double& side : box) found >> side;
-    found >> stress >> pressure;
+    found >> stress >> pressure >> std::ws;
+    std::string line;
+    CHECK((std::getline(found, line) && line == "body of the bag: 20"));
+    CHECK((std::getline(found, line) && line == "face with the nozzle: 4"));
 
     const io::Hdf5Reader results(out + "/results.h5");
     const auto times = results.read<double>("/frames/time");

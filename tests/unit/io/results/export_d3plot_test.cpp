@@ -83,7 +83,9 @@ TEST_CASE("a d3plot holds mesh, ids and states, value by value", "[export]") {
     for (const int id : layout.shell_id) CHECK(mesh.integer() == id);
     for (const int id : {10, 11, 10, 11, 1, 2}) CHECK(mesh.integer() == id);
     CHECK(mesh.real() == -999999.0F);
-    CHECK(mesh.integer() == 90000);
+    CHECK(mesh.integer() == 90001);
+    CHECK(mesh.integer() == 2);
+    CHECK(mesh.integer() == 10);
 
     for (std::size_t k = 0; k < 2; ++k) {
         D3plotReader state(files.at(k == 0 ? "d3plot01" : "d3plot02"));
