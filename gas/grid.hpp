@@ -62,6 +62,14 @@ struct Grid {
         grid.low = 0.5 * (from + to - grid.edge * span);
         return grid;
     }
+
+    /// Cells of about `edge` over the middle of the box [from, to], as many along each axis as come
+    /// nearest to its length: none at its faces is a sliver, for what lies beyond belongs to the
+    /// nearest cell. Grown until there are at most `most`.
+    static Grid fitted(const Vec3& from, const Vec3& to, double edge, std::size_t most) {
+        const Vec3 less = Vec3::Constant(0.25 * edge).cwiseMin(0.5 * (to - from));
+        return over(from + less, to - less, edge, most);
+    }
 };
 
 }  // namespace corpuscle::gas

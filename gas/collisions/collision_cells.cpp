@@ -72,7 +72,7 @@ void CollisionCells::find_groups(const Points& x, const Transmission* transmissi
     const double edge = lists_.grid().edge;
     const bool fits = wanted_edge_ < 1.2 * edge && edge < 1.2 * wanted_edge_;
     if (!fits || !lists_.hold_for(x))
-        build_over_bag(lists_, wanted_edge_, SIDE_MARGIN * wanted_edge_, 0.0, x, x);
+        build_fitted_to_bag(lists_, wanted_edge_, SIDE_MARGIN * wanted_edge_, x);
     edge_ = lists_.grid().edge;
     find_open_facets(transmission);
     collider.find_groups(lists_.grid(), {&lists_, x, is_open_}, particles,

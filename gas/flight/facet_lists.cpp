@@ -30,6 +30,18 @@ float length(const std::array<float, 3>& a) {
     return most * std::sqrt(x * x + y * y + z * z);
 }
 
+/// Box of a block of cells; what lies beyond the grid, up to `all`, belongs to the outermost ones.
+contact::Box block_box(const Grid& blocks, const std::array<int, 3>& at, const contact::Box& all) {
+    contact::Box box;
+    for (int a = 0; a < 3; ++a) {
+        box.low[a] = blocks.low[a] + blocks.edge * at[a];
+        box.high[a] = box.low[a] + blocks.edge;
+        if (at[a] == 0) box.low[a] = std::min(box.low[a], all.low[a]);
+        if (at[a] + 1 == blocks.count[a]) box.high[a] = std::max(box.high[a], all.high[a]);
+    }
+    return box;
+}
+
 std::vector<Index> nodes_of(const std::vector<Triangle>& triangles) {
     std::vector<Index> nodes;
     for (const Triangle& t : triangles) nodes.insert(nodes.end(), t.begin(), t.end());
@@ -157,13 +169,13 @@ void FacetLists::pair_blocks_with_patches(std::span<const Vec3> x_0, std::span<c
     patch_tree_.update(box_);
 
     const Grid blocks = BlockOfCells::blocks_of(grid_);
+    contact::Box all;
+    for (const contact::Box& box : box_) all.include(box);
     box_.clear();
     for (int k = 0; k < blocks.count[2]; ++k)
         for (int j = 0; j < blocks.count[1]; ++j)
-            for (int i = 0; i < blocks.count[0]; ++i) {
-                const Vec3 low = blocks.low + blocks.edge * Vec3(i, j, k);
-                box_.push_back({low, low + Vec3::Constant(blocks.edge)});
-            }
+            for (int i = 0; i < blocks.count[0]; ++i)
+                box_.push_back(block_box(blocks, {i, j, k}, all));
     block_tree_.update(box_);
     block_tree_.pairs(patch_tree_, pairs_);
     block_.clear();
