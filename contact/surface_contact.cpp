@@ -18,6 +18,8 @@ namespace {
 /// sides.
 constexpr double REACH = 1.2;
 
+constexpr std::size_t CHUNKS = 4;  ///< of contacts, whose counts are taken together
+
 }  // namespace
 
 struct SurfaceContact::State {
@@ -33,7 +35,6 @@ struct SurfaceContact::State {
     NarrowPhase narrow_phase;
     ContactCounts counts;
     std::vector<double> most;         ///< contact thickness now, by card                  [m]
-    std::vector<double> least_gap;    ///< over its rest value, by chunk                   [-]
     std::vector<std::uint8_t> is_on;  ///< by card
     double t = 0.0, dt_last = 0.0, span = 0.0;  ///< [s]
     bool is_started = false;
@@ -86,9 +87,11 @@ bool SurfaceContact::State::look_at_cards(double now) {
 void SurfaceContact::find(const Points& x, const Points& v, double t, double dt,
                           std::span<const RigidProxy> bodies) {
     State& s = *state_;
-    s.contacts.clear(0);
     const bool is_born = s.look_at_cards(t);
-    if (!s.any_on()) return s.columns.sort(s.contacts);
+    if (!s.any_on()) {
+        s.contacts.clear(0);
+        return s.columns.sort(s.contacts);
+    }
     if (!s.is_started) {
         s.is_started = true;
         s.pairs.start(x, v, t, dt, s.is_on);
@@ -100,6 +103,8 @@ void SurfaceContact::find(const Points& x, const Points& v, double t, double dt,
     if (s.pairs.size() > 0) {
         s.columns.lay(x);
         s.narrow_phase.find({x, v, t, dt, bodies, s.is_on, s.most}, s.columns, s.pairs, s.contacts);
+    } else {
+        s.contacts.clear(0);
     }
     s.columns.sort(s.contacts);
     s.count();
@@ -110,7 +115,6 @@ void SurfaceContact::State::count() {
     counts.renewals = pairs.renewals();
     counts.searched = pairs.searched();
     counts.candidates = pairs.pairs();
-    counts.near = counts.touching = 0;
     counts.impacts = ccd.impacts();
     counts.impact_zones = ccd.impact_zones();
     counts.unstopped = ccd.unstopped();
@@ -120,20 +124,29 @@ void SurfaceContact::State::count() {
         counts.sweeps = static_cast<double>(solved.sweeps) / static_cast<double>(solved.steps);
     }
     counts.worst_residual = solved.worst;
-    least_gap.assign(contacts.chunks(), INF);
-    contacts.for_each_chunk([&](std::size_t c) {
-        double least = INF;
-        for (const Contact& touching : contacts.chunk(c))
-            least = std::min(least, touching.gap / touching.rest);
-        for (const NearPair& near : contacts.near(c))
-            if (near.rest > 0.0) least = std::min(least, near.gap / near.rest);
-        least_gap[c] = least;
-    });
-    for (std::size_t c = 0; c < contacts.chunks(); ++c) {
-        counts.touching += contacts.chunk(c).size();
-        counts.near += contacts.chunk(c).size() + contacts.near(c).size();
-        counts.least_gap = std::min(counts.least_gap, least_gap[c]);
-    }
+    struct Tally {
+        double least = INF;  ///< gap over its rest value                                     [-]
+        std::size_t touching = 0, near = 0;
+    };
+    const Tally all = parallel::fold(
+        contacts.chunks(), Tally{},
+        [&](Tally& own, std::size_t c) {
+            for (const Contact& touching : contacts.chunk(c))
+                own.least = std::min(own.least, touching.gap / touching.rest);
+            for (const NearPair& near : contacts.near(c))
+                if (near.rest > 0.0) own.least = std::min(own.least, near.gap / near.rest);
+            own.touching += contacts.chunk(c).size();
+            own.near += contacts.near(c).size();
+        },
+        [](Tally& sum, const Tally& own) {
+            sum.least = std::min(sum.least, own.least);
+            sum.touching += own.touching;
+            sum.near += own.near;
+        },
+        CHUNKS);
+    counts.touching = all.touching;
+    counts.near = all.touching + all.near;
+    counts.least_gap = std::min(counts.least_gap, all.least);
 }
 
 bool SurfaceContact::respond(const Points& x, double dt, Points& v, std::span<RigidProxy> bodies,

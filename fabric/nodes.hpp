@@ -25,8 +25,11 @@ struct Nodes {
         if (!more.empty()) parallel::for_each(size(), [&](std::size_t n) { f[n] += more[n]; });
     }
     /// v += span f / m.
-    void kick(double span) {
+    /// @param before  gets v as it was, if it is not null
+    void kick(double span, Points* before = nullptr) {
+        if (before != nullptr) before->resize(size());
         parallel::for_each(size(), [&](std::size_t n) {
+            if (before != nullptr) (*before)[n] = v[n];
             if (mass[n] > 0.0) v[n] += span / mass[n] * f[n];
         });
     }

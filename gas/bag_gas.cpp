@@ -25,7 +25,10 @@ void BagGas::add_load(const Points& x, const Points& v, std::span<const double> 
     bag_->enclosure.node_areas(x, bag_->area);
     bag_->load.release(span, x, v, mass, f);
     now().add_load(x, f);
-    for (const Index n : bag_->enclosure.nodes()) f[n] -= bag_->card.p_atm * bag_->area[n];
+    const auto nodes = bag_->enclosure.nodes();
+    parallel::for_each(nodes.size(), [&](std::size_t i) {
+        f[nodes[i]] -= bag_->card.p_atm * bag_->area[nodes[i]];
+    });
 }
 
 void BagGas::book_load(const Points& v_mid, double span) {

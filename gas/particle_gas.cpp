@@ -213,10 +213,11 @@ void ParticleGas::fly(double t, double dt, const Points& x_0, const Points& x_1)
     }
     flights_ += particles_.size();
     bag_.load.find_sides(flight_, x_0, x_1);
-    bag_.samples.receive(flight_, bag_.load.sides(), dt, x_1, bag_.rooms, particles_);
+    bag_.samples.receive(bag_.load.hits(), dt, x_1, bag_.rooms, particles_);
     bag_.load.receive(flight_, bag_.particle_mass, particles_);
     roughness_.receive(flight_, dt, pressure(), x_1);
-    hits_ += bag_.monitor.record(flight_, x_1);
+    bag_.monitor.record(bag_.load.hits(), x_1);
+    hits_ += bag_.load.hits().size();
     gone_.clear();
     if (!flight_.lost.empty()) book_lost(t);
     if (!particles_.room.empty()) pass_on();

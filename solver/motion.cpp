@@ -56,9 +56,8 @@ void SceneState::find_contacts(double dt) {
 /// v += span f / m; rigid bodies move as one; held directions do as they are told.
 void SceneState::kick(double dt, double span) {
     ledger.weight = clock.weight(dt);
-    v.before = nodes.v;
     ties.share_force(nodes.f);
-    nodes.kick(span);
+    nodes.kick(span, &v.before);
     move_bodies(dt, span);
     supports.hold(clock.t, dt, span, nodes);
     ties.hold(nodes.v);
@@ -88,7 +87,7 @@ void SceneState::stop_at_obstacles(double dt) {
     bool has_stopped = !obstacles.walls.empty();
     if (!ties.empty()) v.free = nodes.v;
     v.kicked.clear();
-    if (has_stopped) v.kicked = nodes.v;
+    if (has_stopped) parallel::copy(nodes.v, v.kicked);
     double by_walls = 0.0;
     for (contact::RigidWall& wall : obstacles.walls) {
         by_walls -= wall.driving_work() + wall.held_work();
@@ -123,18 +122,28 @@ void SceneState::stop_at_obstacles(double dt) {
             bodies.joints->hold(clock.t, dt, clock.kick_span(dt), RigidJoints::After::CONTACT,
                                 bodies.all, bodies.proxies, nodes);
         if (!ties.empty()) ties.hold(nodes.v);  // bodies have moved ends
-        const double kicked = std::exchange(ledger.after.kinetic, kinetic_energy());
-        ledger.after.contact +=
-            kicked - ledger.after.kinetic - parallel::sum(nodes.size(), 0.0, [&](std::size_t n) {
-                return 0.5 * nodes.mass[n] *
-                       (v.kicked[n] - nodes.v[n]).dot(v.kicked[n] - v.before[n]);
-            });
+        book_stops();
     }
+}
+
+/// Books what obstacles took from nodes, v.kicked -> v.
+void SceneState::book_stops() {
+    using Two = Eigen::Vector2d;  // kinetic energy; what obstacles took beside the kick
+    const Two sums = parallel::sum(nodes.size(), Two(Two::Zero()), [&](std::size_t n) {
+        const Vec3& now = nodes.v[n];
+        return Two(0.5 * nodes.mass[n] * now.squaredNorm(),
+                   0.5 * nodes.mass[n] * (v.kicked[n] - now).dot(v.kicked[n] - v.before[n]));
+    });
+    const double kicked = std::exchange(ledger.after.kinetic, with_obstacles(sums[0]));
+    ledger.after.contact += kicked - ledger.after.kinetic - sums[1];
 }
 
 /// Of nodes, rigid bodies and walls of mass, at the half step that velocities live at. [J]
 double SceneState::kinetic_energy() const {
-    double all = nodes.kinetic_energy();
+    return with_obstacles(nodes.kinetic_energy());
+}
+
+double SceneState::with_obstacles(double all) const {
     for (const RigidBody& body : bodies.all) all += body.kinetic_energy();
     for (const contact::RigidWall& wall : obstacles.walls) all += wall.kinetic_energy();
     return all;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "solver/base/parallel.hpp"
 #include "solver/simulation.hpp"
 #include "solver/stops.hpp"
 
@@ -78,7 +79,7 @@ void Simulation::find_forces(double span, Stopwatch& lap) {
         scene_.cloth.membranes->restore_strains(t);
         const Index broken = scene_.cloth.membranes->add_force(nodes.x, nodes.v, nodes.f);
         if (broken >= 0) stop_for_strain(scene_, broken);
-        forces.fabric.f = nodes.f;                                              lap("membranes");
+        parallel::copy(nodes.f, forces.fabric.f);                               lap("membranes");
     }
     for (gas::BagGas& bag : scene_.airbags.particle) {
         bag.add_load(nodes.x, nodes.v, nodes.mass, span, nodes.f);              lap("gas load");

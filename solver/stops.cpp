@@ -69,10 +69,11 @@ void check_growth(SceneState& scene, double span) {
         throw PhysicsError(scene.clock.t, growing_shell(scene, node) +
                                               " swings further in every step: the step is too "
                                               "long for it, the fabric became unstable");
+    const auto [inner_work, inner_early] =
+        scene.forces.fabric.works(scene.v.mid, scene.v.before, span);
     const GrowthMonitor::Instant now{
-        scene.cloth.membranes->strain_energy() + scene.cloth.membranes->lost_energy(),
-        scene.forces.fabric.work(scene.v.mid, span),
-        scene.forces.fabric.work(scene.v.before, span)};
+        scene.cloth.membranes->strain_energy() + scene.cloth.membranes->lost_energy(), inner_work,
+        inner_early};
     if (!scene.cloth.growth.gains(now, scene.nodes.mass, scene.v.before, scene.nodes.v)) return;
     if (!(scene.cloth.growth.spurious() > negligible_energy(scene, span)))
         return;  // nor where the gas has a NaN

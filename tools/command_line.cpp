@@ -34,7 +34,9 @@ void add_deck_options(CLI::App& command, DeckArguments& deck) {
         ->capture_default_str()
         ->check(whole_number);
     command.add_option("--until", deck.until, "end time instead of ENDTIM, in the deck's unit");
-    command.add_option("-j,--threads", deck.threads, "threads; default: one a core")
+    command
+        .add_option("-j,--threads", deck.threads,
+                    "threads; default: one a core (OMP_NUM_THREADS if set)")
         ->check(CLI::Range(1, MOST_THREADS));
 }
 
@@ -106,8 +108,7 @@ void add_responses(CLI::App& app, ResponsesArguments& to) {
         "impulse, rebound, energy, intrusion; also to DIR/responses.json");
     command.add_option("DIR", to.folder, "folder of a run's results")->required();
     command.add_option("--body", to.body, "part id of one body; default: all");
-    command.add_option("--units", to.units,
-                       io::unit_systems() + ", where the results do not know");
+    command.add_option("--units", to.units, io::unit_systems() + ", where the results do not know");
     command.add_flag("--json", to.json, "print JSON instead of a table");
     command.footer(
         "Examples:\n"

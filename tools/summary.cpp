@@ -14,6 +14,7 @@
 #include "gas/particles.hpp"
 #include "io/system/atomic_file.hpp"
 #include "io/text/json.hpp"
+#include "solver/base/cores.hpp"
 #include "tools/everyday.hpp"
 
 namespace corpuscle::tools {
@@ -157,8 +158,11 @@ void Summary::print(Simulation& simulation, const std::string& folder, double wo
     fmt::print("\nnormal termination at t = {} after {} steps\n", unit.time(simulation.time()),
                simulation.steps());
     print_phases(simulation.timings(), wall);
-    fmt::print("\n  {} threads of {}; {:.0f} % of the time in loops that they share\n",
-               parallel::threads(), parallel::processors(), 100.0 * loops_.seconds() / wall);
+    fmt::print(
+        "\n  {} threads ({} cores, {} hardware threads); {:.0f} % of the time in loops that "
+        "they share\n",
+        parallel::threads(), parallel::cores(), parallel::processors(),
+        100.0 * loops_.seconds() / wall);
     fmt::print(
         "\n  {:.3g} particle-steps ({:.3g} a second), {:.3g} element-steps ({:.3g} a second)\n",
         static_cast<double>(flights), static_cast<double>(flights) / wall, elements,

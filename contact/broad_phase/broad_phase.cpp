@@ -57,6 +57,12 @@ bool keep_mine_first(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* d
     return false;
 }
 
+bool keep_other(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* data) {
+    const Index row = row_of(a);
+    static_cast<std::vector<Index>*>(data)->push_back(row >= 0 ? row : row_of(b));
+    return false;
+}
+
 void check(std::span<const Box> boxes) {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         const Box& b = boxes[i];
@@ -122,6 +128,16 @@ void BroadPhase::pairs(const BroadPhase& other, Pairs& out) const {
     if (tree_->in_use.empty() || other.tree_->in_use.empty()) return;
     TwoSided data{&out, tree_->shape.get()};
     tree_->manager.collide(&other.tree_->manager, &data, keep_mine_first);
+    std::sort(out.begin(), out.end());
+}
+
+void BroadPhase::overlapping(const Box& box, std::vector<Index>& out) const {
+    out.clear();
+    if (tree_->in_use.empty()) return;
+    constexpr Index WHO_ASKS = -1;
+    thread_local BoxObject asking(std::make_shared<NoShape>(), WHO_ASKS);
+    asking.set(box);
+    tree_->manager.collide(&asking, &out, keep_other);
     std::sort(out.begin(), out.end());
 }
 

@@ -37,6 +37,9 @@ public:
     /// Overlapping pairs (mine, theirs), sorted.
     void pairs(const BroadPhase& other, std::vector<std::pair<Index, Index>>& out) const;
 
+    /// Boxes that another one overlaps, ascending. Any number of threads may ask.
+    void overlapping(const Box& box, std::vector<Index>& out) const;
+
 private:
     struct Tree;
     std::unique_ptr<Tree> tree_;

@@ -19,6 +19,7 @@ constexpr double SWEEP = 0.4;  ///< farthest that a node may go while lists live
 constexpr std::size_t SPARSE = 2;  ///< candidates a triangle, in open cloth
 constexpr double ROOM = 28.0, MORE_ROOM = 1.25;
 constexpr std::size_t PATCH_PAIRS_A_CHUNK = 1;  ///< patch pairs; some hundred triangle pairs
+constexpr std::size_t MEMORIES = 256;
 /// Chunks whose findings wait at once to be put together: memory that the list has no more use for.
 constexpr std::size_t ROUND = 512;
 
@@ -184,14 +185,38 @@ void Candidates::bar_crossing_pairs(const Points& x) {
 /// last build are in order, those made since come behind them.
 void Candidates::sort_memories() {
     const auto by_key = [](const PairMemory& a, const PairMemory& b) { return a.key < b.key; };
-    const auto is_empty = [](const PairMemory& m) { return m.is_empty(); };
     const auto made = memories_.begin() + static_cast<std::ptrdiff_t>(sorted_);
-    const auto kept = std::remove_if(memories_.begin(), made, is_empty);
-    const auto end = std::remove_if(made, memories_.end(), is_empty);
+    const auto end =
+        std::remove_if(made, memories_.end(), [](const PairMemory& m) { return m.is_empty(); });
     std::sort(made, end, by_key);
-    merged_.resize(static_cast<std::size_t>((kept - memories_.begin()) + (end - made)));
-    std::merge(memories_.begin(), kept, made, end, merged_.begin(), by_key);
-    memories_.swap(merged_);
+    std::vector<std::size_t>& kept = merging_.kept;
+    std::vector<PairMemory>& merged = merging_.merged;
+    kept.clear();
+    merging_.found.find(
+        sorted_, kept,
+        [&](std::size_t m, auto&& take) {
+            if (!memories_[m].is_empty()) take(m);
+        },
+        MEMORIES);
+    // Each goes where those of lower keys end, of its own kind and of the other.
+    merged.resize(kept.size() + static_cast<std::size_t>(end - made));
+    const auto place_kept = [&](std::size_t i) {
+        const PairMemory& memory = memories_[kept[i]];
+        const auto before = std::lower_bound(made, end, memory, by_key) - made;
+        merged[i + static_cast<std::size_t>(before)] = memory;
+    };
+    const auto place_made = [&](std::size_t i) {
+        const PairMemory& memory = made[static_cast<std::ptrdiff_t>(i)];
+        const auto before =
+            std::partition_point(kept.begin(), kept.end(),
+                                 [&](std::size_t m) { return memories_[m].key <= memory.key; }) -
+            kept.begin();
+        merged[i + static_cast<std::size_t>(before)] = memory;
+    };
+    parallel::side_by_side(
+        parallel::each(kept.size(), place_kept, MEMORIES),
+        parallel::each(static_cast<std::size_t>(end - made), place_made, MEMORIES));
+    memories_.swap(merged);
     sorted_ = memories_.size();
 }
 

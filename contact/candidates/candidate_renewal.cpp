@@ -11,6 +11,7 @@ namespace corpuscle::contact {
 namespace {
 
 constexpr std::size_t ROWS = 2048, TRIANGLES = 4;  ///< a chunk, of pairs and of renewed triangles
+constexpr std::size_t LISTED = 128;                ///< likewise of pairs that were listed anew
 
 }  // namespace
 
@@ -41,25 +42,16 @@ void Candidates::find_renewed_triangles() {
 /// Their rows stay, as pairs that are infinitely far apart.
 void Candidates::drop_renewed_pairs() {
     renewal_.handed_on.clear();
-    const std::size_t chunks = parallel::chunk_count(list_.size(), ROWS);
-    renewal_.dropped.resize(std::max(renewal_.dropped.size(), chunks));
-    const auto find = [&](std::size_t begin, std::size_t end, std::size_t c) {
-        renewal_.dropped[c].clear();
-        for (std::size_t i = begin; i < end; ++i) {
-            if ((renewal_.is_renewed[verlet_.first[i]] | renewal_.is_renewed[verlet_.second[i]]) &&
-                verlet_.sum[i] < INF)
-                renewal_.dropped[c].push_back(i);
-        }
+    const auto drop = [&](std::size_t i, auto&& take) {
+        const bool is_renewed =
+            (renewal_.is_renewed[verlet_.first[i]] | renewal_.is_renewed[verlet_.second[i]]) != 0;
+        if (!is_renewed || !(verlet_.sum[i] < INF)) return;
+        verlet_.sum[i] = INF;
+        take(std::pair(list_[i].key, std::exchange(list_[i].memory, -1)));
     };
-    parallel::for_chunks(list_.size(), find, ROWS);
-    for (std::size_t c = 0; c < chunks; ++c)
-        for (const std::size_t i : renewal_.dropped[c]) {
-            Candidate& dropped = list_[i];
-            if (dropped.memory >= 0)
-                renewal_.handed_on.emplace_back(dropped.key, std::exchange(dropped.memory, -1));
-            verlet_.sum[i] = INF;
-            ++dead_;
-        }
+    renewal_.dropped.find(list_.size(), renewal_.handed_on, drop, ROWS);
+    dead_ += renewal_.handed_on.size();
+    std::erase_if(renewal_.handed_on, [](const auto& dropped) { return dropped.second < 0; });
     std::sort(renewal_.handed_on.begin(), renewal_.handed_on.end());
 }
 
@@ -107,12 +99,22 @@ void Candidates::list_renewed_pairs(const Points& x) {
 /// Pairs that were listed before keep what they know; what those know that are not listed again is
 /// forgotten.
 void Candidates::hand_on_memories(std::size_t first) {
-    for (std::size_t i = first; i < list_.size(); ++i) {
-        const auto known = std::lower_bound(renewal_.handed_on.begin(), renewal_.handed_on.end(),
-                                            std::pair(list_[i].key, Index{0}));
-        if (known == renewal_.handed_on.end() || known->first != list_[i].key) continue;
-        list_[i].memory = std::exchange(known->second, -1);
-    }
+    if (renewal_.handed_on.empty()) return;
+    const auto handed_on = renewal_.handed_on.begin();
+    renewal_.known.resize(list_.size() - first);
+    parallel::for_each(
+        renewal_.known.size(),
+        [&](std::size_t k) {
+            const std::uint64_t key = list_[first + k].key;
+            const auto at =
+                std::lower_bound(handed_on, renewal_.handed_on.end(), std::pair(key, Index{0}));
+            const bool is_known = at != renewal_.handed_on.end() && at->first == key;
+            renewal_.known[k] = is_known ? static_cast<Index>(at - handed_on) : -1;
+        },
+        LISTED);
+    for (std::size_t k = 0; k < renewal_.known.size(); ++k)
+        if (renewal_.known[k] >= 0)
+            list_[first + k].memory = std::exchange(handed_on[renewal_.known[k]].second, -1);
     for (const auto& [key, memory] : renewal_.handed_on) {
         if (memory < 0) continue;
         memories_[memory].short_by = memories_[memory].area = 0.0;

@@ -14,6 +14,7 @@
 #include "contact/culling/patch_pairs.hpp"
 #include "contact/geometry/distance.hpp"
 #include "contact/surface/cloth.hpp"
+#include "solver/base/parallel.hpp"
 
 namespace corpuscle::contact {
 
@@ -225,9 +226,17 @@ private:
         std::vector<Index> strayed, renewed;   ///< nodes, triangles, ascending
         std::vector<std::uint8_t> is_renewed;  ///< by triangle
         std::vector<std::pair<std::uint64_t, Index>>
-            handed_on;                                  ///< key and memory of dropped pairs
-        std::vector<std::vector<std::size_t>> dropped;  ///< by chunk: rows of those pairs
-        Points predicted;                               ///< N × 3                [m]
+            handed_on;  ///< key and memory of dropped pairs
+        parallel::Gathered<std::pair<std::uint64_t, Index>> dropped;
+        std::vector<Index> known;  ///< by pair listed anew: row there, or -1
+        Points predicted;          ///< N × 3                [m]
+    };
+
+    /// Of memories, those in order and those made since: kept for its memory.
+    struct Merging {
+        std::vector<std::size_t> kept;  ///< rows of those in order that say something
+        parallel::Gathered<std::size_t> found;
+        std::vector<PairMemory> merged;
     };
 
     const Cloth& cloth_;
@@ -242,7 +251,8 @@ private:
     std::vector<Candidate> list_;
     VerletList verlet_;
     std::vector<Chunk> chunks_;
-    std::vector<PairMemory> memories_, merged_;
+    std::vector<PairMemory> memories_;
+    Merging merging_;
     std::size_t sorted_ = 0;             ///< memories that are in the order of their keys
     std::vector<std::uint8_t> is_used_;  ///< by memory
     std::vector<std::pair<Index, Index>> crossing_, close_starts_;

@@ -87,7 +87,7 @@ void PatchMotion::follow(const Points& x) {
 }
 
 void PatchMotion::mark(const Points& x) {
-    marked_ = x;
+    parallel::copy(x, marked_);
     common_.setZero();
     std::fill(gone_.begin(), gone_.end(), 0.0);
 }

@@ -11,8 +11,9 @@ namespace corpuscle::contact {
 namespace {
 
 constexpr Index SEVERAL = -1;
-constexpr std::size_t PATCHES_A_CHUNK = 16;  ///< patches
-constexpr int MOST_LOOKS = 6;                ///< for a plane between two patches
+constexpr std::size_t PATCHES_A_CHUNK = 16;
+constexpr std::size_t ASKING = 4;   ///< patches a chunk that ask the tree
+constexpr int MOST_LOOKS = 6;       ///< for a plane between two patches
 constexpr double LEAST_ROOM = 0.5;  ///< in edge lengths: where cloth rests, a node may dash off
 
 /// What `of(triangle)` is for all triangles of a patch, or SEVERAL.
@@ -30,7 +31,6 @@ PatchPairs::PatchPairs(const Cloth& cloth, std::span<const double> margin)
       motion_(cloth),
       margin_(cloth.patches.size(), 0.0),
       room_(margin_),
-      tree_(margin_.size()),
       box_(margin_.size()),
       middle_(margin_.size()) {
     const auto body_of = [&](Index t) {
@@ -69,26 +69,24 @@ void PatchPairs::find(const Points& x, double steps) {
     };
     parallel::for_each(room_.size(), bound, PATCHES_A_CHUNK);
     tree_.update(box_);
-    tree_.self_pairs(pairs_);
-    for (std::size_t p = 0; p < room_.size(); ++p)
-        pairs_.emplace_back(static_cast<Index>(p), static_cast<Index>(p));
+    find_pairs();
     drop_apart(x);
-    sort_pairs();
     pieces_.list(cloth_, motion_, pairs_);
 }
 
-/// By counting, the second patch first: a stable sort by the first one then keeps its order.
-void PatchPairs::sort_pairs() {
-    sorted_.resize(pairs_.size());
-    const auto sort_by = [&](auto&& patch) {
-        start_.assign(room_.size() + 1, 0);
-        for (const auto& pair : pairs_) ++start_[patch(pair) + 1];
-        std::partial_sum(start_.begin(), start_.end(), start_.begin());
-        for (const auto& pair : pairs_) sorted_[start_[patch(pair)]++] = pair;
-        pairs_.swap(sorted_);
-    };
-    sort_by([](const auto& pair) { return static_cast<std::size_t>(pair.second); });
-    sort_by([](const auto& pair) { return static_cast<std::size_t>(pair.first); });
+/// Each patch with itself and with those behind it that its box overlaps.
+void PatchPairs::find_pairs() {
+    pairs_.clear();
+    found_pairs_.find(
+        box_.size(), pairs_,
+        [&](std::size_t p, auto&& take) {
+            thread_local std::vector<Index> overlapped;
+            tree_.overlapping(box_[p], overlapped);
+            const auto first = static_cast<Index>(p);
+            for (const Index second : overlapped)
+                if (second >= first) take({first, second});
+        },
+        ASKING);
 }
 
 /// Leaves out pairs that may not touch, or between which there is a plane.

@@ -9,6 +9,7 @@
 #include "contact/broad_phase/broad_phase.hpp"
 #include "contact/culling/patch_motion.hpp"
 #include "contact/culling/pieces.hpp"
+#include "solver/base/parallel.hpp"
 
 namespace corpuscle::contact {
 
@@ -49,7 +50,7 @@ private:
     [[nodiscard]] bool are_apart(Index p, Index q, const Points& x) const;
     [[nodiscard]] const Vec3& farthest(Index patch, const Vec3& along, const Points& x) const;
     void drop_apart(const Points& x);
-    void sort_pairs();
+    void find_pairs();
 
     const Cloth& cloth_;
     PatchMotion motion_;
@@ -57,10 +58,10 @@ private:
     std::vector<double> margin_;      ///< by patch                                        [m]
     std::vector<double> room_;        ///< by patch: drift that it has room for            [m]
     BroadPhase tree_;
+    parallel::Gathered<PatchPair> found_pairs_;
     std::vector<Box> box_;
     Points middle_;  ///< by patch                                                          [m]
-    std::vector<PatchPair> pairs_, sorted_;
-    std::vector<std::size_t> start_;  ///< of the pairs by patch, while they are sorted
+    std::vector<PatchPair> pairs_;
     Pieces pieces_;
     std::vector<std::uint8_t> is_met_;  ///< by pair
 };

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstdint>
+#include <numeric>
+#include <span>
 #include <vector>
 
 #include "contact/surface/cloth.hpp"
@@ -16,14 +18,17 @@ namespace corpuscle::contact {
 /// Space is cut into square columns, along the axis in which the cloth is thinnest. A contact is of
 /// the column that the mean of its nodes is in, if all of them lie within half a column's width of
 /// it. So two columns with another between them have no node in common, and there are four colours
-/// of columns each of which all threads work on at once. What reaches farther (large facets), and
-/// what touches a rigid body, is worked on alone, after all others. The order does not depend on
-/// the number of threads.
+/// of columns each of which all threads work on at once, the fullest first. What reaches farther
+/// (large facets), and what touches a rigid body that may move, is worked on alone, after all
+/// others. The order does not depend on the number of threads.
 class ColumnColouring {
 public:
-    static constexpr std::size_t COUNT = 256;  ///< names of columns; those that are far apart share
+    static constexpr std::size_t COUNT =
+        Contact::ALONE;  ///< names of columns; those that are far apart share
 
-    explicit ColumnColouring(const Cloth& cloth) : cloth_(cloth) {}
+    explicit ColumnColouring(const Cloth& cloth) : cloth_(cloth) {
+        std::iota(by_size_.begin(), by_size_.end(), std::uint16_t{0});
+    }
 
     /// Lays the columns for cloth at x.
     void lay(const Points& x);
@@ -50,20 +55,34 @@ public:
     /// body(contact), one after the other wherever two have a node in common, always in the same
     /// order. List: ContactList, const or not, as it was sorted.
     template <class List, class Body>
-    void for_each(List& contacts, Body&& body) const {
+    void for_each(List& contacts, Body&& body,
+                  parallel::Cut::Where where = parallel::Cut::Where::current()) const {
         if (order_.empty()) return;
-        for_each([&](std::size_t column) {
+        const auto over_column = [&](std::size_t column) {
             for (std::size_t i = start_[column]; i < start_[column + 1]; ++i)
                 body(contacts.chunk(order_[i].chunk)[order_[i].row]);
-        });
+        };
+        for_each_column(over_column, where);
     }
     /// Likewise body(column), the columns' contacts being up to the body.
     template <class Body>
-    void for_each(Body&& body) const {
+    void for_each_column(Body&& body,
+                         parallel::Cut::Where where = parallel::Cut::Where::current()) const {
+        const parallel::Cut cut(is_worth_threads() ? 1 : PER_COLOUR, where);
+        const auto of_colour = [&](std::size_t colour) {
+            const std::span<const std::uint16_t> columns = filled(colour);
+            return parallel::each(
+                columns.size(), [&body, columns](std::size_t i) { body(std::size_t{columns[i]}); },
+                cut);
+        };
+        parallel::in_turn(COLOURS, of_colour);
+        body(COUNT);
+    }
+    /// Likewise of one thread, for what those bodies have found.
+    template <class Body>
+    void for_each_in_turn(Body&& body) const {
         for (std::size_t colour = 0; colour < COLOURS; ++colour)
-            parallel::for_each(
-                PER_COLOUR, [&](std::size_t i) { body(colour * PER_COLOUR + i); },
-                is_worth_threads() ? 1 : PER_COLOUR);
+            for (const std::uint16_t column : filled(colour)) body(std::size_t{column});
         body(COUNT);
     }
 
@@ -72,6 +91,12 @@ private:
     [[nodiscard]] bool is_worth_threads() const {
         constexpr std::size_t FEW = 256;  // contacts that one thread is done with sooner
         return order_.size() > FEW;
+    }
+
+    void sort_by_size();
+    /// Columns of a colour that have contacts, the largest first.
+    [[nodiscard]] std::span<const std::uint16_t> filled(std::size_t colour) const {
+        return std::span(by_size_).subspan(colour * PER_COLOUR, filled_[colour]);
     }
 
     struct Slot {
@@ -83,7 +108,9 @@ private:
     double per_width_ = 0.0;         ///< 1 / their width                                  [1/m]
     std::vector<Slot> order_;
     std::array<std::size_t, COUNT + 2> start_{};  ///< by column, and of those that stand alone
-    std::vector<std::array<std::uint32_t, COUNT + 1>> next_;  ///< by chunk and column
+    std::array<std::uint16_t, COUNT> by_size_;    ///< each colour's columns, the largest first
+    std::array<std::size_t, COLOURS> filled_{};   ///< of those have contacts
+    std::vector<std::array<std::uint32_t, COUNT + 1>> next_;  ///< by some chunks and column
 };
 
 }  // namespace corpuscle::contact

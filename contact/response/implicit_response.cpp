@@ -9,9 +9,10 @@ namespace corpuscle::contact {
 namespace {
 
 constexpr int LEAST_SWEEPS = 4, MOST_SWEEPS = 32;
-constexpr int WHOLE = 4;                  ///< every so many sweeps go over all rows
-constexpr double CONVERGED = 4e-3;        ///< change by a sweep over all impulses
-constexpr std::size_t ROWS_A_CHUNK = 64;  ///< rows
+constexpr int WHOLE = 4;            ///< every so many sweeps go over all rows
+constexpr double CONVERGED = 4e-3;  ///< change by a sweep over all impulses
+constexpr std::size_t ROWS_A_CHUNK = 64;
+constexpr std::size_t CONTACT_CHUNKS = 1;  ///< chunks of contacts at once
 
 }  // namespace
 
@@ -28,8 +29,7 @@ void ImplicitResponse::apply(double span, double dt, ContactList& contacts,
                              const std::function<void(bool is_last)>& hold) {
     for (ImpulseBooks& book : books) book.given.setZero();
     ++step_;
-    take_up(dt, contacts, columns, pairs, motion);
-    columns.sort(contacts);
+    if (take_up(dt, contacts, columns, pairs, motion)) columns.sort(contacts);
     if (columns.size() == 0) return;
     motion.begin();
     set_rows(span, dt, contacts, columns, pairs, motion);
@@ -43,9 +43,11 @@ void ImplicitResponse::apply(double span, double dt, ContactList& contacts,
 
 /// Makes contacts of pairs that are near and whose nodes are so fast that they may come within
 /// rest.
-void ImplicitResponse::take_up(double dt, ContactList& contacts, const ColumnColouring& columns,
+/// @returns whether there were any
+bool ImplicitResponse::take_up(double dt, ContactList& contacts, const ColumnColouring& columns,
                                const Candidates& pairs, const VelocityState& motion) {
-    contacts.for_each_chunk([&](std::size_t chunk) {
+    using Flag = std::uint8_t;
+    const auto take_up_chunk = [&](Flag& has_some, std::size_t chunk) {
         for (const NearPair& near : contacts.near(chunk)) {
             const Pair& pair = near.nodes;
             Corners v;
@@ -61,8 +63,12 @@ void ImplicitResponse::take_up(double dt, ContactList& contacts, const ColumnCol
             c.rest = near.rest;
             c.thickness = near.rest;
             c.modulus = pairs.modulus(near.pair);
+            has_some = 1;
         }
-    });
+    };
+    return parallel::fold(
+               contacts.chunks(), Flag{0}, take_up_chunk,
+               [](Flag& any, Flag has_some) { any |= has_some; }, CONTACT_CHUNKS) != 0;
 }
 
 double ImplicitResponse::solve_all(const ColumnColouring& columns, VelocityState& motion,
@@ -81,7 +87,7 @@ double ImplicitResponse::solve_all(const ColumnColouring& columns, VelocityState
 
 double ImplicitResponse::sweep(bool is_whole, const ColumnColouring& columns,
                                VelocityState& motion) {
-    columns.for_each([&](std::size_t column) {
+    columns.for_each_column([&](std::size_t column) {
         Share& share = share_[column];
         share.changed = share.all = 0.0;
         const bool is_alone = column == ColumnColouring::COUNT;
@@ -103,16 +109,16 @@ double ImplicitResponse::sweep(bool is_whole, const ColumnColouring& columns,
             if (bring(i)) active[share.active++] = static_cast<std::uint32_t>(i);
     });
     double changed = 0.0, all = 0.0;
-    for (const Share& share : share_) {
-        changed += share.changed;
-        all += share.all;
-    }
+    columns.for_each_in_turn([&](std::size_t column) {
+        changed += share_[column].changed;
+        all += share_[column].all;
+    });
     return all > 0.0 ? changed / all : 0.0;
 }
 
 /// Brings a row between free or held nodes to its law, all else as it is; returns the change of J.
 double ImplicitResponse::solve(Row& row, VelocityState& motion) {
-    Points& v = motion.node_velocities();
+    const Points& v = motion.v();
     Vec3 relative = row.weight[0] * v[row.node[0]] + row.weight[1] * v[row.node[1]] +
                     row.weight[2] * v[row.node[2]] + row.weight[3] * v[row.node[3]];
     const double rate = row.normal.dot(relative);
@@ -130,12 +136,11 @@ double ImplicitResponse::solve(Row& row, VelocityState& motion) {
         whole += wanted - row.rubbed;
         row.rubbed = wanted;
     }
-    for (int i = 0; i < 4; ++i)
-        v[row.node[i]] += row.weight[i] * cloth_.mobility[row.node[i]].cwiseProduct(whole);
+    give(whole, row, motion);
     return change;
 }
 
-/// Likewise where a body takes part, whose mass is another in each direction.
+/// Likewise where a body takes part that may move, whose mass is another in each direction.
 double ImplicitResponse::solve_on_body(Row& row, VelocityState& motion) {
     Contact& c = *row.contact;
     const double rate = motion.rate(c);
@@ -161,12 +166,28 @@ double ImplicitResponse::solve_on_body(Row& row, VelocityState& motion) {
     return change;
 }
 
+/// Bodies that do not move take the impulse of a row when all is done.
+void ImplicitResponse::add_to_bodies(const Vec3& impulse, const Row& row,
+                                     const VelocityState& motion,
+                                     std::vector<BodyImpulse>& taken) const {
+    for (int i = 0; i < 4; ++i) {
+        const Index body = cloth_.body[row.node[i]];
+        if (body < 0 || row.weight[i] == 0.0) continue;
+        const Vec3 own = row.weight[i] * impulse;
+        const Vec3 arm = motion.x()[row.node[i]] - motion.bodies()[body].centre;
+        taken[body].linear += own;
+        taken[body].turning += arm.cross(own);
+    }
+}
+
 /// Books what the impulses have taken, of all together exactly J · (velocity before + after) / 2,
 /// and remembers them.
 void ImplicitResponse::close(double span, const ColumnColouring& columns, Candidates& pairs,
-                             const VelocityState& motion, std::vector<ImpulseBooks>& books) {
-    columns.for_each([&](std::size_t column) {
-        for (ImpulseBooks& book : share_[column].books) book = {};
+                             VelocityState& motion, std::vector<ImpulseBooks>& books) {
+    columns.for_each_column([&](std::size_t column) {
+        Share& share = share_[column];
+        for (ImpulseBooks& book : share.books) book = {};
+        share.on_bodies.assign(motion.bodies().size(), {});
         for (std::size_t i = columns.begin(column); i < columns.begin(column + 1); ++i) {
             const Row& row = rows_[i];
             Contact& c = *row.contact;
@@ -175,7 +196,9 @@ void ImplicitResponse::close(double span, const ColumnColouring& columns, Candid
             c.rubbed = row.rubbed;
             const Vec3 whole = row.impulse * row.normal + row.rubbed;
             if (whole.isZero(0.0)) continue;
-            ImpulseBooks& book = share_[column].books[static_cast<std::size_t>(c.card)];
+            if (column != ColumnColouring::COUNT)
+                add_to_bodies(whole, row, motion, share.on_bodies);
+            ImpulseBooks& book = share.books[static_cast<std::size_t>(c.card)];
             const Vec3 mean = 0.5 * (row.before + motion.relative(c));
             book.normal -= row.impulse * row.normal.dot(mean);
             book.friction -= row.rubbed.dot(mean);
@@ -189,8 +212,12 @@ void ImplicitResponse::close(double span, const ColumnColouring& columns, Candid
             }
         }
     });
-    for (const Share& share : share_)
+    columns.for_each_in_turn([&](std::size_t column) {
+        const Share& share = share_[column];
         for (std::size_t c = 0; c < books.size(); ++c) books[c] += share.books[c];
+        for (std::size_t b = 0; b < share.on_bodies.size(); ++b)
+            motion.push_body(b, share.on_bodies[b]);
+    });
     parallel::for_each(
         rows_.size(),
         [&](std::size_t i) {

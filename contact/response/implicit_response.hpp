@@ -111,10 +111,11 @@ private:
     };
     struct alignas(64) Share {
         std::vector<ImpulseBooks> books;
+        std::vector<BodyImpulse> on_bodies;  ///< that do not move
         double changed = 0.0, all = 0.0;
         std::size_t active = 0;
     };
-    void take_up(double dt, ContactList& contacts, const ColumnColouring& columns,
+    bool take_up(double dt, ContactList& contacts, const ColumnColouring& columns,
                  const Candidates& pairs, const VelocityState& motion);
     void set_rows(double span, double dt, ContactList& contacts, const ColumnColouring& columns,
                   Candidates& pairs, VelocityState& motion);
@@ -123,7 +124,7 @@ private:
     [[nodiscard]] Row row_of(double span, double dt, Contact& contact,
                              const VelocityState& motion) const;
     static void warm(double span, const PairMemory& memory, Row& row);
-    void begin(Row& row, VelocityState& motion);
+    void begin(Row& row, bool is_alone, VelocityState& motion);
     /// Sweeps until little changes; returns what the last one did, over all impulses.
     double solve_all(const ColumnColouring& columns, VelocityState& motion,
                      const std::function<void(bool is_last)>& hold);
@@ -131,16 +132,25 @@ private:
     /// @returns what it changed, over all impulses
     double sweep(bool is_whole, const ColumnColouring& columns, VelocityState& motion);
     double solve(Row& row, VelocityState& motion);
+    /// Gives an impulse to the free nodes of a row.
+    void give(const Vec3& impulse, const Row& row, VelocityState& motion) const {
+        Points& v = motion.node_velocities();
+        for (int i = 0; i < 4; ++i)
+            v[row.node[i]] += row.weight[i] * cloth_.mobility[row.node[i]].cwiseProduct(impulse);
+    }
     double solve_on_body(Row& row, VelocityState& motion);
+    void add_to_bodies(const Vec3& impulse, const Row& row, const VelocityState& motion,
+                       std::vector<BodyImpulse>& taken) const;
     void close(double span, const ColumnColouring& columns, Candidates& pairs,
-               const VelocityState& motion, std::vector<ImpulseBooks>& books);
+               VelocityState& motion, std::vector<ImpulseBooks>& books);
 
     const Cloth& cloth_;
     AreaShares areas_;
     std::array<Share, ColumnColouring::COUNT + 1> share_;
-    std::vector<Row> rows_;                     ///< in the columns' order
-    std::vector<std::uint32_t> active_;         ///< rows that push, from each column's first on
-    std::vector<std::vector<Contact*>> fresh_;  ///< by chunk: without a memory
+    std::vector<Row> rows_;              ///< in the columns' order
+    std::vector<std::uint32_t> active_;  ///< rows that push, from each column's first on
+    std::vector<Contact*> fresh_;        ///< without a memory
+    parallel::Gathered<Contact*> found_fresh_;
     Convergence convergence_;
     std::uint32_t step_ = 0;
 };

@@ -12,7 +12,8 @@
 namespace corpuscle::contact {
 namespace {
 
-constexpr std::size_t NEW_ROWS_A_CHUNK = 64;  ///< rows
+constexpr std::size_t NEW_ROWS_A_CHUNK = 64;   ///< rows
+constexpr std::size_t NEW_CONTACT_CHUNKS = 1;  ///< chunks of contacts at once
 
 }  // namespace
 
@@ -24,23 +25,24 @@ const PairMemory* ImplicitResponse::last(const Contact& c, Candidates& pairs) co
 
 /// Makes sure that each contact has a memory, and gives it the area of the step before.
 void ImplicitResponse::recall(ContactList& contacts, Candidates& pairs) {
-    fresh_.resize(std::max(fresh_.size(), contacts.chunks()));
-    contacts.for_each_chunk([&](std::size_t chunk) {
-        fresh_[chunk].clear();
-        for (Contact& c : contacts.chunk(chunk)) {
-            if (c.memory < 0) {
-                fresh_[chunk].push_back(&c);
-                continue;
+    fresh_.clear();
+    found_fresh_.find(
+        contacts.chunks(), fresh_,
+        [&](std::size_t chunk, auto&& take) {
+            for (Contact& c : contacts.chunk(chunk)) {
+                if (c.memory < 0) {
+                    take(&c);
+                    continue;
+                }
+                const PairMemory* const memory = last(c, pairs);
+                c.area = memory != nullptr ? memory->area : 0.0;
             }
-            const PairMemory* const memory = last(c, pairs);
-            c.area = memory != nullptr ? memory->area : 0.0;
-        }
-    });
-    for (std::size_t chunk = 0; chunk < contacts.chunks(); ++chunk)
-        for (Contact* const c : fresh_[chunk]) {
-            pairs.make_memory(c->pair);
-            c->memory = pairs.memory_row(c->pair);
-        }
+        },
+        NEW_CONTACT_CHUNKS);
+    for (Contact* const c : fresh_) {
+        pairs.make_memory(c->pair);
+        c->memory = pairs.memory_row(c->pair);
+    }
 }
 
 void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
@@ -58,9 +60,9 @@ void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
             if (const PairMemory* const memory = last(c, pairs)) warm(span, *memory, rows_[i]);
         },
         NEW_ROWS_A_CHUNK);
-    columns.for_each([&](std::size_t column) {
+    columns.for_each_column([&](std::size_t column) {
         for (std::size_t i = columns.begin(column); i < columns.begin(column + 1); ++i)
-            begin(rows_[i], motion);
+            begin(rows_[i], column == ColumnColouring::COUNT, motion);
     });
 }
 
@@ -109,7 +111,7 @@ void ImplicitResponse::warm(double span, const PairMemory& memory, Row& row) {
 }
 
 /// Gives what a row starts with.
-void ImplicitResponse::begin(Row& row, VelocityState& motion) {
+void ImplicitResponse::begin(Row& row, bool is_alone, VelocityState& motion) {
     if (row.mass == INF) {
         row.impulse = 0.0;
         row.rubbed.setZero();
@@ -117,6 +119,7 @@ void ImplicitResponse::begin(Row& row, VelocityState& motion) {
     }
     const Vec3 whole = row.impulse * row.normal + row.rubbed;
     if (whole.isZero(0.0)) return;
+    if (!is_alone) return give(whole, row, motion);
     for (int i = 0; i < 4; ++i) motion.push(row.node[i], row.weight[i] * whole);
 }
 

@@ -69,8 +69,9 @@ private:
 
 void NarrowPhase::find(const Scene& scene, const ColumnColouring& columns, Candidates& pairs,
                        ContactList& contacts) const {
-    contacts.clear(pairs.size());
+    contacts.lay_out(pairs.size());
     const auto look = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        contacts.clear_chunk(chunk);
         Batch batch;
         const auto finish = [&] {
             batch.finish(pairs, scene.x, [&](const NearPair& found) {

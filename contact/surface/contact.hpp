@@ -20,7 +20,7 @@ struct Contact {
     double mass;    ///< 1 / (what an impulse of one makes of the rate)             [kg]
     bool is_edges;  ///< two edges, else a node and a triangle
     std::uint16_t column = ALONE;  ///< name of its column (contact/response/column_colouring.hpp)
-    bool on_body = false;          ///< on a rigid body, where `mass` holds for the normal only
+    bool on_body = false;          ///< on a rigid body that may move: `mass` is along the normal
     int card = 0;                  ///< row of the card by which they touch
     int side = 0;       ///< 1: the first place is on SURFA, -1: the second is; 0: a single surface
     double rest = 0.0;  ///< gap below which it pushes                                  [m]

@@ -23,18 +23,26 @@ struct NearPair {
 /// order.
 class ContactList {
 public:
-    static constexpr std::size_t CHUNK = 1024;  ///< candidates; most are skipped
+    static constexpr std::size_t CHUNK = 512;  ///< candidates; most are skipped, or none
 
-    void clear(std::size_t candidates) {
+    /// Room for what so many candidates have, each chunk of which is yet to be cleared.
+    void lay_out(std::size_t candidates) {
         used_ = parallel::chunk_count(candidates, CHUNK);
         if (chunk_.size() < used_) {
             chunk_.resize(used_);
             near_.resize(used_);
             briefs_.resize(used_);
         }
-        for (auto& chunk : chunk_) chunk.clear();
-        for (auto& briefs : briefs_) briefs.clear();
-        for (auto& near : near_) near.clear();
+        for (std::size_t c = used_; c < chunk_.size(); ++c) clear_chunk(c);
+    }
+    void clear_chunk(std::size_t c) {
+        chunk_[c].clear();
+        near_[c].clear();
+        briefs_[c].clear();
+    }
+    void clear(std::size_t candidates) {
+        lay_out(candidates);
+        for (std::size_t c = 0; c < used_; ++c) clear_chunk(c);
     }
     [[nodiscard]] std::size_t chunks() const { return used_; }
 
@@ -71,25 +79,28 @@ public:
     }
     /// body(contact), in parallel.
     template <class Body>
-    void for_each_apart(Body&& body) {
-        for_each_chunk([&](std::size_t c) {
+    void for_each_apart(Body&& body, parallel::Cut::Where where = parallel::Cut::Where::current()) {
+        const auto over_chunk = [&](std::size_t c) {
             for (Contact& contact : chunk_[c]) body(contact);
-        });
+        };
+        for_each_chunk(over_chunk, where);
     }
     /// body(chunk), in parallel.
     template <class Body>
-    void for_each_chunk(Body&& body) const {
-        parallel::for_each(used_, body, 1);
+    void for_each_chunk(Body&& body,
+                        parallel::Cut::Where where = parallel::Cut::Where::current()) const {
+        parallel::for_each(used_, body, parallel::Cut(1, where));
     }
     /// Sum of term(contact), by chunks in parallel, then theirs in their order.
     template <class Term>
-    [[nodiscard]] double sum(Term&& term) const {
+    [[nodiscard]] double sum(Term&& term,
+                             parallel::Cut::Where where = parallel::Cut::Where::current()) const {
         const auto chunk_sum = [&](std::size_t c) {
             double s = 0.0;
             for (const Contact& contact : chunk_[c]) s += term(contact);
             return s;
         };
-        return parallel::sum(used_, 0.0, chunk_sum, 1);
+        return parallel::sum(used_, 0.0, chunk_sum, parallel::Cut(1, where));
     }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).

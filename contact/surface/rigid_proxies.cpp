@@ -33,13 +33,12 @@ Mat3 RigidProxy::mobility(const Vec3& at) const {
     return inverse_mass - arm * inverse_inertia * arm;
 }
 
-double RigidProxy::push(const Vec3& by, const Vec3& at) {
-    const Vec3 arm = at - centre, moment = arm.cross(by);
-    impulse += by;
-    turning += moment;
-    velocity_change += inverse_mass * by;
-    spin_change += inverse_inertia * moment;
-    return -by.dot(held_velocity) - moment.dot(held_spin);
+double RigidProxy::take(const BodyImpulse& by) {
+    impulse += by.linear;
+    turning += by.turning;
+    velocity_change += inverse_mass * by.linear;
+    spin_change += inverse_inertia * by.turning;
+    return -by.linear.dot(held_velocity) - by.turning.dot(held_spin);
 }
 
 double inverse_mass(const RigidProxy& body, Index number, const Cloth& cloth, const Points& x,
@@ -73,8 +72,9 @@ Contact contact_at(const Cloth& cloth, std::span<const RigidProxy> bodies, const
         const Vec3& m = cloth.mobility[n];
         return m.minCoeff() < m.maxCoeff();
     });
-    c.on_body = cloth.has_body(pair);
-    if (has_held_axis || c.on_body) c.mass = mass_along(cloth, bodies, x, c, c.normal);
+    const bool has_body = cloth.has_body(pair);
+    if (has_held_axis || has_body) c.mass = mass_along(cloth, bodies, x, c, c.normal);
+    if (has_body) for_bodies_of(cloth, c, [&](Index b) { c.on_body |= bodies[b].is_movable(); });
     return c;
 }
 

@@ -8,8 +8,15 @@
 
 #include "contact/surface/cloth.hpp"
 #include "contact/surface/contact.hpp"
+#include "solver/base/parallel.hpp"
 
 namespace corpuscle::contact {
+
+/// What a rigid body takes.
+struct BodyImpulse {
+    Vec3 linear = Vec3::Zero();   ///< [N s]
+    Vec3 turning = Vec3::Zero();  ///< moment about the centre                             [N m s]
+};
 
 /// A rigid body as contact sees it: what hits one of its places moves all of it at once.
 struct RigidProxy {
@@ -34,8 +41,13 @@ struct RigidProxy {
     }
     /// Velocity that a unit impulse at one place gives to another: a 3 × 3 matrix.          [1/kg]
     [[nodiscard]] Mat3 mobility(const Vec3& at) const;
+    /// Whether impulses change its motion at all.
+    [[nodiscard]] bool is_movable() const {
+        return !inverse_mass.isZero(0.0) || !inverse_inertia.isZero(0.0);
+    }
     /// Takes an impulse; returns the work that supports and motions do thereby.            [J]
-    double push(const Vec3& by, const Vec3& at);
+    double push(const Vec3& by, const Vec3& at) { return take({by, (at - centre).cross(by)}); }
+    double take(const BodyImpulse& by);
 };
 
 /// What an impulse of one along `direction` between a contact's places makes of their rate, by the
@@ -78,7 +90,7 @@ public:
 
     /// To be called before any velocity changes.
     void begin() {
-        if (!std::exchange(has_begun_, true) && v_before_) *v_before_ = v_;
+        if (!std::exchange(has_begun_, true) && v_before_) parallel::copy(v_, *v_before_);
     }
 
     [[nodiscard]] Vec3 velocity(Index node) const {
@@ -96,6 +108,8 @@ public:
 
     /// Gives a node an impulse; returns the work that what is held does thereby.           [J]
     double push(Index node, const Vec3& impulse);
+    /// Gives a body an impulse.
+    void push_body(std::size_t body, const BodyImpulse& by) { bodies_[body].take(by); }
     /// Gives a node that is no body's a velocity.
     void set(Index node, const Vec3& velocity) {
         assert(has_begun_);

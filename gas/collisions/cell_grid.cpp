@@ -13,8 +13,9 @@ namespace corpuscle::gas {
 
 namespace {
 
-constexpr std::size_t SMALLEST_SLICE = 2048;  ///< particles worth a thread
-constexpr std::size_t MOST_SLICES = 16;       ///< each counts all cells
+constexpr std::size_t SMALLEST_SLICE = 512;  ///< particles worth a thread
+constexpr std::size_t MOST_SLICES = 16;      ///< each counts all cells
+constexpr std::size_t CELLS_A_CHUNK = 512;
 
 /// Grid::cell_of() of many points, by fours.
 void find_cells(const Grid& grid, std::span<const Vec3> x, Index* cell) {
@@ -52,23 +53,42 @@ void CellSort::sort(const Grid& grid, Particles& particles, bool moves_rows) {
     // A stable sort has one result, however it is cut.
     slice_length_ = std::max(SMALLEST_SLICE, (x.size() + MOST_SLICES - 1) / MOST_SLICES);
     const std::size_t slices = parallel::chunk_count(x.size(), slice_length_);
-    fill_.assign(slices * cells_, 0);
+    fill_.resize(slices * cells_);
 
     parallel::for_each(
         slices, [&](std::size_t s) { count(grid, x, s); }, 1);
-    Index next = 0;
-    for (std::size_t c = 0; c < cells_; ++c) {
-        start_[c] = next;
-        for (std::size_t s = 0; s < slices; ++s) next += std::exchange(fill_[s * cells_ + c], next);
-    }
-    start_[cells_] = next;
+    find_starts(slices);
     parallel::for_each(
         slices, [&](std::size_t s) { place(s); }, 1);
     if (moves_rows) move_rows(particles);
 }
 
+/// From the slices' counts: where each cell begins, and each slice's part of it.
+void CellSort::find_starts(std::size_t slices) {
+    std::vector<Index> before(parallel::chunk_count(cells_, CELLS_A_CHUNK) + 1, 0);
+    const auto sum = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        Index all = 0;
+        for (std::size_t s = 0; s < slices; ++s)
+            for (std::size_t c = begin; c < end; ++c) all += fill_[s * cells_ + c];
+        before[chunk + 1] = all;
+    };
+    const auto share_out = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        Index next = before[chunk];
+        for (std::size_t c = begin; c < end; ++c) {
+            start_[c] = next;
+            for (std::size_t s = 0; s < slices; ++s)
+                next += std::exchange(fill_[s * cells_ + c], next);
+        }
+    };
+    parallel::for_chunks(cells_, sum, CELLS_A_CHUNK);
+    for (std::size_t k = 1; k < before.size(); ++k) before[k] += before[k - 1];
+    parallel::for_chunks(cells_, share_out, CELLS_A_CHUNK);
+    start_[cells_] = before.back();
+}
+
 void CellSort::count(const Grid& grid, std::span<const Vec3> x, std::size_t slice) {
     Index* const counts = fill_.data() + slice * cells_;
+    std::fill(counts, counts + cells_, 0);
     const std::size_t begin = slice * slice_length_;
     const std::size_t end = std::min(x.size(), begin + slice_length_);
     find_cells(grid, x.subspan(begin, end - begin), cell_.data() + begin);

@@ -38,6 +38,7 @@ public:
     [[nodiscard]] std::span<Index> order() { return order_; }
 
 private:
+    void find_starts(std::size_t slices);
     void count(const Grid& grid, std::span<const Vec3> x, std::size_t slice);
     void place(std::size_t slice);
     void move_rows(Particles& particles);

@@ -216,8 +216,9 @@ std::size_t CellSample::nearest_unlike(std::size_t p) const {
     std::size_t best = n_;
     double least = INF;
     const Vec3 at = dx[p];
+    const auto kind = species_[p];
     for (std::size_t q = 0; q < n_; ++q) {
-        if (is_paired_[q] != 0 || species_[q] == species_[p]) continue;
+        if (is_paired_[q] != 0 || species_[q] == kind) continue;
         const double distance = (dx[q] - at).squaredNorm();
         if (distance >= least) continue;
         least = distance;

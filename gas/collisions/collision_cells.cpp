@@ -32,9 +32,9 @@ constexpr std::uint64_t MOVE_ROWS_EVERY = 4;
 constexpr std::uint64_t MEASURE_EVERY = 4;
 
 std::size_t occupied(const Lists& cells) {
-    std::size_t count = 0;
-    for (std::size_t c = 0; c < cells.size(); ++c) count += !cells[c].empty();
-    return count;
+    return parallel::sum(cells.size(), std::size_t{0}, [&](std::size_t c) {
+        return static_cast<std::size_t>(!cells[c].empty());
+    });
 }
 
 }  // namespace

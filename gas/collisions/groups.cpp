@@ -13,15 +13,19 @@ namespace corpuscle::gas {
 
 namespace {
 
-constexpr std::size_t CELLS_A_CHUNK = 8;
+constexpr std::size_t CELLS_A_CHUNK = 256;
+constexpr std::size_t LONG_CELL = 4096;  ///< particles times facets
 constexpr int WITNESSES =
     4;  ///< classes of a group that a newcomer tries to see; more: fewer, larger groups
 
 /// Divides the particles of one cell. Keeps its memory from cell to cell.
 class Divider {
 public:
-    Divider(const FabricInCells& fabric, const Particles& particles, double reach)
-        : fabric_(fabric), particles_(particles), reach_(reach) {}
+    void work_among(const FabricInCells& fabric, const Particles& particles, double reach) {
+        fabric_ = &fabric;
+        particles_ = &particles;
+        reach_ = reach;
+    }
 
     /// Orders `rows` by group, in place; true in begins[k] where a group begins. Returns their
     /// number.
@@ -42,10 +46,10 @@ private:
 
     /// False when all particles are on one side of all that the cell holds.
     [[nodiscard]] bool reaches_fabric(std::size_t cell, std::span<const Index> rows) const {
-        const Slab& slab = fabric_.lists->slab(cell);
+        const Slab& slab = fabric_->lists->slab(cell);
         float low = std::numeric_limits<float>::max(), high = -low;
         for (const Index row : rows) {
-            const float height = slab.height(fabric_.lists->small(particles_.x[row]));
+            const float height = slab.height(fabric_->lists->small(particles_->x[row]));
             low = std::min(low, height);
             high = std::max(high, height);
         }
@@ -61,15 +65,15 @@ private:
         Vec3 low = Vec3::Constant(INF), high = Vec3::Constant(-INF);
         x_.resize(n_);
         for (std::size_t i = 0; i < n_; ++i) {
-            x_[i] = particles_.x[rows[i]];
+            x_[i] = particles_->x[rows[i]];
             low = low.cwiseMin(x_[i]);
             high = high.cwiseMax(x_[i]);
         }
         bool is_ordered = false;
-        for (const Index f : fabric_.lists->in(cell)) {
-            if (!fabric_.is_open.empty() && fabric_.is_open[f] != 0) continue;
-            const auto& [i, j, k] = fabric_.lists->triangles()[f];
-            const Vec3 &a = fabric_.x[i], &b = fabric_.x[j], &c = fabric_.x[k];
+        for (const Index f : fabric_->lists->in(cell)) {
+            if (!fabric_->is_open.empty() && fabric_->is_open[f] != 0) continue;
+            const auto& [i, j, k] = fabric_->lists->triangles()[f];
+            const Vec3 &a = fabric_->x[i], &b = fabric_->x[j], &c = fabric_->x[k];
             if ((a.cwiseMin(b).cwiseMin(c).array() > high.array()).any() ||
                 (a.cwiseMax(b).cwiseMax(c).array() < low.array()).any())
                 continue;
@@ -94,9 +98,9 @@ private:
         place_.resize(n_);
         for (std::size_t i = 0; i < n_; ++i) place_[i] = static_cast<Index>(i);
         std::sort(place_.begin(), place_.end(), [&](Index p, Index q) {
-            return particles_.id[rows[p]] < particles_.id[rows[q]];
+            return particles_->id[rows[p]] < particles_->id[rows[q]];
         });
-        for (std::size_t i = 0; i < n_; ++i) x_[i] = particles_.x[rows[place_[i]]];
+        for (std::size_t i = 0; i < n_; ++i) x_[i] = particles_->x[rows[place_[i]]];
     }
 
     /// A class: particles strictly on the same side of every screen. Who touches a plane is alone.
@@ -186,9 +190,9 @@ private:
         for (std::size_t i = 0; i < n_; ++i) rows[next_[of_row_[i]]++] = old_[i];
     }
 
-    const FabricInCells& fabric_;
-    const Particles& particles_;
-    double reach_;
+    const FabricInCells* fabric_ = nullptr;
+    const Particles* particles_ = nullptr;
+    double reach_ = 0.0;
 
     std::size_t n_ = 0;
     std::vector<Vec3> x_;             ///< by id
@@ -206,24 +210,32 @@ void Groups::find(CellSort& sorted, const FabricInCells& fabric, const Particles
     const Lists cells = sorted.cells();
     order_ = sorted.order();
     begins_.assign(order_.size(), 0);
-    count_.assign(parallel::chunk_count(cells.size(), CELLS_A_CHUNK), 0);
-    parallel::for_chunks(
-        cells.size(),
-        [&](std::size_t first, std::size_t last, std::size_t chunk) {
-            Divider divider(fabric, particles, reach);
-            for (std::size_t c = first; c < last; ++c) {
-                const auto begin = static_cast<std::size_t>(cells.start[c]);
-                const auto end = static_cast<std::size_t>(cells.start[c + 1]);
-                if (begin == end) continue;
-                begins_[begin] = 1;
-                if (!fabric.lists || fabric.lists->is_empty(c)) continue;
-                const auto rows = order_.subspan(begin, end - begin);
-                if (divider.divide(c, rows, begins_.data() + begin) > 1) ++count_[chunk];
-            }
+    const auto size = [&](std::size_t c) {
+        return static_cast<std::size_t>(cells.start[c + 1] - cells.start[c]);
+    };
+    with_fabric_.clear();
+    found_.find(
+        cells.size(), with_fabric_,
+        [&](std::size_t c, auto&& take) {
+            if (size(c) == 0) return;
+            begins_[static_cast<std::size_t>(cells.start[c])] = 1;
+            if (size(c) > 1 && fabric.lists && !fabric.lists->is_empty(c)) take(c);
         },
         CELLS_A_CHUNK);
-    divided_cells_ = 0;
-    for (const std::size_t n : count_) divided_cells_ += n;
+    // Those that may take long first: every particle is held against every facet
+    const auto is_long = [&](std::size_t c) {
+        return size(c) * fabric.lists->in(c).size() > LONG_CELL;
+    };
+    std::partition(with_fabric_.begin(), with_fabric_.end(), is_long);
+    const auto divided = [&](std::size_t i) {
+        thread_local Divider divider;
+        const std::size_t c = with_fabric_[i];
+        const auto begin = static_cast<std::size_t>(cells.start[c]);
+        const auto rows = order_.subspan(begin, size(c));
+        divider.work_among(fabric, particles, reach);
+        return static_cast<std::size_t>(divider.divide(c, rows, begins_.data() + begin) > 1);
+    };
+    divided_cells_ = parallel::sum(with_fabric_.size(), std::size_t{0}, divided, 1);
     number_groups();
 }
 

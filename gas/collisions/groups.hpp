@@ -9,6 +9,7 @@
 #include "gas/collisions/cell_grid.hpp"
 #include "gas/flight/facet_lists.hpp"
 #include "gas/particles.hpp"
+#include "solver/base/parallel.hpp"
 #include "solver/base/surface.hpp"
 
 namespace corpuscle::gas {
@@ -45,7 +46,9 @@ private:
     std::span<Index> order_;
     std::vector<std::uint8_t> begins_;  ///< does a group begin at this place of order_?
     std::vector<std::size_t> count_;    ///< per chunk
-    std::size_t divided_cells_ = 0;     ///< that hold more than one group
+    parallel::Gathered<std::size_t> found_;
+    std::vector<std::size_t> with_fabric_;  ///< cells that several particles and facets are in
+    std::size_t divided_cells_ = 0;         ///< that hold more than one group
 };
 
 }  // namespace corpuscle::gas

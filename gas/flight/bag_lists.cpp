@@ -5,19 +5,22 @@
 #include <algorithm>
 
 #include "contact/geometry/box.hpp"
+#include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {
 namespace {
 
 constexpr std::size_t MOST_CELLS = 2'000'000;
 
+/// Box of the nodes at x_0 and x_1.
 contact::Box box_of(const FacetLists& lists, const Points& x_0, const Points& x_1) {
-    contact::Box bag;
-    for (const Index n : lists.nodes()) {
-        bag.include(x_0[n]);
-        bag.include(x_1[n]);
-    }
-    return bag;
+    return parallel::fold(
+        lists.nodes().size(), contact::Box{},
+        [&](contact::Box& box, std::size_t i) {
+            box.include(x_0[lists.nodes()[i]]);
+            box.include(x_1[lists.nodes()[i]]);
+        },
+        [](contact::Box& box, const contact::Box& more) { box.include(more); });
 }
 
 /// Neither finer than a hundredth of the bag, which only costs, nor coarser than a quarter of it.

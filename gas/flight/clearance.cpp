@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "gas/flight/clearance.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "contact/surface/patches.hpp"
 #include "gas/flight/each_block.hpp"
@@ -12,6 +14,8 @@ namespace corpuscle::gas {
 namespace {
 
 constexpr std::size_t MOST_CLEARANCE_CELLS = 1'000'000;
+
+constexpr std::size_t CELLS_A_CHUNK = 4096;
 
 /// Of a cell's edge: nearer than this to its faces, single precision may be wrong about the cell.
 constexpr double ON_A_CELL_FACE = 1e-4;
@@ -121,10 +125,21 @@ void Clearance::number_cells() {
         });
     }
     row_.resize(grid_.size());
-    Index slabs = 0;
-    for (std::size_t cell = 0; cell < grid_.size(); ++cell)
-        row_[cell] = off_[cell] == 0 ? slabs++ : -static_cast<Index>(off_[cell]);
-    slab_.assign(static_cast<std::size_t>(slabs), {});
+    std::vector<Index> slabs(parallel::chunk_count(grid_.size(), CELLS_A_CHUNK) + 1, 0);
+    const auto count = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        const auto first = off_.begin() + static_cast<std::ptrdiff_t>(begin);
+        const auto last = off_.begin() + static_cast<std::ptrdiff_t>(end);
+        slabs[chunk + 1] = static_cast<Index>(std::count(first, last, 0));
+    };
+    const auto number = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        Index next = slabs[chunk];
+        for (std::size_t cell = begin; cell < end; ++cell)
+            row_[cell] = off_[cell] == 0 ? next++ : -static_cast<Index>(off_[cell]);
+    };
+    parallel::for_chunks(grid_.size(), count, CELLS_A_CHUNK);
+    std::partial_sum(slabs.begin(), slabs.end(), slabs.begin());
+    parallel::for_chunks(grid_.size(), number, CELLS_A_CHUNK);
+    slab_.resize(static_cast<std::size_t>(slabs.back()));  // all are written
 }
 
 }  // namespace corpuscle::gas

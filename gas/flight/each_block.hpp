@@ -11,7 +11,8 @@ namespace corpuscle::gas {
 
 /// body(number, block) for 0..blocks on all threads; the block is the thread's to work with.
 template <class Body>
-void for_each_block(std::size_t blocks, Body&& body) {
+void for_each_block(std::size_t blocks, Body&& body,
+                    parallel::Cut::Where where = parallel::Cut::Where::current()) {
     constexpr std::size_t A_CHUNK = 1;  // some hundred facets each
     parallel::for_chunks(
         blocks,
@@ -19,7 +20,7 @@ void for_each_block(std::size_t blocks, Body&& body) {
             BlockOfCells block;
             for (std::size_t b = begin; b < end; ++b) body(b, block);
         },
-        A_CHUNK);
+        parallel::Cut(A_CHUNK, where));
 }
 
 }  // namespace corpuscle::gas

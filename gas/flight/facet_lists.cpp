@@ -62,9 +62,24 @@ FacetLists::FacetLists(std::vector<Triangle> triangles, std::span<const Vec3> x,
 
 bool FacetLists::hold_for(std::span<const Vec3> x_1) const {
     if (margin_ < 0.0) return false;
-    for (std::size_t n = 0; n < nodes_.size(); ++n)
-        if (!((x_1[nodes_[n]] - built_at_[n]).cwiseAbs().maxCoeff() <= margin_)) return false;
-    return true;
+    using Flag = std::uint8_t;
+    return parallel::fold(
+               nodes_.size(), Flag{1},
+               [&](Flag& holds, std::size_t n) {
+                   holds &= (x_1[nodes_[n]] - built_at_[n]).cwiseAbs().maxCoeff() <= margin_;
+               },
+               [](Flag& all, Flag holds) { all &= holds; }) != 0;
+}
+
+double FacetLists::displacement(std::span<const Vec3> x_0, std::span<const Vec3> x_1) const {
+    return parallel::fold(
+               nodes_.size(), Vec3(Vec3::Zero()),
+               [&](Vec3& most, std::size_t n) {
+                   most = most.cwiseMax((x_0[nodes_[n]] - built_at_[n]).cwiseAbs())
+                              .cwiseMax((x_1[nodes_[n]] - built_at_[n]).cwiseAbs());
+               },
+               [](Vec3& all, const Vec3& most) { all = all.cwiseMax(most); })
+        .maxCoeff();
 }
 
 void FacetLists::build(const Grid& grid, std::span<const Vec3> x_0, std::span<const Vec3> x_1,

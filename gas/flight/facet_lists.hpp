@@ -113,13 +113,7 @@ public:
     /// How far particles may fly before these facets can be in their way.
     [[nodiscard]] const Clearance& clearance() const { return clearance_; }
     /// Farthest that a node has moved along an axis since the lists were built.              [m]
-    [[nodiscard]] double displacement(std::span<const Vec3> x_0, std::span<const Vec3> x_1) const {
-        Vec3 most = Vec3::Zero();
-        for (std::size_t n = 0; n < nodes_.size(); ++n)
-            most = most.cwiseMax((x_0[nodes_[n]] - built_at_[n]).cwiseAbs())
-                       .cwiseMax((x_1[nodes_[n]] - built_at_[n]).cwiseAbs());
-        return most.maxCoeff();
-    }
+    [[nodiscard]] double displacement(std::span<const Vec3> x_0, std::span<const Vec3> x_1) const;
     /// The same from the build before the last to the last.                                  [m]
     [[nodiscard]] double moved_between_builds() const { return moved_between_builds_; }
     [[nodiscard]] std::size_t builds() const { return builds_; }

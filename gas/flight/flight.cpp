@@ -14,8 +14,7 @@
 namespace corpuscle::gas {
 namespace {
 
-constexpr std::size_t PARTICLES_A_CHUNK =
-    64;  ///< near walls some ten microseconds; whole blocks of safe distances
+constexpr std::size_t PARTICLES_A_CHUNK = 64;  ///< some ten microseconds; blocks of safe distances
 
 /// Share of the step by which a particle stops short of a facet, so that it stays on its side
 /// whatever the rounding: far above the error of tau (some 1e-13), far below anything that matters.
@@ -205,19 +204,16 @@ void stream(double dt, std::size_t begin, std::size_t count, Particles& gas) {
     for (std::size_t i = 0; i < 3 * count; ++i) x[i] += dt * v[i];
 }
 
-/// A list a chunk of particles and one for those that were caught, all empty. Memory that the last
-/// flight has hardly used is given back: a burst's would stay with every chunk it passes.
+/// Empties a list. Memory that the last flight has hardly used is given back: a burst's would stay
+/// with every chunk it passes.
 template <class T>
-void clear(std::vector<std::vector<T>>& lists, std::size_t count) {
+void clear(std::vector<T>& list) {
     constexpr std::size_t ALWAYS_KEPT = 32, KEPT = 2;
-    if (lists.size() < count) lists.resize(count);
-    for (auto& list : lists) {
-        const std::size_t used = list.size();
-        list.clear();
-        if (list.capacity() <= ALWAYS_KEPT + KEPT * used) continue;
-        list.shrink_to_fit();
-        list.reserve(used + used / 4);
-    }
+    const std::size_t used = list.size();
+    list.clear();
+    if (list.capacity() <= ALWAYS_KEPT + KEPT * used) return;
+    list.shrink_to_fit();
+    list.reserve(used + used / 4);
 }
 
 }  // namespace
@@ -230,9 +226,11 @@ void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec
                             x_0.data(),   x_1.data(),     dt,
                             transmission, friction};
     const std::size_t chunks = parallel::chunk_count(gas.size(), PARTICLES_A_CHUNK);
-    clear(result.hits, chunks + 1);
-    clear(result.arrivals, chunks + 1);
-    clear(result.caught, chunks);
+    result.hits.resize(chunks + 1);  // a list a chunk, and one for those that are caught
+    result.arrivals.resize(chunks + 1);
+    result.caught.resize(chunks);
+    clear(result.hits[chunks]);
+    clear(result.arrivals[chunks]);
     const std::size_t old = gas.size() - born.size();
     const auto start = [&](std::size_t i) { return i < old ? 0.0 : born[i - old]; };
     const auto flyer = [&](std::size_t i, std::size_t list) {
@@ -267,6 +265,9 @@ void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec
     parallel::for_chunks(
         gas.size(),
         [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+            clear(result.hits[chunk]);
+            clear(result.arrivals[chunk]);
+            clear(result.caught[chunk]);
             for (std::size_t i = begin; i < end; i += SafeDistances::BLOCK) {
                 const std::size_t count = std::min(end - i, SafeDistances::BLOCK);
                 // (Who has just been born flies less than a step.)

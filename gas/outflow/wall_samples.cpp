@@ -82,6 +82,7 @@ void WallSamples::cut_into_patches(const BagWalls& walls, std::span<const Vec3> 
 Index WallSamples::add(std::vector<Index> sides, bool drifts) {
     Sample sample;
     sample.sides = std::move(sides);
+    std::sort(sample.sides.begin(), sample.sides.end());
     sample.drifts = drifts;
     sample.room = surface_->room(sample.sides[0]);
     for (Memory* memory : {&sample.now, &sample.quick, &sample.steady})
@@ -92,26 +93,27 @@ Index WallSamples::add(std::vector<Index> sides, bool drifts) {
     sample.points.erase(std::unique(sample.points.begin(), sample.points.end()),
                         sample.points.end());
     samples_.push_back(std::move(sample));
-    start_.clear();
+    patches_of_.clear();
     return static_cast<Index>(samples_.size()) - 1;
 }
 
-void WallSamples::list_sides() {
-    start_.assign(surface_->sides() + 1, 0);
-    for (const Sample& sample : samples_)
-        for (const Index s : sample.sides) ++start_[s + 1];
-    for (std::size_t s = 0; s < surface_->sides(); ++s) start_[s + 1] += start_[s];
-    at_side_.resize(static_cast<std::size_t>(start_.back()));
-    std::vector<Index> fill(start_.begin(), start_.end() - 1);
-    for (std::size_t k = 0; k < samples_.size(); ++k)
-        for (const Index s : samples_[k].sides) at_side_[fill[s]++] = static_cast<Index>(k);
+/// Patches that each sample has sides of, and after them those that are scattered.
+void WallSamples::list_patches(const SidePatches& patches) {
+    patches_of_.resize(samples_.size());
+    for (std::size_t k = 0; k < samples_.size(); ++k) {
+        std::vector<Index>& some = patches_of_[k];
+        for (const Index s : samples_[k].sides)
+            some.push_back(patches.of(static_cast<std::size_t>(s)));
+        some.push_back(static_cast<Index>(patches.size()));
+        std::sort(some.begin(), some.end());
+        some.erase(std::unique(some.begin(), some.end()), some.end());
+    }
 }
 
-void WallSamples::receive(const FlightResult& flight, std::span<const Index> sides, double dt,
-                          std::span<const Vec3> x, std::span<const Inside> rooms,
-                          const Particles& particles) {
+void WallSamples::receive(const WallHits& hits, double dt, std::span<const Vec3> x,
+                          std::span<const Inside> rooms, const Particles& particles) {
     if (empty()) return;
-    if (start_.empty()) list_sides();
+    if (patches_of_.empty()) list_patches(hits.patches());
     measure(x);
     const std::size_t kinds = species_.size();
     expected_.resize(rooms.size() * kinds);
@@ -127,39 +129,44 @@ void WallSamples::receive(const FlightResult& flight, std::span<const Index> sid
                 moles_each_ * (T > 0.0 ? species_[s].molar_energy().slope(T) + 0.5 * gas_constant_
                                        : 2.0 * gas_constant_);
         }
-    std::size_t i = 0;
-    for (const auto& hits : flight.hits)
-        for (const Hit& hit : hits) {
-            const auto side = static_cast<std::size_t>(sides[i++]);
-            const std::size_t row = hit.row();
-            const std::int32_t kind = particles.species[row];
-            const std::size_t of = static_cast<std::size_t>(surface_->room(side)) * kinds +
-                                   static_cast<std::size_t>(kind);
-            const double m = particle_mass_[kind];
-            const double push = hit.impulse.norm();
-            const Vec3 n = push > 0.0 ? Vec3(hit.impulse / push) : Vec3(Vec3::Zero());
-            // (What has left stands with the velocity that it came with.)
-            const Vec3 v = particles.v[row];
-            const double carried = 0.5 * m * v.squaredNorm() + particles.e[row] - expected_[of];
-            for (Index k = start_[side]; k < start_[side + 1]; ++k) {
-                Sample& sample = samples_[at_side_[k]];
-                Memory& now = sample.now;
-                now.push += push;
-                now.push2 += push * push;
-                now.energy += carried;
-                now.energy2 += carried * carried;
-                now.slope += slope_[of];
-                now.count += 1.0;
-                now.of[kind] += 1.0;
-                if (!sample.drifts) continue;
-                const Vec3 along = m * (v - v.dot(n) * n);
-                now.mass += m;
-                now.momentum += along;
-                now.square += along.squaredNorm();
-            }
-        }
-    for (Sample& sample : samples_) remember(sample, dt, rooms[sample.room]);
+    const auto take = [&](std::size_t k) {
+        Sample& sample = samples_[k];
+        for (const Index patch : patches_of_[k])
+            for (const WallHits::Met& met : hits.of(static_cast<std::size_t>(patch)))
+                if (std::binary_search(sample.sides.begin(), sample.sides.end(), met.side))
+                    add(met, particles, sample);
+        remember(sample, dt, rooms[sample.room]);
+    };
+    parallel::for_each(samples_.size(), take, 1);
     find_spread(rooms);
+}
+
+/// Adds a hit to what a sample has got in this flight.
+void WallSamples::add(const WallHits::Met& met, const Particles& particles, Sample& sample) const {
+    const Hit& hit = *met.hit;
+    const std::size_t row = hit.row();
+    const std::int32_t kind = particles.species[row];
+    const std::size_t of =
+        static_cast<std::size_t>(sample.room) * species_.size() + static_cast<std::size_t>(kind);
+    const double m = particle_mass_[kind];
+    const double push = hit.impulse.norm();
+    const Vec3 n = push > 0.0 ? Vec3(hit.impulse / push) : Vec3(Vec3::Zero());
+    // (What has left stands with the velocity that it came with.)
+    const Vec3 v = particles.v[row];
+    const double carried = 0.5 * m * v.squaredNorm() + particles.e[row] - expected_[of];
+    Memory& now = sample.now;
+    now.push += push;
+    now.push2 += push * push;
+    now.energy += carried;
+    now.energy2 += carried * carried;
+    now.slope += slope_[of];
+    now.count += 1.0;
+    now.of[kind] += 1.0;
+    if (!sample.drifts) return;
+    const Vec3 along = m * (v - v.dot(n) * n);
+    now.mass += m;
+    now.momentum += along;
+    now.square += along.squaredNorm();
 }
 
 void WallSamples::measure(std::span<const Vec3> x) {

@@ -8,10 +8,10 @@
 
 #include "gas/enclosure/bag_walls.hpp"
 #include "gas/enclosure/wetted_surface.hpp"
-#include "gas/flight/flight.hpp"
 #include "gas/outflow/gas_state.hpp"
 #include "gas/particles.hpp"
 #include "gas/thermo/species.hpp"
+#include "gas/wall_load/wall_hits.hpp"
 
 namespace corpuscle::gas {
 
@@ -52,10 +52,9 @@ public:
     Index add(std::vector<Index> sides, bool drifts = false);
 
     void measure(std::span<const Vec3> x);  ///< areas, where no flight does
-    /// Takes in a flight's hits. sides: of each hit, in their order; rooms: mean states at t.
-    void receive(const FlightResult& flight, std::span<const Index> sides, double dt,
-                 std::span<const Vec3> x, std::span<const Inside> rooms,
-                 const Particles& particles);
+    /// Takes in a flight's hits. rooms: mean states at t.
+    void receive(const WallHits& hits, double dt, std::span<const Vec3> x,
+                 std::span<const Inside> rooms, const Particles& particles);
 
     /// The gas at a sample: that of its room but for what its hits tell; come to rest, isentropically,
     /// from its drift along the wall, if the sample is one of a hole.
@@ -110,7 +109,7 @@ private:
         }
     };
     struct Sample {
-        std::vector<Index> sides, points;
+        std::vector<Index> sides, points;  ///< ascending
         bool drifts = false;
         Index room = 0;
         double area = 0.0;  ///< at the last flight                                     [m^2]
@@ -137,7 +136,8 @@ private:
         }
     };
     void cut_into_patches(const BagWalls& walls, std::span<const Vec3> x);
-    void list_sides();
+    void list_patches(const SidePatches& patches);
+    void add(const WallHits::Met& met, const Particles& particles, Sample& sample) const;
     void remember(Sample& sample, double dt, const Inside& room);
     void find_spread(std::span<const Inside> rooms);
     [[nodiscard]] double temperature(std::size_t sample, const Inside& room, double weight) const;
@@ -151,9 +151,9 @@ private:
     double gas_constant_ = 0.0, longest_ = 0.0, moles_each_ = 0.0;
     std::vector<std::vector<Index>> patches_;
     std::vector<Sample> samples_;
-    std::vector<Index> start_, at_side_;    ///< samples of each side, compressed rows
-    std::vector<Spread> spread_;            ///< by room
-    std::vector<double> expected_, slope_;  ///< energy carried by a hit, by room × species
+    std::vector<std::vector<Index>> patches_of_;  ///< of sides (WallHits), by sample
+    std::vector<Spread> spread_;                  ///< by room
+    std::vector<double> expected_, slope_;        ///< energy carried by a hit, by room × species
 };
 
 }  // namespace corpuscle::gas

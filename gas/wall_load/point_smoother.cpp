@@ -11,7 +11,10 @@ namespace {
 
 /// More: quieter, but the load's image of a front is blurred by more cloth (some 0.65 sqrt(PASSES)
 /// edges, one standard deviation).
-constexpr int PASSES = 9;
+constexpr std::size_t PASSES = 9;
+
+constexpr std::size_t FEW_POINTS = 512;  ///< that one thread is done with sooner
+constexpr std::size_t POINTS_A_CHUNK = 32;
 
 /// Cosines of the angle between two points' normals at which a gate begins to open, and is open.
 constexpr double SHUT = 0.6, OPEN = 0.85;
@@ -32,35 +35,46 @@ void PointSmoother::prepare(const WettedSurface& surface, std::span<const Vec3> 
                             std::span<const double> size,
                             std::span<const std::uint8_t> takes_part) {
     const auto& edges = surface.edges();
-    parallel::for_each(edges.size(), [&](std::size_t e) {
+    const auto set_link = [&](std::size_t e) {
         const auto [a, b] = edges[e];
         link_[e] = 0.0;
         if (takes_part[a] == 0 || takes_part[b] == 0) return;
         const double cosine = area[a].dot(area[b]) / (size[a] * size[b]);
         const double gate = std::clamp((cosine - SHUT) / (OPEN - SHUT), 0.0, 1.0);
         link_[e] = share_[e] * gate * std::min(size[a], size[b]);
-    });
-    parallel::for_each(surface.points(),
-                       [&](std::size_t p) { per_area_[p] = size[p] > 0.0 ? 1.0 / size[p] : 0.0; });
+    };
+    parallel::side_by_side(parallel::each(edges.size(), set_link),
+                           parallel::each(surface.points(), [&](std::size_t p) {
+                               per_area_[p] = size[p] > 0.0 ? 1.0 / size[p] : 0.0;
+                           }));
 }
 
 void PointSmoother::spread(const WettedSurface& surface, std::vector<Brought>& field) {
-    for (int pass = 0; pass < PASSES; ++pass) {
-        parallel::for_each(surface.points(), [&](std::size_t p) {
-            const Brought own = field[p];
-            Brought gain;
-            for (const auto& [q, edge] : surface.neighbours(p)) {
-                gain.push += link_[edge] * (field[q].push - own.push);
-                gain.mass += link_[edge] * (field[q].mass - own.mass);
-                gain.speed += link_[edge] * (field[q].speed - own.speed);
-                gain.beside += link_[edge] * (field[q].beside - own.beside);
-            }
-            next_[p] = {own.push + per_area_[p] * gain.push, own.mass + per_area_[p] * gain.mass,
-                        own.speed + per_area_[p] * gain.speed,
-                        own.beside + per_area_[p] * gain.beside};
-        });
-        field.swap(next_);
-    }
+    const parallel::Cut cut =
+        surface.points() > FEW_POINTS ? parallel::Cut(POINTS_A_CHUNK) : parallel::Cut();
+    Brought *const here = field.data(), *const there = next_.data();
+    const auto spread_once = [&](std::size_t pass) {
+        const Brought* const from = pass % 2 == 0 ? here : there;
+        Brought* const to = pass % 2 == 0 ? there : here;
+        return parallel::each(
+            surface.points(),
+            [this, &surface, from, to](std::size_t p) {
+                const Brought own = from[p];
+                Brought gain;
+                for (const auto& [q, edge] : surface.neighbours(p)) {
+                    gain.push += link_[edge] * (from[q].push - own.push);
+                    gain.mass += link_[edge] * (from[q].mass - own.mass);
+                    gain.speed += link_[edge] * (from[q].speed - own.speed);
+                    gain.beside += link_[edge] * (from[q].beside - own.beside);
+                }
+                to[p] = {own.push + per_area_[p] * gain.push, own.mass + per_area_[p] * gain.mass,
+                         own.speed + per_area_[p] * gain.speed,
+                         own.beside + per_area_[p] * gain.beside};
+            },
+            cut);
+    };
+    parallel::in_turn(PASSES, spread_once);
+    if (PASSES % 2 == 1) field.swap(next_);
 }
 
 }  // namespace corpuscle::gas

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "solver/base/parallel.hpp"
+
 namespace corpuscle::gas {
 namespace {
 
@@ -15,18 +17,29 @@ constexpr int RINGS = 4;
 /// thousandth.
 constexpr double LIGHT = 0.05;
 
-}  // namespace
+/// Of points round a side; a thread keeps its memory from one to the next.
+struct Search {
+    std::vector<std::uint64_t> seen;  ///< by point: the search that was there last
+    std::uint64_t number = 0;
+    std::vector<Index> ring, next;
 
-Recoil::Recoil(const WettedSurface& surface, std::span<const std::uint8_t> held)
-    : held_(held.begin(), held.end()), seen_(surface.points(), 0) {}
+    void begin(std::size_t points) {
+        if (seen.size() < points) seen.resize(points, 0);
+        ++number;
+        ring.clear();
+    }
+};
+
+}  // namespace
 
 void Recoil::weigh(const WettedSurface& surface, std::span<const double> node_mass) {
     mass_.resize(surface.points());
-    for (std::size_t p = 0; p < mass_.size(); ++p) mass_[p] = node_mass[surface.node(p)];
+    parallel::for_each(mass_.size(), [&](std::size_t p) { mass_[p] = node_mass[surface.node(p)]; });
 }
 
 double Recoil::share(const WettedSurface& surface, std::size_t side,
-                     const std::array<double, 3>& at, double m, std::span<const double> link) {
+                     const std::array<double, 3>& at, double m,
+                     std::span<const double> link) const {
     if (mass_.empty()) return 1.0;
     bool is_light = true;
     double free = 0.0;  // share of the impulse that goes to nodes that are free
@@ -44,7 +57,7 @@ double Recoil::share(const WettedSurface& surface, std::size_t side,
 
 void Recoil::set_right(const WettedSurface& surface, std::span<Hit> hits,
                        std::span<const Index> sides, double m, std::span<const double> link,
-                       Vec3& v) {
+                       Vec3& v) const {
     Vec3 flown = v;  // velocity before each hit, in flight
     for (const Hit& hit : hits) flown += hit.impulse / m;
     Vec3 lacks = Vec3::Zero();
@@ -67,23 +80,23 @@ void Recoil::set_right(const WettedSurface& surface, std::span<Hit> hits,
 }
 
 double Recoil::mass_around(const WettedSurface& surface, std::size_t side,
-                           std::span<const double> link) {
-    ++search_;
+                           std::span<const double> link) const {
+    thread_local Search search;
+    search.begin(mass_.size());
     double sum = 0.0;
-    ring_.clear();
     const auto reach = [&](Index p, std::vector<Index>& ring) {
-        if (held_[p] != 0 || seen_[p] == search_) return;
-        seen_[p] = search_;
+        if (held_[p] != 0 || search.seen[p] == search.number) return;
+        search.seen[p] = search.number;
         sum += mass_[p];
         ring.push_back(p);
     };
-    for (const Index p : surface.points(side)) reach(p, ring_);
-    for (int k = 0; k < RINGS && !ring_.empty(); ++k) {
-        next_.clear();
-        for (const Index p : ring_)
+    for (const Index p : surface.points(side)) reach(p, search.ring);
+    for (int k = 0; k < RINGS && !search.ring.empty(); ++k) {
+        search.next.clear();
+        for (const Index p : search.ring)
             for (const auto& [q, edge] : surface.neighbours(p))
-                if (link[edge] > 0.0) reach(q, next_);
-        ring_.swap(next_);
+                if (link[edge] > 0.0) reach(q, search.next);
+        search.ring.swap(search.next);
     }
     return sum;
 }

@@ -32,7 +32,7 @@ namespace corpuscle::gas {
 class Recoil {
 public:
     /// @param held  by wall point: 1 where supports, motions or bodies carry it
-    Recoil(const WettedSurface& surface, std::span<const std::uint8_t> held);
+    explicit Recoil(std::span<const std::uint8_t> held) : held_(held.begin(), held.end()) {}
 
     /// Takes over the masses of the nodes [kg].
     void weigh(const WettedSurface& surface, std::span<const double> node_mass);
@@ -42,23 +42,20 @@ public:
     /// @param link  by edge: 0 where the smoother is shut
     [[nodiscard]] double share(const WettedSurface& surface, std::size_t side,
                                const std::array<double, 3>& at, double m,
-                               std::span<const double> link);
+                               std::span<const double> link) const;
 
     /// Sets right what one particle's hits in one step gave, in their order, and its velocity v
     /// after them; energy m (v² - v'²) / 2 stays booked to rounding.
     /// @param sides  of the hits
     void set_right(const WettedSurface& surface, std::span<Hit> hits, std::span<const Index> sides,
-                   double m, std::span<const double> link, Vec3& v);
+                   double m, std::span<const double> link, Vec3& v) const;
 
 private:
     [[nodiscard]] double mass_around(const WettedSurface& surface, std::size_t side,
-                                     std::span<const double> link);
+                                     std::span<const double> link) const;
 
     std::vector<std::uint8_t> held_;  ///< by point
     std::vector<double> mass_;        ///< of each point's node                        [kg]
-    std::vector<std::uint32_t> seen_;
-    std::uint32_t search_ = 0;
-    std::vector<Index> ring_, next_;
 };
 
 }  // namespace corpuscle::gas

@@ -23,6 +23,9 @@ constexpr double MOST_PAID = 0.25;
 /// that was to pay for it, the wall takes the debt back, too, as far as it took motion.
 constexpr double MOST_DEBT = 0.1;
 
+constexpr std::size_t LISTS_A_CHUNK = 8, PATCHES_A_CHUNK = 2;
+constexpr std::size_t FEW_HITS = 256;  ///< that one thread is done with sooner
+
 /// By wall point: is its node held?
 std::vector<std::uint8_t> held_at(const WettedSurface& surface,
                                   std::span<const std::uint8_t> held) {
@@ -54,10 +57,11 @@ WallLoad::WallLoad(std::shared_ptr<const WettedSurface> surface, std::span<const
                    std::span<const Index> jet_nodes, double time, double extra_damping)
     : surface_(std::move(surface)),
       smoother_(*surface_),
-      recoil_(*surface_, held_at(*surface_, held)),
+      recoil_(held_at(*surface_, held)),
       time_(time),
       extra_damping_(extra_damping),
-      by_node_(*surface_, jet_nodes, held.size()) {
+      by_node_(*surface_, jet_nodes, held.size()),
+      hits_(*surface_) {
     const std::size_t points = surface_->points();
     held_ = held_at(*surface_, held);
     jets_.nodes.assign(jet_nodes.begin(), jet_nodes.end());
@@ -79,8 +83,44 @@ WallLoad::WallLoad(std::shared_ptr<const WettedSurface> surface, std::span<const
 // ---- what comes
 
 void WallLoad::receive(FlightResult& flight, std::span<const double> mass, Particles& particles) {
-    std::span<const Index> sides = sides_;
-    for (auto& hits : flight.hits)
+    set_right(flight, mass, particles);
+    const SidePatches& patches = hits_.patches();
+    tally_.resize(patches.size());
+    const std::size_t chunk = hits_.size() > FEW_HITS ? PATCHES_A_CHUNK : patches.size();
+    const parallel::Cut cut(chunk);
+    parallel::in_turn(patches.colours(), [&](std::size_t colour) {
+        const std::span<const Index> some = patches.of_colour(colour);
+        return parallel::each(
+            some.size(),
+            [this, some, mass, &particles](std::size_t i) {
+                const auto patch = static_cast<std::size_t>(some[i]);
+                if (!hits_.of(patch).empty()) tally_[patch] = {};
+                for (const WallHits::Met& met : hits_.of(patch))
+                    take_in(met, mass, particles, tally_[patch]);
+            },
+            cut);
+    });
+    for (std::size_t p = 0; p < patches.size(); ++p)
+        if (!hits_.of(p).empty()) add(tally_[p], patches.room(p));
+    for (const WallHits::Met& met : hits_.scattered()) {
+        Tally tally;
+        take_in(met, mass, particles, tally);
+        add(tally, surface_->room(static_cast<std::size_t>(met.side)));
+    }
+}
+
+void WallLoad::add(const Tally& tally, Index room) {
+    owed_[room] += tally.owed;
+    held_owed_ += tally.held;
+    taken_ += tally.taken;
+}
+
+/// Where cloth recoils: the hits of each particle, in their order.
+void WallLoad::set_right(FlightResult& flight, std::span<const double> mass,
+                         Particles& particles) const {
+    const auto of_list = [&](std::size_t l) {
+        std::vector<Hit>& hits = flight.hits[l];
+        std::span<const Index> sides = hits_.sides(l);
         for (auto first = hits.begin(); first != hits.end();) {
             const auto last = std::find_if(first, hits.end(),
                                            [&](const Hit& hit) { return hit.who != first->who; });
@@ -90,18 +130,11 @@ void WallLoad::receive(FlightResult& flight, std::span<const double> mass, Parti
                 recoil_.set_right(*surface_, own, sides.first(own.size()),
                                   mass[particles.species[row]], smoother_.links(),
                                   particles.v[row]);
-            for (std::size_t k = 0; k < own.size(); ++k)
-                take_in(own[k], static_cast<std::size_t>(sides[k]), mass, particles);
             sides = sides.subspan(own.size());
             first = last;
         }
-}
-
-void WallLoad::find_sides(const FlightResult& flight, std::span<const Vec3> x_0,
-                          std::span<const Vec3> x_1) {
-    sides_.clear();
-    for (const auto& hits : flight.hits)
-        for (const Hit& hit : hits) sides_.push_back(static_cast<Index>(side_of(hit, x_0, x_1)));
+    };
+    parallel::for_each(flight.hits.size(), of_list, LISTS_A_CHUNK);
 }
 
 void WallLoad::charge(std::span<const Index> points, double energy) {
@@ -111,27 +144,15 @@ void WallLoad::charge(std::span<const Index> points, double energy) {
     taken_ -= energy;
 }
 
-/// On which side a facet was hit: gas pushes away from itself.
-std::size_t WallLoad::side_of(const Hit& hit, std::span<const Vec3> x_0,
-                              std::span<const Vec3> x_1) const {
-    const auto facet = static_cast<std::size_t>(hit.facet);
-    if (surface_->closes(facet)) return surface_->side(facet, false);
-    std::array<Vec3, 3> x;
-    for (int c = 0; c < 3; ++c) {
-        const Index n = surface_->triangles()[facet][c];
-        x[c] = 0.5 * (x_0[n] + x_1[n]);
-    }
-    return surface_->side(facet, hit.impulse.dot(vector_area(x[0], x[1], x[2])) < 0.0);
-}
-
-void WallLoad::take_in(const Hit& hit, std::size_t side, std::span<const double> mass,
-                       Particles& particles) {
+void WallLoad::take_in(const WallHits::Met& met, std::span<const double> mass, Particles& particles,
+                       Tally& tally) {
+    const Hit& hit = *met.hit;
     const std::size_t row = hit.row();
     const double m = mass[particles.species[row]];
-    Wrench& owed = owed_[surface_->room(side)];
+    const std::array<Index, 3>& points = surface_->points(static_cast<std::size_t>(met.side));
     double due = 0.0, free = 0.0;
     for (int c = 0; c < 3; ++c) {
-        const Index p = surface_->points(side)[c];
+        const Index p = points[c];
         const Vec3 own = hit.at[c] * hit.impulse;
         arrived_[p] += own;
         arrived_mass_[p] += hit.at[c] * m;
@@ -139,9 +160,9 @@ void WallLoad::take_in(const Hit& hit, std::size_t side, std::span<const double>
         due += hit.at[c] * account_[p];
         if (held_[p] == 0) free += hit.at[c];
     }
-    owed.add(hit.where, free * hit.impulse);
-    held_owed_.add(hit.where, (1.0 - free) * hit.impulse);
-    taken_ += hit.energy;
+    tally.owed.add(hit.where, free * hit.impulse);
+    tally.held.add(hit.where, (1.0 - free) * hit.impulse);
+    tally.taken += hit.energy;
     if (hit.has_left()) return;
     double& internal = particles.e[row];
     const double motion = 0.5 * m * particles.v[row].squaredNorm();
@@ -151,12 +172,10 @@ void WallLoad::take_in(const Hit& hit, std::size_t side, std::span<const double>
                  back = std::clamp(-bearable - paid, 0.0, std::max(0.0, hit.energy));
     if (paid == 0.0 && back == 0.0) return;
     internal += paid + back;
-    taken_ -= paid + back;
+    tally.taken -= paid + back;
     const double cleared = due != 0.0 ? paid / due : 0.0;
-    for (int c = 0; c < 3; ++c) {
-        const Index p = surface_->points(side)[c];
-        account_[p] -= hit.at[c] * (cleared * account_[p] + back);
-    }
+    for (int c = 0; c < 3; ++c)
+        account_[points[c]] -= hit.at[c] * (cleared * account_[points[c]] + back);
 }
 
 void WallLoad::press(std::span<const double> pressure, Points& f) const {

@@ -12,6 +12,7 @@
 #include "gas/particles.hpp"
 #include "gas/wall_load/point_smoother.hpp"
 #include "gas/wall_load/recoil.hpp"
+#include "gas/wall_load/wall_hits.hpp"
 #include "gas/wall_load/wrench.hpp"
 
 namespace corpuscle::gas {
@@ -100,12 +101,14 @@ public:
              std::span<const Index> jet_nodes, double time, double extra_damping);
 
     /// Tells on which sides of the wall a flight's hits were.
-    void find_sides(const FlightResult& flight, std::span<const Vec3> x_0,
-                    std::span<const Vec3> x_1);
-    /// Sides of the hits, in their order.
-    [[nodiscard]] std::span<const Index> sides() const { return sides_; }
-    /// Takes in a flight's hits, in their order, pays accounts to the particles that hit. After
-    /// find_sides(). Where cloth recoils, hits and particles are set right for it (recoil.hpp).
+    void find_sides(FlightResult& flight, std::span<const Vec3> x_0, std::span<const Vec3> x_1) {
+        hits_.list(flight, x_0, x_1);
+    }
+    /// The hits by side and patch.
+    [[nodiscard]] const WallHits& hits() const { return hits_; }
+    /// Takes in a flight's hits, patch by patch in their order, pays accounts to the particles that
+    /// hit. After find_sides(). Where cloth recoils, hits and particles are set right for it
+    /// (recoil.hpp).
     void receive(FlightResult& flight, std::span<const double> mass, Particles& particles);
     /// Takes in a jet's push on a node, and the energy that goes with it.
     void owe_jet(Index node, const Vec3& at, const Vec3& impulse, double energy);
@@ -163,10 +166,15 @@ private:
     /// Times of release after the last hit from which a point counts as one that gas has not reached.
     static constexpr double DRY_AFTER = 4.0;
 
-    [[nodiscard]] std::size_t side_of(const Hit& hit, std::span<const Vec3> x_0,
-                                      std::span<const Vec3> x_1) const;
-    void take_in(const Hit& hit, std::size_t side, std::span<const double> mass,
-                 Particles& particles);
+    /// What hits of one patch bring to its room.
+    struct alignas(64) Tally {
+        Wrench owed, held;
+        double taken = 0.0;  ///< [J]
+    };
+    void set_right(FlightResult& flight, std::span<const double> mass, Particles& particles) const;
+    void take_in(const WallHits::Met& met, std::span<const double> mass, Particles& particles,
+                 Tally& tally);
+    void add(const Tally& tally, Index room);
     void measure(std::span<const Vec3> x);
     void release_points(double share, double span, std::span<const Vec3> v,
                         std::span<const double> mass);
@@ -197,8 +205,9 @@ private:
     std::vector<double> arrived_mass_;
     std::vector<Wrench> owed_;  ///< by room; without held points
     Wrench held_owed_;          ///< of held points: given at the next release
-    std::vector<Index> sides_;
-    double taken_ = 0.0;  ///< [J]
+    WallHits hits_;
+    std::vector<Tally> tally_;  ///< by patch
+    double taken_ = 0.0;        ///< [J]
     bool hits_are_over_ = false;
 };
 

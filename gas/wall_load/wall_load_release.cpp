@@ -20,6 +20,8 @@ constexpr double ANSWER = 4.0;
 /// Share of a room's free wall that must be wet to bear the correction of momentum alone.
 constexpr double LEAST_WET = 0.25;
 
+using Two = Eigen::Vector2d;
+
 /// Of a room's wall: what it was given and keeps, and the lever that its points have.
 struct Sums {
     Wrench given, kept;
@@ -138,20 +140,17 @@ void WallLoad::release_jets(double share, double span, std::span<const Vec3> x) 
 /// c: their centre by area; a and b such that force and moment are right.
 void WallLoad::balance_momentum(double share, double span, std::span<const Vec3> x) {
     const Vec3 origin = x[surface_->node(0)];
-    std::vector<double> wet(owed_.size(), 0.0), free(owed_.size(), 0.0);
-    for (std::size_t p = 0; p < size_.size(); ++p) {
-        if (held_[p] != 0) continue;
-        const Index room = surface_->room_of_point(p);
-        free[room] += size_[p];
-        if (takes_part_[p] != 0) wet[room] += size_[p];
-    }
     for (std::size_t r = 0; r < owed_.size(); ++r) {
         const auto room = static_cast<Index>(r);
         const auto counts = [&](std::size_t p) {
             return surface_->room_of_point(p) == room && held_[p] == 0;
         };
         // A few wet points have no lever: then all of the wall bears it.
-        const bool is_spread = wet[r] > LEAST_WET * free[r];
+        const Two wet_and_free = parallel::sum(size_.size(), Two(Two::Zero()), [&](std::size_t p) {
+            const double free = counts(p) ? size_[p] : 0.0;
+            return Two(takes_part_[p] != 0 ? free : 0.0, free);
+        });
+        const bool is_spread = wet_and_free[0] > LEAST_WET * wet_and_free[1];
         const auto bears = [&](std::size_t p) {
             return counts(p) && size_[p] > 0.0 && (!is_spread || takes_part_[p] != 0);
         };
@@ -214,13 +213,20 @@ double WallLoad::book(std::span<const Vec3> v_mid, double span) {
 /// Accounts of points that gas has left go to those of their room where it is, by area: a few
 /// particles would leave gains at one place, pay losses at another, and owe more than they hold.
 void WallLoad::pass_on_accounts() {
-    std::vector<double> left(owed_.size(), 0.0), wet(owed_.size(), 0.0);
-    for (std::size_t p = 0; p < account_.size(); ++p)
-        (is_wet(p) ? wet : left)[surface_->room_of_point(p)] += is_wet(p) ? size_[p] : account_[p];
-    for (std::size_t p = 0; p < account_.size(); ++p) {
-        const Index room = surface_->room_of_point(p);
-        if (wet[room] > 0.0)
-            account_[p] = is_wet(p) ? account_[p] + left[room] * size_[p] / wet[room] : 0.0;
+    for (std::size_t r = 0; r < owed_.size(); ++r) {
+        const auto is_of_room = [&](std::size_t p) {
+            return surface_->room_of_point(p) == static_cast<Index>(r);
+        };
+        const Two wet_and_left =
+            parallel::sum(account_.size(), Two(Two::Zero()), [&](std::size_t p) {
+                if (!is_of_room(p)) return Two(0.0, 0.0);
+                return is_wet(p) ? Two(size_[p], 0.0) : Two(0.0, account_[p]);
+            });
+        if (!(wet_and_left[0] > 0.0)) continue;
+        const double per_area = wet_and_left[1] / wet_and_left[0];
+        parallel::for_each(account_.size(), [&](std::size_t p) {
+            if (is_of_room(p)) account_[p] = is_wet(p) ? account_[p] + per_area * size_[p] : 0.0;
+        });
     }
 }
 

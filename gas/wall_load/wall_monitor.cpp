@@ -5,32 +5,47 @@
 #include <algorithm>
 #include <utility>
 
+#include "solver/base/parallel.hpp"
 #include "solver/base/surface.hpp"
 
 namespace corpuscle::gas {
+namespace {
+
+constexpr std::size_t PATCHES_A_CHUNK = 8;
+
+}  // namespace
 
 WallMonitor::WallMonitor(std::shared_ptr<const WettedSurface> surface, const BagWalls& walls)
     : surface_(std::move(surface)),
       part_(walls.part),
+      impulse_(surface_->sides(), 0.0),
       part_impulse_(walls.part_ids.size(), 0.0),
       triangle_impulse_(walls.triangles.size(), 0.0),
       part_air_(surface_->rooms(), 0.0),
       triangle_air_(part_air_) {}
 
-std::size_t WallMonitor::record(const FlightResult& flight, std::span<const Vec3> x_1) {
-    std::size_t count = 0;
-    for (const auto& hits : flight.hits)
-        for (const Hit& hit : hits) {
-            const auto& [a, b, c] = surface_->triangles()[hit.facet];
-            const double push =
-                surface_->closes(static_cast<std::size_t>(hit.facet))
-                    ? hit.impulse.norm()
-                    : hit.impulse.dot(vector_area(x_1[a], x_1[b], x_1[c]).normalized());
-            triangle_impulse_[hit.facet] += push;
-            part_impulse_[part_[hit.facet]] += push;
-            ++count;
+void WallMonitor::record(const WallHits& hits, std::span<const Vec3> x_1) {
+    const auto take = [&](std::size_t patch) {
+        for (const auto& [hit, side] : hits.of(patch)) {
+            const auto& [a, b, c] = surface_->triangles()[hit->facet];
+            impulse_[side] +=
+                surface_->closes(static_cast<std::size_t>(hit->facet))
+                    ? hit->impulse.norm()
+                    : hit->impulse.dot(vector_area(x_1[a], x_1[b], x_1[c]).normalized());
         }
-    return count;
+    };
+    parallel::for_each(hits.patches().size(), take, PATCHES_A_CHUNK);
+    take(hits.patches().size());  // scattered
+}
+
+/// Hands impulses on to parts and triangles.
+void WallMonitor::share_out() {
+    for (std::size_t side = 0; side < impulse_.size(); ++side) {
+        const double impulse = std::exchange(impulse_[side], 0.0);
+        const Index facet = surface_->facet(side);
+        part_impulse_[part_[facet]] += impulse;
+        triangle_impulse_[facet] += impulse;
+    }
 }
 
 void WallMonitor::record(std::span<const double> room_pressure, double span) {
@@ -49,6 +64,7 @@ double WallMonitor::across(std::size_t facet, std::span<const double> of_room) c
 
 void WallMonitor::part_means(const BagWalls& walls, std::span<const Vec3> x, double since,
                              std::span<const double> room_pressure, PartState& parts) {
+    share_out();
     parts.pressure.assign(part_impulse_.size(), 0.0);
     parts.area.assign(part_impulse_.size(), 0.0);
     if (since == 0.0) std::copy(room_pressure.begin(), room_pressure.end(), part_air_.begin());
@@ -71,6 +87,7 @@ void WallMonitor::part_means(const BagWalls& walls, std::span<const Vec3> x, dou
 void WallMonitor::add_shell_means(const BagWalls& walls, double p_atm, std::span<const Vec3> x,
                                   double since, std::span<const double> room_pressure,
                                   std::span<double> force, std::span<double> area) {
+    share_out();
     if (since == 0.0) std::copy(room_pressure.begin(), room_pressure.end(), triangle_air_.begin());
     const double time = since > 0.0 ? since : 1.0;
     for (std::size_t t = 0; t < walls.triangles.size(); ++t) {

@@ -9,7 +9,7 @@
 #include "gas/bag_state.hpp"
 #include "gas/enclosure/bag_walls.hpp"
 #include "gas/enclosure/wetted_surface.hpp"
-#include "gas/flight/flight.hpp"
+#include "gas/wall_load/wall_hits.hpp"
 
 namespace corpuscle::gas {
 
@@ -19,9 +19,9 @@ class WallMonitor {
 public:
     WallMonitor(std::shared_ptr<const WettedSurface> surface, const BagWalls& walls);
 
-    /// Adds up what a flight's hits give to triangles and parts: outward on the closing ones, along
-    /// the normal inside. Returns their number.
-    std::size_t record(const FlightResult& flight, std::span<const Vec3> x_1);
+    /// Adds up what a flight's hits give to triangles: outward on the closing ones, along the normal
+    /// inside.
+    void record(const WallHits& hits, std::span<const Vec3> x_1);
     /// Adds up the pressure that no particles bring, by room, over `span`.        [Pa], [s]
     void record(std::span<const double> room_pressure, double span);
 
@@ -38,14 +38,16 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(part_impulse_, triangle_impulse_, part_air_, triangle_air_);
+        archive(impulse_, part_impulse_, triangle_impulse_, part_air_, triangle_air_);
     }
 
 private:
     [[nodiscard]] double across(std::size_t facet, std::span<const double> of_room) const;
+    void share_out();
 
     std::shared_ptr<const WettedSurface> surface_;
     std::vector<Index> part_;                              ///< of each triangle
+    std::vector<double> impulse_;                          ///< of each side, not yet in:     [N s]
     std::vector<double> part_impulse_, triangle_impulse_;  ///< since the last look   [N s]
     std::vector<double> part_air_, triangle_air_;          ///< by room, integral of pressure [Pa s]
 };

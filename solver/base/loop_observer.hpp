@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <source_location>
 
 namespace corpuscle::parallel {
 
@@ -14,11 +15,13 @@ public:
     LoopObserver(const LoopObserver&) = delete;
     LoopObserver& operator=(const LoopObserver&) = delete;
 
-    /// Around a loop.
-    virtual void begin() = 0;
+    /// Around a loop; of several side by side the first one's call.
+    virtual void begin(const std::source_location& where) = 0;
     virtual void end() = 0;
     /// After each of its chunks, on the thread that did it.
     virtual void end_chunk() = 0;
+    /// After each of several loops in turn, on one thread.
+    virtual void end_stage() {}
 
     inline static LoopObserver* running = nullptr;
 };
@@ -26,7 +29,7 @@ public:
 /// Wall time within loops that threads share.
 class LoopClock final : public LoopObserver {
 public:
-    void begin() override { begin_ = Clock::now(); }
+    void begin(const std::source_location& /*where*/) override { begin_ = Clock::now(); }
     void end() override { inside_ += Clock::now() - begin_; }
     void end_chunk() override {}
     [[nodiscard]] double seconds() const {  ///< so far [s]

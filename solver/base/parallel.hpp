@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <source_location>
+#include <utility>
 #include <vector>
 
 #include "solver/base/loop_observer.hpp"
@@ -25,12 +27,16 @@ inline constexpr std::size_t CHUNK = 128;
 /// this one thread is done before it could have called the others.
 inline constexpr std::size_t WORTH_THREADS = 4096;
 
-/// How a loop is cut, and whether threads are worth calling. Chunks do not depend on the latter.
+/// How a loop is cut, whether threads are worth calling, and which loop it is. Chunks depend on the
+/// first alone.
 struct Cut {
+    using Where = std::source_location;
     std::size_t chunk = CHUNK;
     bool is_light = true;
-    Cut() = default;
-    Cut(std::size_t items) : chunk(items), is_light(false) {}  // NOLINT: a number is a cut
+    Where where;                                           ///< of the call
+    Cut(Where call = Where::current()) : where(call) {}    // NOLINT: {} is a cut
+    Cut(std::size_t items, Where call = Where::current())  // NOLINT: a number is a cut
+        : chunk(items), is_light(false), where(call) {}
 };
 
 inline void set_threads([[maybe_unused]] int n) {
@@ -75,23 +81,116 @@ inline void set_threads([[maybe_unused]] int n) {
     return n > 1 ? std::max<std::ptrdiff_t>(1, chunks / (TIMES * n)) : 1;
 }
 
-/// body(begin, end, chunk index) for every chunk of 0..n; chunks run in any order.
+/// A loop that runs with others: what for_chunks() takes.
 template <class Body>
-void for_chunks(std::size_t n, Body&& body, Cut cut = {}) {
-    const std::size_t chunk = cut.chunk;
-    const auto chunks = static_cast<std::ptrdiff_t>(chunk_count(n, chunk));
-    [[maybe_unused]] const bool is_worth_it = chunks > 1 && (!cut.is_light || n >= WORTH_THREADS);
+struct Loop {
+    std::size_t n;
+    Body body;
+    Cut cut;
+
+    [[nodiscard]] std::size_t chunks() const { return chunk_count(n, cut.chunk); }
+    [[nodiscard]] bool is_worth_threads() const {
+        return chunks() > 1 && (!cut.is_light || n >= WORTH_THREADS);
+    }
+    void run(std::size_t c) const {
+        const std::size_t begin = c * cut.chunk;
+        body(begin, std::min(n, begin + cut.chunk), c);
+    }
+};
+
+/// body(i) for every i in 0..n.
+template <class Body>
+[[nodiscard]] auto each(std::size_t n, Body body, Cut cut = {}) {
+    auto over_chunk = [body](std::size_t begin, std::size_t end, std::size_t) {
+        for (std::size_t i = begin; i < end; ++i) body(i);
+    };
+    return Loop<decltype(over_chunk)>{n, over_chunk, cut};
+}
+
+/// body(), on one thread.
+template <class Body>
+[[nodiscard]] auto alone(Body body, Cut::Where where = Cut::Where::current()) {
+    auto all = [body](std::size_t, std::size_t, std::size_t) { body(); };
+    return Loop<decltype(all)>{1, all, Cut(1, where)};
+}
+
+/// body(c) for every c in 0..chunks, in any order.
+template <class Body>
+void deal_out(std::size_t chunks, Body&& body, bool is_worth_it, const Cut::Where& where) {
     LoopObserver* const observer = is_worth_it ? observer_here() : nullptr;
-    if (observer != nullptr) observer->begin();
-    [[maybe_unused]] const std::ptrdiff_t at_once = taken_at_once(chunks);
+    if (observer != nullptr) observer->begin(where);
+    const auto count = static_cast<std::ptrdiff_t>(chunks);
+    [[maybe_unused]] const std::ptrdiff_t at_once = taken_at_once(count);
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic, at_once) if (is_worth_it)
 #endif
-    for (std::ptrdiff_t c = 0; c < chunks; ++c) {
-        const std::size_t begin = static_cast<std::size_t>(c) * chunk;
-        body(begin, std::min(n, begin + chunk), static_cast<std::size_t>(c));
+    for (std::ptrdiff_t c = 0; c < count; ++c) {
+        body(static_cast<std::size_t>(c));
         if (observer != nullptr) observer->end_chunk();
     }
+    if (observer != nullptr) observer->end();
+}
+
+/// body(begin, end, chunk index) for every chunk of 0..n; chunks run in any order.
+template <class Body>
+void for_chunks(std::size_t n, Body&& body, Cut cut = {}) {
+    const Loop<Body&> loop{n, body, cut};
+    deal_out(
+        loop.chunks(), [&](std::size_t c) { loop.run(c); }, loop.is_worth_threads(), cut.where);
+}
+
+/// Loops none of which needs what another does, in one call of the threads. Those named first begin
+/// first.
+template <class... Bodies>
+void side_by_side(const Loop<Bodies>&... loops) {
+    const auto run = [&](std::size_t c) {
+        const auto is_of = [&](const auto& loop) {
+            if (c < loop.chunks()) {
+                loop.run(c);
+                return true;
+            }
+            c -= loop.chunks();
+            return false;
+        };
+        static_cast<void>((is_of(loops) || ...));
+    };
+    const auto first = [](const auto& loop, const auto&...) { return loop.cut.where; };
+    const std::size_t chunks = (loops.chunks() + ...), items = (loops.n + ...);
+    const bool is_light = ((loops.cut.is_light || loops.n == 0) && ...);
+    deal_out(chunks, run, chunks > 1 && (!is_light || items >= WORTH_THREADS), first(loops...));
+}
+
+/// A thread's part of one of several loops in turn.
+template <class Body>
+void share(const Loop<Body>& loop, LoopObserver* observer) {
+    const auto chunks = static_cast<std::ptrdiff_t>(loop.chunks());
+    [[maybe_unused]] const std::ptrdiff_t at_once =
+        loop.is_worth_threads() ? taken_at_once(chunks) : std::max<std::ptrdiff_t>(1, chunks);
+#ifdef _OPENMP
+#pragma omp for schedule(dynamic, at_once)
+#endif
+    for (std::ptrdiff_t c = 0; c < chunks; ++c) {
+        loop.run(static_cast<std::size_t>(c));
+        if (observer != nullptr) observer->end_chunk();
+    }
+#ifdef _OPENMP
+#pragma omp master
+#endif
+    if (observer != nullptr) observer->end_stage();
+}
+
+/// loop_of(0), loop_of(1), ..., each of which needs what the one before has done, in one call of
+/// the threads: they wait for each other after each of them.
+template <class LoopOf>
+void in_turn(std::size_t loops, LoopOf&& loop_of) {
+    bool is_worth_it = false;
+    for (std::size_t k = 0; k < loops; ++k) is_worth_it |= loop_of(k).is_worth_threads();
+    LoopObserver* const observer = is_worth_it ? observer_here() : nullptr;
+    if (observer != nullptr) observer->begin(loop_of(std::size_t{0}).cut.where);
+#ifdef _OPENMP
+#pragma omp parallel if (is_worth_it)
+#endif
+    for (std::size_t k = 0; k < loops; ++k) share(loop_of(k), observer);
     if (observer != nullptr) observer->end();
 }
 
@@ -106,21 +205,37 @@ void for_each(std::size_t n, Body&& body, Cut cut = {}) {
         cut);
 }
 
-/// Sum of term(i): chunks first, then the chunks' sums in their order.
-template <class T, class Term>
-[[nodiscard]] T sum(std::size_t n, T zero, Term&& term, Cut cut = {}) {
-    std::vector<T> part(chunk_count(n, cut.chunk), zero);
+/// to = from.
+template <class T>
+void copy(const std::vector<T>& from, std::vector<T>& to) {
+    to.resize(from.size());
+    for_each(from.size(), [&](std::size_t i) { to[i] = from[i]; });
+}
+
+/// What join(all, i) makes of `start` over every i in 0..n: each chunk from `start` on, then the
+/// chunks' in their order, by merge(all, chunk).
+template <class T, class Join, class Merge>
+[[nodiscard]] T fold(std::size_t n, const T& start, Join&& join, Merge&& merge, Cut cut = {}) {
+    std::vector<T> part(chunk_count(n, cut.chunk), start);
     for_chunks(
         n,
         [&](std::size_t begin, std::size_t end, std::size_t c) {
-            T s = zero;
-            for (std::size_t i = begin; i < end; ++i) s += term(i);
-            part[c] = s;
+            T own = start;
+            for (std::size_t i = begin; i < end; ++i) join(own, i);
+            part[c] = own;
         },
         cut);
-    T total = zero;
-    for (const T& s : part) total += s;
-    return total;
+    T all = start;
+    for (const T& own : part) merge(all, own);
+    return all;
+}
+
+/// Sum of term(i): chunks first, then the chunks' sums in their order.
+template <class T, class Term>
+[[nodiscard]] T sum(std::size_t n, T zero, Term&& term, Cut cut = {}) {
+    return fold(
+        n, zero, [&](T& all, std::size_t i) { all += term(i); },
+        [](T& all, const T& more) { all += more; }, cut);
 }
 
 /// What a loop finds here and there: by chunk, then put together in the items' order.

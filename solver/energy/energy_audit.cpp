@@ -21,6 +21,15 @@ double ForceShare::work(const Points& v_mid, double span) const {
     return span * parallel::sum(f.size(), 0.0, [&](std::size_t n) { return f[n].dot(v_mid[n]); });
 }
 
+std::pair<double, double> ForceShare::works(const Points& v_mid, const Points& v_before,
+                                            double span) const {
+    using Two = Eigen::Vector2d;
+    const Two sums = parallel::sum(f.size(), Two(Two::Zero()), [&](std::size_t n) {
+        return Two(f[n].dot(v_mid[n]), f[n].dot(v_before[n]));
+    });
+    return {span * sums[0], span * sums[1]};
+}
+
 void EnergyAudit::book(SceneState& scene, double span) {
     book_forces(scene, span);
     book_contact(scene);

@@ -34,6 +34,9 @@ struct ForceShare {
     Points f;  ///< N × 3, or empty: this scene has none                        [N]
 
     [[nodiscard]] double work(const Points& v_mid, double span) const;
+    /// With two velocities.                                                              [J]
+    [[nodiscard]] std::pair<double, double> works(const Points& v_mid, const Points& v_before,
+                                                  double span) const;
 };
 
 /// Fabric: which shells are strained, their reference shape, their membranes.
@@ -174,6 +177,9 @@ private:
     void build_contacts();
     void build_walls();
     void move_bodies(double dt, double span);
+    void book_stops();
+    /// Adds the kinetic energy of rigid bodies and walls of mass to that of nodes.          [J]
+    [[nodiscard]] double with_obstacles(double all) const;
     [[nodiscard]] fabric::Membranes membranes_at(double t) const;
     [[nodiscard]] std::vector<Index> fabric_nodes() const;
     [[nodiscard]] std::vector<double> fabric_sizes() const;  // by node

@@ -3,13 +3,25 @@
 #include "tests/benchmark/loop_meter.hpp"
 
 #include <algorithm>
+#include <ctime>
 #include <functional>
+#include <numeric>
 
 namespace corpuscle::benchmark {
 namespace {
 
 double seconds_of(LoopMeter::Clock::duration time) {
     return std::chrono::duration<double>(time).count();
+}
+
+/// Least time from one reading to the next.                                                  [s]
+double cost_of(LoopMeter::Now clock) {
+    auto least = LoopMeter::Clock::duration::max();
+    for (int i = 0; i < 1000; ++i) {
+        const auto first = clock();
+        least = std::min(least, clock() - first);
+    }
+    return seconds_of(least);
 }
 
 /// Time until the last of the chunks is done on so many cores.
@@ -26,34 +38,108 @@ double dealt_out(const std::vector<double>& chunks, int cores, std::vector<doubl
     return end;
 }
 
+/// file:line, the file from the project's folders on.
+std::string text_of(const std::source_location& where) {
+    std::string name = where.file_name();
+    for (const char* folder : {"/contact/", "/gas/", "/fabric/", "/solver/", "/tests/"})
+        if (const std::size_t at = name.rfind(folder); at != std::string::npos)
+            name.erase(0, at + 1);
+    return name + ":" + std::to_string(where.line());
+}
+
 }  // namespace
 
-void LoopMeter::begin() {
+LoopMeter::Site& LoopMeter::Site::operator+=(const Site& other) {
+    calls += other.calls;
+    waits += other.waits;
+    time += other.time;
+    for (std::size_t k = 0; k < CORES.size(); ++k) dealt[k] += other.dealt[k];
+    return *this;
+}
+
+LoopMeter::Clock::time_point LoopMeter::thread_time() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return Clock::time_point(std::chrono::seconds(time.tv_sec) +
+                             std::chrono::nanoseconds(time.tv_nsec));
+}
+
+LoopMeter::LoopMeter(Now now, Now busy)
+    : now_(now),
+      busy_(busy),
+      cost_now_(cost_of(now)),
+      cost_busy_(cost_of(busy)),
+      last_(now()),
+      busy_last_(busy()) {}
+
+double LoopMeter::taken(Clock::time_point since, Now clock, double cost) const {
+    return std::max(0.0, seconds_of(clock() - since) - cost);
+}
+
+void LoopMeter::begin(const std::source_location& where) {
+    const double stretch = taken(busy_last_, busy_, cost_busy_);
+    at_ = text_of(where);
+    outside_ += stretch;
+    Site serial;
+    serial.time = stretch;
+    serial.dealt.fill(stretch);
+    sites_[before_ + " -> " + at_] += serial;
     chunks_.clear();
-    begin_ = last_ = now_();
+    loop_ = {};
+    busy_last_ = busy_();
+    last_ = now_();
 }
 
 void LoopMeter::end_chunk() {
-    chunks_.push_back(seconds_of(now_() - last_));
+    const Clock::time_point now = now_();
+    chunks_.push_back(std::max(0.0, seconds_of(now - last_) - cost_now_));
+    last_ = now;
+}
+
+/// Deals out the chunks of a loop, or of one of several in turn.
+void LoopMeter::deal_stage() {
+    if (chunks_.empty()) return;
+    const double all = std::accumulate(chunks_.begin(), chunks_.end(), 0.0);
+    const double busy =
+        taken(busy_last_, busy_, cost_busy_) - cost_now_ * static_cast<double>(chunks_.size());
+    const double lost = std::max(0.0, all - busy);
+    for (double left = lost; left > 0.0;) {
+        double& longest = *std::max_element(chunks_.begin(), chunks_.end());
+        const double taken = std::min(longest, left);
+        longest -= taken;
+        left = taken > 0.0 ? left - taken : 0.0;
+    }
+    loop_.time += all - lost;
+    for (std::size_t k = 0; k < CORES.size(); ++k)
+        loop_.dealt[k] += dealt_out(chunks_, CORES[k], free_at_);
+    chunks_.clear();
+}
+
+void LoopMeter::end_stage() {
+    if (!chunks_.empty()) ++loop_.waits;
+    deal_stage();
+    busy_last_ = busy_();
     last_ = now_();
 }
 
 void LoopMeter::end() {
-    const Clock::time_point end = now_();
-    ++loops_;
-    inside_ += seconds_of(end - begin_);
-    for (std::size_t k = 0; k < CORES.size(); ++k)
-        dealt_[k] += dealt_out(chunks_, CORES[k], free_at_);
-    start_ += now_() - end;  // the dealing is none of the run
+    deal_stage();
+    if (loop_.waits > 0) --loop_.waits;  // the last one is that of any loop
+    loop_.calls = 1;
+    loops_ += loop_;
+    sites_[at_] += loop_;
+    before_ = at_;
+    busy_last_ = busy_();  // the dealing is none of the run
 }
 
-double LoopMeter::seconds() const {
-    return seconds_of(now_() - start_);
+double LoopMeter::outside() const {
+    return outside_ + taken(busy_last_, busy_, cost_busy_);
 }
 
 double LoopMeter::wall(std::size_t k, double call) const {
-    const double calls = CORES[k] > 1 ? call * static_cast<double>(loops_) : 0.0;
-    return outside() + dealt_[k] + calls;
+    const double calls =
+        static_cast<double>(loops_.calls) + 0.5 * static_cast<double>(loops_.waits);
+    return outside() + loops_.dealt[k] + (CORES[k] > 1 ? call * calls : 0.0);
 }
 
 }  // namespace corpuscle::benchmark

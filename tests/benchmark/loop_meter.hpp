@@ -5,6 +5,8 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "solver/base/loop_observer.hpp"
@@ -15,34 +17,58 @@ namespace corpuscle::benchmark {
 /// threads would share is timed, then the loop's chunks are dealt out in their order to P ideal
 /// cores, each to the first that is free [list scheduling, Graham 1969]. What lies outside of such
 /// loops stays as it is. Ideal: caches and memory are shared without a loss.
+///
+/// Of a loop that other programs interrupt, what they took is taken off its longest chunks.
 class LoopMeter final : public parallel::LoopObserver {
 public:
     using Clock = std::chrono::steady_clock;
     using Now = Clock::time_point (*)();
 
     static constexpr std::array<int, 7> CORES{1, 2, 4, 8, 16, 32, 64};
+    using ByCores = std::array<double, CORES.size()>;
 
-    /// @param now  reads the clock; a test's own is moved by hand
-    explicit LoopMeter(Now now = &Clock::now) : now_(now) {}
+    /// What a loop's call site has taken, or the stretch between two loops.                   [s]
+    struct Site {
+        std::size_t calls = 0, waits = 0;  ///< of the threads; within a call on each other
+        double time = 0.0;                 ///< on one thread
+        ByCores dealt{};                   ///< on so many cores
+        /// Lost on CORES[k] cores: beyond an even share of its time.
+        [[nodiscard]] double lost(std::size_t k) const { return dealt[k] - time / CORES[k]; }
+        Site& operator+=(const Site& other);
+    };
 
-    void begin() override;
+    static Clock::time_point thread_time();  ///< that this thread has run
+
+    /// @param now   reads the clock; a test's own is moved by hand
+    /// @param busy  likewise of this thread alone
+    explicit LoopMeter(Now now = &Clock::now, Now busy = &thread_time);
+
+    void begin(const std::source_location& where) override;
     void end_chunk() override;
+    void end_stage() override;
     void end() override;
 
-    [[nodiscard]] double seconds() const;                                 ///< since the start [s]
-    [[nodiscard]] double outside() const { return seconds() - inside_; }  ///< of loops        [s]
-    [[nodiscard]] std::size_t loops() const { return loops_; }
+    [[nodiscard]] double seconds() const { return outside() + loops_.time; }  ///< so far [s]
+    [[nodiscard]] double outside() const;                                     ///< of loops [s]
+    [[nodiscard]] std::size_t loops() const { return loops_.calls; }
     /// Predicted wall time on CORES[k] cores.                                                  [s]
-    /// @param call  what it costs to call the threads to a loop                               [s]
+    /// @param call  what it costs to call the threads to a loop; half of it, to wait      [s]
     [[nodiscard]] double wall(std::size_t k, double call = 0.0) const;
+    /// By call site, file:line, of the loop, or of both ends of a stretch.
+    [[nodiscard]] const std::map<std::string, Site>& sites() const { return sites_; }
 
 private:
-    Now now_;
-    Clock::time_point start_ = now_(), begin_, last_;
-    std::vector<double> chunks_, free_at_;      ///< of the loop that runs                     [s]
-    double inside_ = 0.0;                       ///< [s]
-    std::array<double, CORES.size()> dealt_{};  ///< all loops, on so many cores               [s]
-    std::size_t loops_ = 0;
+    [[nodiscard]] double taken(Clock::time_point since, Now clock, double cost) const;
+    void deal_stage();
+
+    Now now_, busy_;
+    double cost_now_, cost_busy_;  ///< of a reading                                           [s]
+    Clock::time_point last_, busy_last_;
+    std::string at_, before_ = "start";     ///< call sites of this loop and the last
+    std::vector<double> chunks_, free_at_;  ///< of the loop that runs                         [s]
+    Site loop_, loops_;                     ///< the one that runs; all
+    double outside_ = 0.0;                  ///< up to the last loop                            [s]
+    std::map<std::string, Site> sites_;
 };
 
 }  // namespace corpuscle::benchmark

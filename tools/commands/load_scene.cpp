@@ -10,8 +10,8 @@
 
 #include "io/deck.hpp"
 #include "io/deck/deck_places.hpp"
+#include "solver/base/cores.hpp"
 #include "solver/base/error.hpp"
-#include "solver/base/parallel.hpp"
 #include "solver/scene/closing.hpp"
 #include "solver/simulation.hpp"
 #include "tools/commands/commands.hpp"
@@ -38,7 +38,7 @@ void expect_room_for_particles(const Model& model) {
 }  // namespace
 
 Simulation load(const DeckArguments& arguments) {
-    if (arguments.threads > 0) parallel::set_threads(arguments.threads);
+    parallel::set_threads(arguments.threads > 0 ? arguments.threads : parallel::default_threads());
     io::DeckOptions options;
     for (const std::string& definition : arguments.definitions) {
         const std::size_t equals = definition.find('=');

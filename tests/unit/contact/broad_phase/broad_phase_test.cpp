@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 
@@ -34,6 +35,18 @@ std::vector<Box> random_boxes(std::size_t n, double size, bool on_lattice, unsig
     return boxes;
 }
 
+/// The same pairs, asked for box by box.
+Pairs asked_for(const BroadPhase& broad_phase, std::span<const Box> boxes) {
+    Pairs out;
+    std::vector<Index> overlapped;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        broad_phase.overlapping(boxes[i], overlapped);
+        for (const Index j : overlapped)
+            if (j > static_cast<Index>(i)) out.emplace_back(static_cast<Index>(i), j);
+    }
+    return out;
+}
+
 Pairs self_pairs(const BroadPhase& broad_phase) {
     Pairs out;
     broad_phase.self_pairs(out);
@@ -52,6 +65,7 @@ TEST_CASE("the broad phase finds just the pairs that brute force finds", "[conta
         const Pairs expected = brute_force::self_pairs(boxes);
         REQUIRE(expected.size() > 10);
         REQUIRE(self_pairs(broad_phase) == expected);
+        REQUIRE(asked_for(broad_phase, boxes) == expected);
     }
 }
 
@@ -87,6 +101,7 @@ TEST_CASE("boxes without thickness, all in one plane or all alike, are found", "
     BroadPhase broad_phase;
     broad_phase.update(boxes);
     REQUIRE(self_pairs(broad_phase) == brute_force::self_pairs(boxes));
+    REQUIRE(asked_for(broad_phase, boxes) == brute_force::self_pairs(boxes));
 }
 
 TEST_CASE("no boxes and one box have no pairs", "[contact]") {
@@ -100,6 +115,12 @@ TEST_CASE("no boxes and one box have no pairs", "[contact]") {
     CHECK(found.empty());
     one.pairs(none, found);
     CHECK(found.empty());
+    const auto single = random_boxes(1, 0.1, false, 1);
+    std::vector<Index> overlapped{7};
+    none.overlapping(single.front(), overlapped);
+    CHECK(overlapped.empty());
+    one.overlapping(single.front(), overlapped);
+    CHECK(overlapped == std::vector<Index>{0});
 }
 
 TEST_CASE("a box that is not finite or inside out is refused", "[contact]") {

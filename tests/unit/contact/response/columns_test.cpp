@@ -56,7 +56,7 @@ TEST_CASE("columns of one colour have no node in common, and each contact is met
         }
         REQUIRE_FALSE(c.on_body);
         ++together;
-        if (const std::size_t now = c.column / 16U; now != colour) {
+        if (const std::size_t now = c.column / 64U; now != colour) {
             REQUIRE(now > colour);
             colour = now;
             column_of.clear();

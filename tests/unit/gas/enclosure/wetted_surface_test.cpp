@@ -8,7 +8,9 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <set>
 
+#include "gas/enclosure/side_patches.hpp"
 #include "tests/support/geometry/shapes.hpp"
 
 using namespace corpuscle;
@@ -150,4 +152,33 @@ TEST_CASE("three membranes at one line part three wedges", "[gas]") {
     std::vector<double> volume;
     surface.volumes(x, volume);
     for (const double v : volume) CHECK(v == Approx(std::sqrt(27.0) / 12.0));
+}
+
+TEST_CASE("patches of one colour have no wall point in common, none reaches into another room",
+          "[gas]") {
+    Boxes box(40);
+    box.add_membrane(13, false);
+    box.add_membrane(27, true);
+    const WettedSurface surface = box.surface();
+    REQUIRE(surface.rooms() == 3);
+    const SidePatches patches(surface);
+    std::vector<std::set<Index>> points(patches.size());
+    for (std::size_t s = 0; s < surface.sides(); ++s) {
+        const auto patch = static_cast<std::size_t>(patches.of(s));
+        CHECK(surface.room(s) == patches.room(patch));
+        points[patch].insert(surface.points(s).begin(), surface.points(s).end());
+    }
+    std::size_t count = 0;
+    for (std::size_t colour = 0; colour < patches.colours(); ++colour) {
+        std::set<Index> all;
+        std::size_t sum = 0;
+        for (const Index patch : patches.of_colour(colour)) {
+            all.insert(points[patch].begin(), points[patch].end());
+            sum += points[patch].size();
+            ++count;
+        }
+        CHECK(all.size() == sum);
+    }
+    CHECK(count == patches.size());
+    CHECK(patches.size() > 20);
 }

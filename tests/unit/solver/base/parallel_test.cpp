@@ -5,8 +5,11 @@
 #include <catch2/catch.hpp>
 
 #include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <vector>
 
+#include "solver/base/cores.hpp"
 #include "tests/benchmark/loop_meter.hpp"
 
 using namespace corpuscle;
@@ -27,7 +30,7 @@ private:
 
 class Counter final : public parallel::LoopObserver {
 public:
-    void begin() override { ++begun; }
+    void begin(const std::source_location& /*where*/) override { ++begun; }
     void end() override { ++ended; }
     void end_chunk() override {}
     int begun = 0, ended = 0;
@@ -38,10 +41,15 @@ class HandClock {
 public:
     using Clock = benchmark::LoopMeter::Clock;
     static Clock::time_point now() { return Clock::time_point(time_); }
-    static void pass(int milliseconds) { time_ += std::chrono::milliseconds(milliseconds); }
+    static Clock::time_point busy() { return Clock::time_point(busy_); }
+    static void wait(int milliseconds) { time_ += std::chrono::milliseconds(milliseconds); }
+    static void pass(int milliseconds) {
+        wait(milliseconds);
+        busy_ += std::chrono::milliseconds(milliseconds);
+    }
 
 private:
-    inline static Clock::duration time_{};
+    inline static Clock::duration time_{}, busy_{};  ///< of all; of this thread
 };
 
 }  // namespace
@@ -63,6 +71,37 @@ TEST_CASE("what a loop finds is in the items' order on any number of threads", "
     }
 }
 
+TEST_CASE("loops side by side do all that each of them does", "[base]") {
+    for (const int n : {1, 2, 5}) {
+        const Threads threads(n);
+        std::vector<int> light(10000, 0), heavy(37, 0);
+        int once = 0;
+        parallel::side_by_side(parallel::alone([&] { ++once; }),
+                               parallel::each(
+                                   heavy.size(), [&](std::size_t i) { ++heavy[i]; }, 4),
+                               parallel::each(light.size(), [&](std::size_t i) { ++light[i]; }));
+        CHECK(once == 1);
+        CHECK(heavy == std::vector<int>(37, 1));
+        CHECK(light == std::vector<int>(10000, 1));
+    }
+}
+
+TEST_CASE("of loops in turn each finds what the one before has done", "[base]") {
+    for (const int n : {1, 2, 5}) {
+        const Threads threads(n);
+        constexpr std::size_t COUNT = 10000, LOOPS = 6;
+        std::vector<std::size_t> value(COUNT, 1), next(COUNT);
+        parallel::in_turn(LOOPS, [&](std::size_t loop) {
+            const auto& from = loop % 2 == 0 ? value : next;
+            auto& to = loop % 2 == 0 ? next : value;
+            return parallel::each(COUNT, [&](std::size_t i) {
+                to[i] = from[i] + from[COUNT - 1 - i];  // far off: another thread's
+            });
+        });
+        CHECK(value == std::vector<std::size_t>(COUNT, 64));  // 2^LOOPS
+    }
+}
+
 TEST_CASE("an observer sees loops that threads share, not those within them", "[base]") {
     const Threads threads(2);
     Counter counter;
@@ -78,7 +117,7 @@ TEST_CASE("an observer sees loops that threads share, not those within them", "[
 
 TEST_CASE("chunks of 30, 10, 10 and 10 ms take 60, 30 and 30 ms on 1, 2 and 4 cores", "[base]") {
     const Threads threads(1);
-    benchmark::LoopMeter meter(&HandClock::now);
+    benchmark::LoopMeter meter(&HandClock::now, &HandClock::busy);
     const std::vector<int> chunks{30, 10, 10, 10};
     parallel::for_each(
         chunks.size(), [&](std::size_t i) { HandClock::pass(chunks[i]); }, 1);
@@ -91,4 +130,51 @@ TEST_CASE("chunks of 30, 10, 10 and 10 ms take 60, 30 and 30 ms on 1, 2 and 4 co
     CHECK(meter.wall(2) == Approx(0.050));       // 4 cores: the longest chunk
     CHECK(meter.wall(1, 1.0) == Approx(1.050));  // a call of the threads a loop
     CHECK(meter.wall(0, 1.0) == Approx(0.080));
+    REQUIRE(meter.sites().size() == 2);  // the loop, and what came before it
+    const auto& site = meter.sites().begin()->first.find("->") == std::string::npos
+                           ? *meter.sites().begin()
+                           : *meter.sites().rbegin();
+    CHECK(site.first.find("tests/unit/base/parallel_test.cpp:") == 0);
+    CHECK(site.second.time == Approx(0.060));
+    CHECK(site.second.lost(2) == Approx(0.015));  // 30 ms instead of a quarter of 60
+}
+
+TEST_CASE("loops in turn wait for each other: 30 and 10, then 10 and 30 ms", "[base]") {
+    const Threads threads(1);
+    benchmark::LoopMeter meter(&HandClock::now, &HandClock::busy);
+    const int time[2][2] = {{30, 10}, {10, 30}};
+    parallel::in_turn(2, [&](std::size_t loop) {
+        return parallel::each(
+            2, [&time, loop](std::size_t i) { HandClock::pass(time[loop][i]); }, 1);
+    });
+    CHECK(meter.loops() == 1);
+    CHECK(meter.wall(0) == Approx(0.080));
+    CHECK(meter.wall(1) == Approx(0.060));       // not 40: 30 each
+    CHECK(meter.wall(1, 1.0) == Approx(1.560));  // a call, and a wait that costs half of one
+}
+
+TEST_CASE("what another program takes is none of a loop's time", "[base]") {
+    const Threads threads(1);
+    benchmark::LoopMeter meter(&HandClock::now, &HandClock::busy);
+    parallel::for_each(
+        4, [&](std::size_t i) { i == 1 ? HandClock::wait(50) : HandClock::pass(10); }, 1);
+    CHECK(meter.seconds() == Approx(0.030));
+    CHECK(meter.wall(1) == Approx(0.020));
+}
+
+TEST_CASE("two hardware threads of a core are one core", "[base]") {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::temp_directory_path() / "corpuscle_cores_test";
+    const std::vector<std::string> siblings{"0,4", "1,5", "2-3", "2-3", "0,4", "1,5"};
+    for (std::size_t cpu = 0; cpu < siblings.size(); ++cpu) {
+        const fs::path of = folder / ("cpu" + std::to_string(cpu)) / "topology";
+        fs::create_directories(of);
+        std::ofstream(of / "thread_siblings_list") << siblings[cpu] << "\n";
+    }
+    CHECK(parallel::cores_of({0, 1, 2, 3, 4, 5}, folder) == 3);
+    CHECK(parallel::cores_of({0, 4, 3}, folder) == 2);
+    CHECK(parallel::cores_of({0, 1, 6, 7}, folder) == 4);  // nothing is known of 6 and 7
+    CHECK(parallel::cores() >= 1);
+    CHECK(parallel::cores() <= parallel::processors());
+    fs::remove_all(folder);
 }

@@ -1,0 +1,51 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <sched.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "solver/base/parallel.hpp"
+
+namespace corpuscle::parallel {
+
+/// Cores that hardware threads are on, by the list of siblings that the kernel has for each
+/// (topology/thread_siblings_list). One without a list is a core of its own.
+/// @param cpus  numbers of the hardware threads
+[[nodiscard]] inline int cores_of(const std::vector<int>& cpus,
+                                  const std::filesystem::path& sysfs) {
+    std::set<std::string> cores;
+    for (const int cpu : cpus) {
+        const std::string name = "cpu" + std::to_string(cpu);
+        std::ifstream in(sysfs / name / "topology" / "thread_siblings_list");
+        std::string siblings;
+        cores.insert(std::getline(in, siblings) && !siblings.empty() ? siblings : name);
+    }
+    return static_cast<int>(cores.size());
+}
+
+/// Cores that this program may use.
+[[nodiscard]] inline int cores() {
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    if (sched_getaffinity(0, sizeof(set), &set) != 0) return processors();
+    std::vector<int> cpus;
+    for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu)
+        if (CPU_ISSET(cpu, &set)) cpus.push_back(cpu);
+    return std::clamp(cores_of(cpus, "/sys/devices/system/cpu"), 1, processors());
+}
+
+/// Threads of a run that is not told how many: as OMP_NUM_THREADS says, else one a core. A core's
+/// second thread shares its vector units and caches, which loops over particles and elements fill.
+[[nodiscard]] inline int default_threads() {
+    return std::getenv("OMP_NUM_THREADS") != nullptr ? threads() : cores();
+}
+
+}  // namespace corpuscle::parallel
