@@ -54,7 +54,7 @@ inside "corpuscle --version"
 run="corpuscle run /usr/share/corpuscle/models/driver_bag_folded/driver_bag_folded.k -D NP=20000 -q"
 inside "$run -o folded --until 2; corpuscle report folded >/dev/null; test -s folded/report.html"
 inside "$run -o broken --until 4 & until [ -e broken/results.h5 ]; do sleep 0.1; done; sleep 1; kill -INT \$!; wait \$! || true
-    $run -o broken --until 4 --restart; corpuscle export broken --csv >/dev/null; tail -1 broken/history.csv" >"$root/job/end"
+    $run -o broken --until 4 --restart >/dev/null; corpuscle export broken --csv >/dev/null; tail -1 broken/history.csv" >"$root/job/end"
 awk -F, '{ exit !($1 > 3.99 && $1 < 4.01) }' "$root/job/end" || fail "the restarted run did not come to 4 ms: $(cut -c1-80 "$root/job/end")"
 say "program: installed, run, restarted, reported"
 
