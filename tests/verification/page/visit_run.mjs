@@ -73,10 +73,17 @@ async function keyboard(page, start) {
         await press(page, key);
         say(name, allDiffer(await pictures(page), before));
     }
+    // what the button says meanwhile, however slow the machine is: a run plays for a third of a second
+    const said = await page.evaluateHandle(() => {
+        const texts = [], button = document.getElementById("play");
+        new MutationObserver(() => texts.push(button.textContent)).observe(button, {childList: true});
+        return texts;
+    });
     await press(page, "Space");
-    say("plays", await page.locator("#play").textContent());
     await page.waitForFunction((end) => window.page.t === end && !window.page.timer, end);
-    say("played", await page.locator("#play").textContent());
+    const texts = await said.jsonValue();
+    say("plays", texts[0] ?? "");
+    say("played", texts.at(-1) ?? "");
 }
 
 /** Particles by species, speed and temperature are three pictures. */
