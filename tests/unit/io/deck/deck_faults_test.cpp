@@ -249,3 +249,21 @@ TEST_CASE("every property that can be at fault has a name", "[io]") {
     for (int p = 1; p < static_cast<int>(Property::COUNT); ++p)
         CHECK_FALSE(name_of(static_cast<Property>(p)).empty());
 }
+
+TEST_CASE("settings in a comment are those of -D, which goes before them", "[io]") {
+    const DeckFolder folder;
+    const std::string cloth = "*MAT_FABRIC\n7,800.,3e8\n\n\n\n\n";
+    CHECK(folder.read("$ corpuscle: UNITS = lbf-in-s, CLOSE = no\n" + small_deck(cloth))
+              .unit_system == "lbf-in-s-K");
+    CHECK_FALSE(folder.read("$# corpuscle: CLOSE=no\n" + small_deck("")).closes_bags);
+    io::DeckOptions options;
+    options.overrides = {{"UNITS", "g-mm-ms"}};
+    CHECK(folder.read("$ corpuscle: UNITS = SI\n" + small_deck(""), options).unit_system ==
+          "g-mm-ms-K");
+    CHECK(folder.read("$ for corpuscle: a remark\n" + small_deck(cloth)).unit_system == "SI");
+    const auto faults = folder.faults("$\n$ corpuscle: UNIT = SI\n" + small_deck(""));
+    REQUIRE(faults.size() == 1);
+    CHECK(contains(faults[0], "deck.k:2: $ corpuscle: UNIT = SI, expected NAME = VALUE"));
+    CHECK(contains(folder.faults("$ corpuscle: UNITS = stone\n" + small_deck("")).at(0),
+                   "UNITS = stone, expected SI, kg-mm-ms-K, ton-mm-s-K, g-mm-ms-K or lbf-in-s-K"));
+}
