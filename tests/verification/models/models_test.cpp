@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // The models at full length against what is known exactly of them.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -113,7 +114,7 @@ std::vector<double> speeds(const ModelRun& run, const std::string& frame, std::i
 }
 
 /// Kolmogorov and Smirnov's statistic, sqrt(N) · the largest gap to Maxwell and Boltzmann's
-/// distribution: above 1.63 in one case of a hundred.
+/// distribution: above 1.21 in 10.7 cases of a hundred.
 double distance_to_maxwell(const std::vector<double>& speed, double T, double molar_mass) {
     const double a = std::sqrt(GAS_CONSTANT * T / molar_mass);
     double gap = 0.0;
@@ -126,6 +127,17 @@ double distance_to_maxwell(const std::vector<double>& speed, double T, double mo
         gap = std::max({gap, below - rank / n, (rank + 1.0) / n - below});
     }
     return std::sqrt(n) * gap;
+}
+
+/// The median of the last five frames' statistics: above 1.21 in one case of a hundred, as a single
+/// one is above 1.63.
+double median_distance(const ModelRun& run, std::int64_t gas) {
+    std::array<double, 5> distance;
+    for (std::size_t k = 0; k < distance.size(); ++k)
+        distance[k] = distance_to_maxwell(speeds(run, "/frames/000" + std::to_string(52 + k), gas),
+                                          165.0, 0.028);
+    std::sort(distance.begin(), distance.end());
+    return distance[2];
 }
 
 }  // namespace
@@ -150,16 +162,15 @@ TEST_CASE("gas of two inflators keeps to its room, then mixes through the valve"
     const double cold = run.mean(gas_2 + "temperature", 0.05, 0.1);
     const double pressure = run.mean("/history/airbag/1/part/1/pressure", 0.05, 0.1);
     const double exact = 2e-4 / 0.028 * GAS_CONSTANT * 165.0 / 2e-3;
-    constexpr const char* LAST_FRAME = "/frames/00056";  // every 1.8 ms, and at the end
-    const double D_1 = distance_to_maxwell(speeds(run, LAST_FRAME, 1), 165.0, 0.028);
-    const double D_2 = distance_to_maxwell(speeds(run, LAST_FRAME, 2), 165.0, 0.028);
+    // Every 1.8 ms, and at the end: collisions have drawn all velocities anew between two frames
+    const double D_1 = median_distance(run, 1), D_2 = median_distance(run, 2);
     WARN("mixed: " << hot << " and " << cold << " K, " << pressure << " Pa of " << exact
-                   << ", Kolmogorov-Smirnov " << D_1 << " and " << D_2 << " of 1.63");
+                   << ", Kolmogorov-Smirnov " << D_1 << " and " << D_2 << " of 1.21");
     CHECK(hot == Approx(165.0).epsilon(0.01));
     CHECK(cold == Approx(165.0).epsilon(0.01));
     CHECK(pressure == Approx(exact).epsilon(0.003));
-    CHECK(D_1 < 1.63);
-    CHECK(D_2 < 1.63);
+    CHECK(D_1 < 1.21);
+    CHECK(D_2 < 1.21);
     CHECK(last(run, "/history/airbag/1/particles") == 20000);
     const double inflow = last(run, "/history/energy/inflow");
     for (double residual : run.history("/history/energy/residual"))
