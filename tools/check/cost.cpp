@@ -7,6 +7,7 @@
 #include <ctime>
 #include <vector>
 
+#include "gas/particles.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/simulation.hpp"
 #include "tools/check/filling.hpp"

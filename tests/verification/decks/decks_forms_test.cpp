@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gas/particles.hpp"
 #include "solver/base/error.hpp"
 #include "tests/support/decks/stepped_deck.hpp"
 
