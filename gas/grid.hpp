@@ -68,7 +68,9 @@ struct Grid {
     /// nearest cell. Grown until there are at most `most`.
     static Grid fitted(const Vec3& from, const Vec3& to, double edge, std::size_t most) {
         const Vec3 less = Vec3::Constant(0.25 * edge).cwiseMin(0.5 * (to - from));
-        return over(from + less, to - less, edge, most);
+        const Vec3 low = from + less;
+        // Flat is flat, whatever the rounding
+        return over(low, low.cwiseMax(to - less), edge, most);
     }
 };
 

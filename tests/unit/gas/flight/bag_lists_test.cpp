@@ -33,6 +33,11 @@ TEST_CASE("fitted cells are as many as come nearest to each length, and none at 
             CHECK(first < 1.26 * edge);
         }
     }
+    for (int i = 0; i < 1000; ++i) {  // flatter than a cell: one, whatever the rounding
+        const Vec3 low(draw.uniform(), draw.uniform(), draw.uniform());
+        const Vec3 thin(0.01 * draw.uniform(), 0.01 * draw.uniform(), 0.01 * draw.uniform());
+        REQUIRE(Grid::fitted(low, low + thin, 0.1, 1000).size() == 1);
+    }
     const Grid flat = Grid::fitted(Vec3::Zero(), Vec3(1.0, 1.0, 0.0), 0.1, 1000);
     CHECK(flat.count == std::array<int, 3>{10, 10, 1});
     CHECK(Grid::fitted(Vec3::Zero(), Vec3::Ones(), 0.01, 1000).size() <= 1000);

@@ -134,7 +134,7 @@ TEST_CASE("chunks of 30, 10, 10 and 10 ms take 60, 30 and 30 ms on 1, 2 and 4 co
     const auto& site = meter.sites().begin()->first.find("->") == std::string::npos
                            ? *meter.sites().begin()
                            : *meter.sites().rbegin();
-    CHECK(site.first.find("tests/unit/solver/base/parallel_test.cpp:") == 0);
+    CHECK(site.first.find("parallel_test.cpp:") != std::string::npos);
     CHECK(site.second.time == Approx(0.060));
     CHECK(site.second.lost(2) == Approx(0.015));  // 30 ms instead of a quarter of 60
 }
