@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t SMALLEST_SLICE = 512;  ///< particles worth a thread
 constexpr std::size_t MOST_SLICES = 16;      ///< each counts all cells
-constexpr std::size_t CELLS_A_CHUNK = 512;
+constexpr std::size_t SORTED_CELLS_A_CHUNK = 512;
 
 /// Grid::cell_of() of many points, by fours.
 void find_cells(const Grid& grid, std::span<const Vec3> x, Index* cell) {
@@ -65,7 +65,7 @@ void CellSort::sort(const Grid& grid, Particles& particles, bool moves_rows) {
 
 /// From the slices' counts: where each cell begins, and each slice's part of it.
 void CellSort::find_starts(std::size_t slices) {
-    std::vector<Index> before(parallel::chunk_count(cells_, CELLS_A_CHUNK) + 1, 0);
+    std::vector<Index> before(parallel::chunk_count(cells_, SORTED_CELLS_A_CHUNK) + 1, 0);
     const auto sum = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
         Index all = 0;
         for (std::size_t s = 0; s < slices; ++s)
@@ -80,9 +80,9 @@ void CellSort::find_starts(std::size_t slices) {
                 next += std::exchange(fill_[s * cells_ + c], next);
         }
     };
-    parallel::for_chunks(cells_, sum, CELLS_A_CHUNK);
+    parallel::for_chunks(cells_, sum, SORTED_CELLS_A_CHUNK);
     for (std::size_t k = 1; k < before.size(); ++k) before[k] += before[k - 1];
-    parallel::for_chunks(cells_, share_out, CELLS_A_CHUNK);
+    parallel::for_chunks(cells_, share_out, SORTED_CELLS_A_CHUNK);
     start_[cells_] = before.back();
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t MOST_CLEARANCE_CELLS = 1'000'000;
 
-constexpr std::size_t CELLS_A_CHUNK = 4096;
+constexpr std::size_t CLEARANCE_CELLS_A_CHUNK = 4096;
 
 /// Of a cell's edge: nearer than this to its faces, single precision may be wrong about the cell.
 constexpr double ON_A_CELL_FACE = 1e-4;
@@ -125,7 +125,7 @@ void Clearance::number_cells() {
         });
     }
     row_.resize(grid_.size());
-    std::vector<Index> slabs(parallel::chunk_count(grid_.size(), CELLS_A_CHUNK) + 1, 0);
+    std::vector<Index> slabs(parallel::chunk_count(grid_.size(), CLEARANCE_CELLS_A_CHUNK) + 1, 0);
     const auto count = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
         const auto first = off_.begin() + static_cast<std::ptrdiff_t>(begin);
         const auto last = off_.begin() + static_cast<std::ptrdiff_t>(end);
@@ -136,9 +136,9 @@ void Clearance::number_cells() {
         for (std::size_t cell = begin; cell < end; ++cell)
             row_[cell] = off_[cell] == 0 ? next++ : -static_cast<Index>(off_[cell]);
     };
-    parallel::for_chunks(grid_.size(), count, CELLS_A_CHUNK);
+    parallel::for_chunks(grid_.size(), count, CLEARANCE_CELLS_A_CHUNK);
     std::partial_sum(slabs.begin(), slabs.end(), slabs.begin());
-    parallel::for_chunks(grid_.size(), number, CELLS_A_CHUNK);
+    parallel::for_chunks(grid_.size(), number, CLEARANCE_CELLS_A_CHUNK);
     slab_.resize(static_cast<std::size_t>(slabs.back()));  // all are written
 }
 

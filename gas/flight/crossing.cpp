@@ -56,7 +56,7 @@ struct Corners {
         return most;
     }
 };
-Four dot(const Corners& a, const Corners& b) {
+Four inner_product(const Corners& a, const Corners& b) {
     return a.along[0] * b.along[0] + a.along[1] * b.along[1] + a.along[2] * b.along[2];
 }
 Corners cross_product(const Corners& a, const Corners& b) {
@@ -145,9 +145,10 @@ Faces faces_of(const Prism& prism) {
     const FourBits is_3{0, -1, -1, -1};
     const Corners a_4 = a.pick(FourBits{1, 1, 1, 1}), b_3 = b.pick(FourBits{3, 3, 3, 3});
     for (int c = 0; c < 3; ++c) last.along[c] = is_3 ? b_3.along[c] : a_4.along[c];
-    const std::array<Four, 3> row = {dot(normal, a.pick(FourBits{2, 0, 0, 1})),  // 2 0 0 4
-                                     dot(normal, b.pick(FourBits{1, 0, 0, 1})),  // 5 1 1 5
-                                     dot(normal, last)};
+    const std::array<Four, 3> row = {
+        inner_product(normal, a.pick(FourBits{2, 0, 0, 1})),  // 2 0 0 4
+        inner_product(normal, b.pick(FourBits{1, 0, 0, 1})),  // 5 1 1 5
+        inner_product(normal, last)};
     const Four doubtful = all_four(ROUNDING * size * size * size);
     Faces out;
     std::memcpy(out.value.data(), row.data(), sizeof(row));

@@ -10,7 +10,7 @@
 namespace corpuscle::gas {
 namespace {
 
-constexpr std::size_t LISTS_A_CHUNK = 8;
+constexpr std::size_t HIT_LISTS_A_CHUNK = 8;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void WallHits::list(FlightResult& flight, std::span<const Vec3> x_0, std::span<c
                 sides_[first_[l] + k] = static_cast<Index>(side_of(hits[k], x_0, x_1));
             find_patches(hits, first_[l]);
         },
-        LISTS_A_CHUNK);
+        HIT_LISTS_A_CHUNK);
     sort(flight);
 }
 

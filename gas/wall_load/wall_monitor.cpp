@@ -11,7 +11,7 @@
 namespace corpuscle::gas {
 namespace {
 
-constexpr std::size_t PATCHES_A_CHUNK = 8;
+constexpr std::size_t HIT_PATCHES_A_CHUNK = 8;
 
 }  // namespace
 
@@ -34,7 +34,7 @@ void WallMonitor::record(const WallHits& hits, std::span<const Vec3> x_1) {
                     : hit->impulse.dot(vector_area(x_1[a], x_1[b], x_1[c]).normalized());
         }
     };
-    parallel::for_each(hits.patches().size(), take, PATCHES_A_CHUNK);
+    parallel::for_each(hits.patches().size(), take, HIT_PATCHES_A_CHUNK);
     take(hits.patches().size());  // scattered
 }
 

@@ -11,8 +11,8 @@ say() { echo "deb: $*"; }
 fail() { echo "deb: $*" >&2; exit 1; }
 [ "$(id -u)" -eq 0 ] || { say "skipped: not root"; exit 77; }
 command -v debootstrap >/dev/null || { say "skipped: no debootstrap"; exit 77; }
-program=$(find "$folder" -maxdepth 1 -name 'corpuscle_*.deb' 2>/dev/null | head -1)
-library=$(find "$folder" -maxdepth 1 -name 'libcorpuscle-dev_*.deb' 2>/dev/null | head -1)
+program=$(find "$folder" -maxdepth 1 -name 'corpuscle_*.deb' 2>/dev/null | head -1 || true)
+library=$(find "$folder" -maxdepth 1 -name 'libcorpuscle-dev_*.deb' 2>/dev/null | head -1 || true)
 [ -n "$program" ] && [ -n "$library" ] || { say "skipped: no packages in $folder: tools/package/build makes them"; exit 77; }
 mirror=$({ cat /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null || true; } |
     sed -n 's/^URIs: *\(http[^ ]*\/debian\)\/*$/\1/p; s/^deb \(\[[^]]*\] \)\?\(http[^ ]*\/debian\)\/* .*/\2/p' | head -1)
