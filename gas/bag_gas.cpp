@@ -205,11 +205,9 @@ double BagGas::lost_energy() const {
 double BagGas::smoothing_taken() const {
     return bag_->load.taken();
 }
-
 double BagGas::smoothing_given() const {
     return bag_->balance.load_work;
 }
-
 double BagGas::ambient_work() const {
     return bag_->balance.ambient_work;
 }

@@ -204,8 +204,7 @@ void stream(double dt, std::size_t begin, std::size_t count, Particles& gas) {
     for (std::size_t i = 0; i < 3 * count; ++i) x[i] += dt * v[i];
 }
 
-/// Empties a list. Memory that the last flight has hardly used is given back: a burst's would stay
-/// with every chunk it passes.
+/// Empties a list, and gives back memory that the last flight has hardly used: a burst's would stay.
 template <class T>
 void clear(std::vector<T>& list) {
     constexpr std::size_t ALWAYS_KEPT = 32, KEPT = 2;

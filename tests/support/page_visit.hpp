@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/places.hpp"
 #include "tests/unit/io/results/results_scene.hpp"
 #include "tools/report/pictures.hpp"
 

@@ -1,8 +1,8 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
+#include "solver/simulation.hpp"
 #include "gas/enclosure/enclosure.hpp"
 #include "gas/particles.hpp"
-#include "solver/simulation.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -90,9 +90,9 @@ TEST_CASE("check says what a person can judge, and what cannot be", "[check]") {
                            Contains("1e-09 times that would do"));
     CHECK_THAT(absurd, Contains("material 1: its modulus is 3e+17 Pa"));
     CHECK_THAT(sane, !Contains("expected"));
-    CHECK_THAT(check(decks / "wang_nefske_inflator_card.k", "-D UNITS=ton-mm-s"),
-               Contains("airbag 7: Cp of its gas is 0.00100") &&
-                   Contains("1e+06 times that would do"));
+    CHECK_THAT(
+        check(decks / "wang_nefske_inflator_card.k", "-D UNITS=ton-mm-s"),
+        Contains("airbag 7: Cp of its gas is 0.00100") && Contains("1e+06 times that would do"));
 }
 
 TEST_CASE("pounds and inches are spoken of in everyday units, however they are said", "[check]") {

@@ -75,7 +75,8 @@ void check_block(std::istream& found, const std::string& name, std::size_t point
 
 }  // namespace
 
-TEST_CASE("VTK reads our d3plot: shells, places, stress and pressure, parts by their names", "[export]") {
+TEST_CASE("VTK reads our d3plot: shells, places, stress and pressure, parts by their names",
+          "[export]") {
     const test::DeckFolder folder;
     const std::string out = ran(folder, "wang_nefske_inflator_card.k", "out");
     const std::string program = CORPUSCLE_PROGRAM;
