@@ -30,7 +30,7 @@ cat >>"$work/bin/corpuscle" <<'SHIM'
 time_of() { # STEPS DECK [-D NAME=VALUE ...]
     "$program" check "${@:2}" 2>/dev/null | awk -v steps="$1" '
         /, end time / { end = $NF }
-        match($0, /steps of [0-9.e+-]+/) { step = substr($0, RSTART + 9, RLENGTH - 9) + 0 }
+        match($0, /first step [0-9.e+-]+/) { step = substr($0, RSTART + 11, RLENGTH - 11) + 0 }
         END { t = steps * step; if (t > 0) print (t < end ? t : end) }'
 }
 case $1 in
@@ -93,7 +93,7 @@ cp -r models "$work/models"
 (cd "$work/models" && for study in */*.toml; do
     grep -q '^responses' "$study" || continue
     deck=$(dirname "$study")/$(sed -n 's/^deck = "\(.*\)".*/\1/p' "$study")
-    step=$("$program" check "$deck" 2>/dev/null | sed -n 's/^estimate:.*steps of \([0-9.e+-]*\).*/\1/p')
+    step=$("$program" check "$deck" 2>/dev/null | sed -n 's/^estimate: first step \([0-9.e+-]*\).*/\1/p')
     sed -i -E 's/^repeats.*/repeats = 1/; /^until/d; s/^([A-Z]+ *= )\[ *([^],]+),[^]]*\]/\1[\2]/' "$study"
     sed -i "1i until = $(awk -v step="${step:-0.01}" 'BEGIN { print 20 * step }')" "$study"
 done)

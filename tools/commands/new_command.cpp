@@ -17,9 +17,7 @@
 #include "io/system/atomic_file.hpp"
 #include "solver/base/error.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/fold/bag_deck.hpp"
-#include "tools/fold/fold.hpp"
-#include "tools/fold/refusal.hpp"
+#include "tools/commands/new_from_recipe.hpp"
 #include "tools/new_deck.hpp"
 
 namespace corpuscle::tools {
@@ -168,44 +166,6 @@ void hold_round_inflator(const io::DeckMesh& mesh, NewDeck& bag) {
     bag.inflator += (1.0 - NEAR) * std::abs(off) * towards;
 }
 
-/// Between the panels, over the cloth about the recipe's inflator.
-Vec3 middle_of_inflator(const fold::Recipe& recipe, const fold::Bag& bag) {
-    Vec3 sum = Vec3::Zero();
-    for (const Index n : bag.module) sum += bag.sheet.x[n];
-    const double inward = recipe.inflator->is_front ? -0.5 : 0.5;
-    return sum / static_cast<double>(bag.module.size()) +
-           Vec3(0.0, 0.0, inward * recipe.pattern.gap);
-}
-
-/// The middle of a cell, X or x.
-Vec3 middle(const fold::Cell& cell, const Points& x) {
-    const int corners = fold::corner_count(cell);
-    Vec3 sum = Vec3::Zero();
-    for (int c = 0; c < corners; ++c) sum += x[cell[c]];
-    return sum / corners;
-}
-
-/// Of a recipe without an inflator: between the panels, over the middle of the flat back. The
-/// cells' normals point inward.
-Vec3 middle_of_back(const fold::Recipe& recipe, const fold::Bag& bag) {
-    const fold::Sheet& sheet = bag.sheet;
-    Eigen::AlignedBox3d flat;
-    for (const Vec3& X : sheet.X) flat.extend(X);
-    std::size_t nearest = 0;
-    double least = INF;
-    for (std::size_t c = 0; c < sheet.cells.size(); ++c) {
-        const fold::BagPart& part = bag.parts[sheet.part[c]];
-        if (part.is_front || part.title == "tethers") continue;
-        const double away = (middle(sheet.cells[c], sheet.X) - flat.center()).norm();
-        if (away < least) nearest = c;
-        least = std::min(least, away);
-    }
-    const fold::Cell& cell = sheet.cells[nearest];
-    const Points& x = sheet.x;
-    const Vec3 normal = (x[cell[1]] - x[cell[0]]).cross(x[cell[2]] - x[cell[0]]).normalized();
-    return middle(cell, x) + 0.5 * recipe.pattern.gap * normal;
-}
-
 }  // namespace
 
 int new_deck(const NewArguments& arguments) {
@@ -215,22 +175,9 @@ int new_deck(const NewArguments& arguments) {
     if (!fs::is_regular_file(from))
         throw InputError(fmt::format("--from {}: expected a file that can be read", from.string()));
     fs::path mesh = fs::path(deck).replace_extension("mesh.k");
-    std::optional<Vec3> inflator;
-    int tethers = 0;
-    bool is_folded = false, has_vents = false, has_module = false, has_clamps = false;
+    std::optional<RecipeBag> folded;
     if (from.extension() == ".toml") {
-        const fold::Recipe recipe = fold::read_recipe(from.string());
-        const fold::Bag bag = fold::fold(recipe);
-        const fold::Inspection found = fold::inspect(bag, recipe.pattern.gap);
-        fold::refuse_crossings(recipe, bag, found, mesh);
-        io::replace_text(mesh, fold::bag_deck(bag, recipe, found));
-        inflator = recipe.inflator ? middle_of_inflator(recipe, bag) : middle_of_back(recipe, bag);
-        is_folded = true;
-        has_vents = bag.has_vents;
-        if (!recipe.tethers.empty()) tethers = recipe.parts.tether;
-        has_module = !bag.module.empty();
-        has_clamps = !bag.clamped.empty();
-        fmt::print("{}\n", fold::text(found));
+        folded = bag_of_recipe(from, mesh);
     } else if (from.extension() == ".k" || from.extension() == ".key") {
         mesh = from;
     } else {
@@ -243,16 +190,13 @@ int new_deck(const NewArguments& arguments) {
                         "and parts",
                         mesh.string()));
     NewDeck bag = bag_of(mesh);
-    if (inflator) bag.inflator = *inflator;
-    if (!is_folded) hold_round_inflator(io::read_deck_mesh(mesh), bag);
+    if (folded)
+        take_recipe(*folded, bag);
+    else
+        hold_round_inflator(io::read_deck_mesh(mesh), bag);
     bag.title = fmt::format("bag of {}", from.filename().string());
     if (mesh == from) bag.mesh = fs::relative(mesh, fs::absolute(deck).parent_path()).string();
     if (text.find("\n*PART\n") != std::string::npos) bag.numbered_parts = bag.parts;
-    bag.has_part_set = is_folded;
-    bag.has_vents = has_vents;
-    bag.has_module = has_module;
-    bag.has_clamps = has_clamps;
-    bag.tethers = tethers;
     if (arguments.head) bag.head = std::max(900, *bag.parts.rbegin() + 1);
     io::replace_text(deck, new_deck(bag));
     const fs::path study = fs::path(deck).replace_extension("study.toml");
