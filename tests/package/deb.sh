@@ -1,36 +1,37 @@
 #!/usr/bin/env bash
-# The Debian packages on a bare Debian 12, a fresh minimal system in a folder of its own: installs the program with what
+# The Debian packages of a build on a bare Debian 12, a fresh minimal system in a folder of its own: installs the program with what
 # it depends on and nothing else, runs the main job, a report and a restart, installs the libraries, builds and runs
 # examples/ on them, removes all, and holds files and packages of the system to those of before.
-# usage: deb.sh FOLDER     FOLDER: of the two packages, as tools/package/build makes them
-# Skipped (77) without root, debootstrap or packages. Some minutes; fetches some 400 MB from Debian's mirror.
+# usage: deb.sh BUILD      BUILD: a build tree; build/package, as tools/package/build makes it, holds what is given away
+# Skipped (77) without root, debootstrap, mounts or Debian's mirror. Some minutes; fetches some 400 MB.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-folder=${1:-build/package}
+build=${1:-build/package}
 say() { echo "deb: $*"; }
 fail() { echo "deb: $*" >&2; exit 1; }
-[ "$(id -u)" -eq 0 ] || { say "skipped: not root"; exit 77; }
-command -v debootstrap >/dev/null || { say "skipped: no debootstrap"; exit 77; }
-program=$(find "$folder" -maxdepth 1 -name 'corpuscle_*.deb' 2>/dev/null | head -1 || true)
-library=$(find "$folder" -maxdepth 1 -name 'libcorpuscle-dev_*.deb' 2>/dev/null | head -1 || true)
-[ -n "$program" ] && [ -n "$library" ] || { say "skipped: no packages in $folder: tools/package/build makes them"; exit 77; }
+skip() { say "skipped: $*"; exit 77; }
+[ "$(id -u)" -eq 0 ] || skip "not root"
+command -v debootstrap >/dev/null || skip "no debootstrap"
 mirror=$({ cat /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null || true; } |
     sed -n 's/^URIs: *\(http[^ ]*\/debian\)\/*$/\1/p; s/^deb \(\[[^]]*\] \)\?\(http[^ ]*\/debian\)\/* .*/\2/p' | head -1)
 
 root=$(mktemp -d /var/tmp/deb-test.XXXXXX)
 clean() {
     umount -l "$root/proc" "$root/dev" 2>/dev/null || true
+    rm -f "$root.log"
     mountpoint -q "$root/proc" || mountpoint -q "$root/dev" || rm -rf --one-file-system "$root"
 }
 trap clean EXIT
-debootstrap --variant=minbase bookworm "$root" "${mirror:-http://deb.debian.org/debian}" >/dev/null
-mount -t proc proc "$root/proc"
-mount --bind /dev "$root/dev"
+debootstrap --variant=minbase bookworm "$root" "${mirror:-http://deb.debian.org/debian}" >"$root.log" 2>&1 || skip "no system from ${mirror:-deb.debian.org}: $(tail -1 "$root.log")"
+mount -t proc proc "$root/proc" && mount --bind /dev "$root/dev" || skip "nothing can be mounted here"
+cpack --config "$build/CPackConfig.cmake" -B "$root/job" >/dev/null
+program=$(find "$root/job" -maxdepth 1 -name 'corpuscle_*.deb')
+library=$(find "$root/job" -maxdepth 1 -name 'libcorpuscle-dev_*.deb')
+[ -n "$program" ] && [ -n "$library" ] || fail "$build makes no two packages"
 cp /etc/resolv.conf "$root/etc/resolv.conf"
 cp -r /etc/apt/apt.conf.d/. "$root/etc/apt/apt.conf.d/"
 cp -r /usr/local/share/ca-certificates/. "$root/usr/local/share/ca-certificates/" 2>/dev/null || true
 mkdir -p "$root/job/models" "$root/job/tests"
-cp "$program" "$library" "$root/job"
 cp -r examples "$root/job"
 cp -r tests/package "$root/job/tests"
 cp -r models/tank_test "$root/job/models"
