@@ -21,7 +21,7 @@ namespace {
 constexpr double COLDEST = 50.0;  ///< gas that expands from anything warmer may get this cold   [K]
 constexpr double HOTTER = 1.2;    ///< head room over the hottest gas that comes in: a shock heats
 
-using Faults = std::vector<std::string>;
+using Faults = std::vector<Fault>;
 
 /// Least and greatest value of a curve from `begins` to `ends`.
 std::pair<double, double> range(const Curve& curve, double begins, double ends) {
@@ -38,13 +38,14 @@ const Curve* find(std::span<const Curve> curves, Index row, const std::string& u
                   Faults& faults) {
     if (row >= 0 && static_cast<std::size_t>(row) < curves.size() && !curves[row].empty())
         return &curves[row];
-    faults.push_back(use + ": no curve is given");
+    faults.push_back({.of = use, .why = "no curve is given"});
     return nullptr;
 }
 
 /// Areas of an inflator's orifices as shares of 1; other inflators' orifices get 0.
-std::vector<double> shares(const std::vector<OrificeCard>& orifices, int inflator,
-                           const std::string& name, Faults& faults) {
+std::vector<double> shares(const BagCard& card, int inflator, const std::string& name,
+                           Faults& faults) {
+    const std::vector<OrificeCard>& orifices = card.orifices;
     std::vector<double> share(orifices.size(), 0.0);
     bool has_orifice = false;
     for (std::size_t o = 0; o < orifices.size(); ++o) {
@@ -52,16 +53,20 @@ std::vector<double> shares(const std::vector<OrificeCard>& orifices, int inflato
         has_orifice = true;
         share[o] = orifices[o].weight;
         if (!(share[o] >= 0.0))
-            faults.push_back(
-                fmt::format("orifice {}: area AN = {:g}, expected >= 0", o + 1, share[o]));
+            faults.push_back({.of = card.name(),
+                              .property = Property::ORIFICE_AREA,
+                              .which = "orifice " + std::to_string(o + 1),
+                              .value = share[o],
+                              .why = "expected >= 0"});
     }
     const double sum = std::accumulate(share.begin(), share.end(), 0.0);
     if (!has_orifice)
         faults.push_back(
-            fmt::format("{}: inflator {} has no orifice to enter through", name, inflator));
+            {.of = name,
+             .why = fmt::format("inflator {} has no orifice to enter through", inflator)});
     else if (!(sum > 0.0))
         faults.push_back(
-            fmt::format("{}: the orifices of inflator {} have no area", name, inflator));
+            {.of = name, .why = fmt::format("the orifices of inflator {} have no area", inflator)});
     for (double& s : share) s /= sum;
     return share;
 }
@@ -80,9 +85,9 @@ void check_uniform_air(const BagCard& card, double low, double high, Faults& fau
                               fmt::format("initial air of bag {}", card.id));
         std::string fault = species.fault_between(std::min(low, air.temperature),
                                                   std::max(high, HOTTER * air.temperature));
-        if (!fault.empty()) faults.push_back(std::move(fault));
+        if (!fault.empty()) faults.push_back({.of = {}, .why = std::move(fault)});
     } catch (const InputError& e) {
-        faults.insert(faults.end(), e.faults.begin(), e.faults.end());
+        faults.insert(faults.end(), e.typed.begin(), e.typed.end());
     }
 }
 
@@ -100,10 +105,11 @@ Inflators::Inflators(const BagCard& card, std::span<const Curve> curves, std::ui
         const OrificeCard& orifice = card.orifices[o];
         const bool is_jet = orifice.direction.has_value() || orifice.shell >= 0;
         if (is_jet && !(orifice.cone >= 0.0 && orifice.cone <= std::numbers::pi))
-            faults.push_back(
-                fmt::format("orifice {}: half angle of the cone = {:g} rad, expected "
-                            "0 to pi",
-                            o + 1, orifice.cone));
+            faults.push_back({.of = card.name(),
+                              .property = Property::CONE_ANGLE,
+                              .which = "orifice " + std::to_string(o + 1),
+                              .value = orifice.cone,
+                              .why = "expected 0 to pi"});
         cone_.push_back(orifice.cone);
     }
     for (std::size_t g = 0; g < card.inflow.size(); ++g)
@@ -116,8 +122,8 @@ Inflators::Inflators(const BagCard& card, std::span<const Curve> curves, std::ui
     // A gas is met at any temperature that any of them has, once they are mixed.
     for (const Species& s : species_)
         if (std::string fault = s.fault_between(low_, high_); !fault.empty())
-            faults.push_back(std::move(fault));
-    if (faults.empty() && !species_.empty()) share_particles(particles_of(card), faults);
+            faults.push_back({.of = {}, .why = std::move(fault)});
+    if (faults.empty() && !species_.empty()) share_particles(card, faults);
     if (!faults.empty()) throw InputError(std::move(faults));
 }
 
@@ -126,11 +132,11 @@ void Inflators::add_gas(const BagCard& card, const InflowCard& inflow, const std
     const std::size_t known = faults.size();
     const Curve* rate = find(curves, inflow.mass_rate, name + ", mass flow", faults);
     const Curve* T = find(curves, inflow.temperature, name + ", temperature", faults);
-    std::vector<double> share = shares(card.orifices, inflow.inflator, name, faults);
+    std::vector<double> share = shares(card, inflow.inflator, name, faults);
     try {
         species_.emplace_back(inflow.species, card.gas_constant, name);
     } catch (const InputError& e) {
-        faults.insert(faults.end(), e.faults.begin(), e.faults.end());
+        faults.insert(faults.end(), e.typed.begin(), e.typed.end());
     }
     if (faults.size() > known) return;
 
@@ -138,22 +144,25 @@ void Inflators::add_gas(const BagCard& card, const InflowCard& inflow, const std
     const auto [rate_low, rate_high] = range(*rate, flow.begins(), flow.ends());
     const auto [T_low, T_high] = range(*T, flow.begins(), flow.ends());
     if (!(rate_low >= 0.0))
-        faults.push_back(fmt::format("{}: mass-flow curve {} falls to {:g}, expected >= 0", name,
-                                     rate->id, rate_low));
+        faults.push_back({.of = name,
+                          .why = fmt::format("mass-flow curve {} falls to {:g}, expected >= 0",
+                                             rate->id, rate_low)});
     else if (!(flow.total() > 0.0))
-        faults.push_back(fmt::format("{}: mass-flow curve {} brings nothing in until {:g}", name,
-                                     rate->id, card.all_in));
+        faults.push_back({.of = name,
+                          .why = fmt::format("mass-flow curve {} brings nothing in until {:g}",
+                                             rate->id, card.all_in)});
     if (!(T_low > 0.0)) {
-        faults.push_back(fmt::format("{}: temperature curve {} falls to {:g}, expected > 0 K", name,
-                                     T->id, T_low));
+        faults.push_back({.of = name,
+                          .why = fmt::format("temperature curve {} falls to {:g}, expected > 0 K",
+                                             T->id, T_low)});
         return;
     }
     const double T_stag = species_.back().stagnation_temperature(T_high);
     if (!(T_stag > 0.0))
         faults.push_back(
-            fmt::format("{}: no temperature holds the enthalpy at {:g} K; Cv turns "
-                        "negative above",
-                        name, T_high));
+            {.of = name,
+             .why = fmt::format(
+                 "no temperature holds the enthalpy at {:g} K; Cv turns negative above", T_high)});
     else
         high_ = std::max(high_, HOTTER * T_stag);
     low_ = std::min(low_, T_low);
@@ -167,7 +176,7 @@ void Inflators::add_air(const BagCard& card, double volume, Faults& faults) {
         species_.emplace_back(air.species, card.gas_constant,
                               fmt::format("initial air of bag {}", card.id));
     } catch (const InputError& e) {
-        faults.insert(faults.end(), e.faults.begin(), e.faults.end());
+        faults.insert(faults.end(), e.typed.begin(), e.typed.end());
         return;
     }
     resident_moles_ = air.pressure * volume / (card.gas_constant * air.temperature);
@@ -177,13 +186,20 @@ void Inflators::add_air(const BagCard& card, double volume, Faults& faults) {
 
 /// Particles of each gas in proportion to its moles, by largest remainder, so that all sum up to
 /// NP.
-void Inflators::share_particles(std::size_t particles, Faults& faults) {
+void Inflators::share_particles(const BagCard& card, Faults& faults) {
+    const std::size_t particles = particles_of(card);
+    const auto refuse = [&](std::string why) {
+        faults.push_back({.of = card.name(),
+                          .property = Property::PARTICLE_NUMBER,
+                          .value = static_cast<double>(particles),
+                          .why = std::move(why)});
+    };
     std::vector<double> moles;
     for (std::size_t g = 0; g < gases_.size(); ++g)
         moles.push_back(gases_[g].flow.total() / species_[g].molar_mass());
     if (species_.size() > gases_.size()) moles.push_back(resident_moles_);
     if (particles == 0) {
-        faults.emplace_back("NP = 0 particles, expected > 0");
+        refuse("expected > 0");
         return;
     }
     moles_each_ = std::accumulate(moles.begin(), moles.end(), 0.0) / static_cast<double>(particles);
@@ -203,10 +219,7 @@ void Inflators::share_particles(std::size_t particles, Faults& faults) {
         remainder[most] -= 1.0;
     }
     for (std::size_t g = 0; g < moles.size(); ++g)
-        if (count[g] == 0)
-            faults.push_back(
-                fmt::format("{}: NP = {} particles are too few to hold any of this gas",
-                            species_[g].name(), particles));
+        if (count[g] == 0) refuse("too few to hold any of " + species_[g].name());
     for (std::size_t g = 0; g < gases_.size(); ++g) gases_[g].particles = count[g];
     if (moles.size() > gases_.size()) resident_ = count.back();
 }

@@ -11,6 +11,7 @@
 #include "gas/inflow/flow_curve.hpp"
 #include "gas/thermo/species.hpp"
 #include "solver/base/curve.hpp"
+#include "solver/base/fault.hpp"
 
 namespace corpuscle::gas {
 
@@ -101,9 +102,9 @@ private:
         std::int32_t inflow, orifice;
     };
     void add_gas(const BagCard& card, const InflowCard& inflow, const std::string& name,
-                 std::span<const Curve> curves, std::vector<std::string>& faults);
-    void add_air(const BagCard& card, double volume, std::vector<std::string>& faults);
-    void share_particles(std::size_t particles, std::vector<std::string>& faults);
+                 std::span<const Curve> curves, std::vector<Fault>& faults);
+    void add_air(const BagCard& card, double volume, std::vector<Fault>& faults);
+    void share_particles(const BagCard& card, std::vector<Fault>& faults);
     [[nodiscard]] std::int64_t entered(std::size_t inflow) const;
     [[nodiscard]] double entry_time(std::size_t inflow, std::int64_t k) const;
     [[nodiscard]] std::int32_t next_orifice(std::size_t inflow) const;

@@ -132,12 +132,11 @@ void Openings::add_vent(const BagWalls& walls, const VentCard& vent, Index row,
                                .why = "nozzle flow through an internal one, expected plain holes: "
                                       "they pass gas both ways"});
     if (is_internal && most(vent) > 1.0)
-        throw InputError(
-            Fault{.of = name_,
-                  .property = Property::VENT_COEFFICIENT,
-                  .which = which,
-                  .value = most(vent),
-                  .why = fmt::format("{:g} of an internal one, expected 0 to 1", most(vent))});
+        throw InputError(Fault{.of = name_,
+                               .property = Property::VENT_COEFFICIENT,
+                               .which = which,
+                               .value = most(vent),
+                               .why = "expected 0 to 1 of an internal one"});
     for (std::size_t room = 0; room < surface.rooms(); ++room) {
         Opening opening;
         opening.vent = row;

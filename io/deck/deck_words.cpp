@@ -58,6 +58,14 @@ std::string_view word_of_bag(Property property, std::string_view of) {
             return "ENH_V";
         case Property::ORIFICE_PLACE:
             return "NID";
+        case Property::ORIFICE_AREA:
+            return "AN";
+        case Property::CONE_ANGLE:
+            return "CA in radians";
+        case Property::PARTICLE_NUMBER:
+            return "NP";
+        case Property::HOLE_SHARE:
+            return "share of the bag's area (-D CLOSE=SHARE)";
         case Property::POROSITY:
             return "X0 to X3";
         case Property::INITIAL_AIR:

@@ -40,6 +40,10 @@ enum class Property : std::uint8_t {
     VENT_COEFFICIENT,
     VENT_LAW,
     ORIFICE_PLACE,
+    ORIFICE_AREA,
+    CONE_ANGLE,
+    PARTICLE_NUMBER,
+    HOLE_SHARE,
     POROSITY,
     INITIAL_AIR,
     START_VOLUME,
@@ -75,6 +79,10 @@ enum class Property : std::uint8_t {
         "discharge coefficient",
         "law",
         "place",
+        "area",
+        "half angle of the cone [rad]",
+        "number of particles",
+        "share of the bag's area",
         "porosity",
         "initial air",
         "volume at the start",
@@ -92,17 +100,18 @@ struct Fault {
     std::string why{};  ///< "expected > 0", "no shell of it is in the bag"
 
     /// "material 17: shear modulus = 0, expected > 0", "bag 1, wall of vent 2: no shell of it is in
-    /// the bag"; with the property by another name, if `word` is one.
+    /// the bag", "bag 1: area of orifice 2 = -1, expected >= 0"; with the property by another name,
+    /// if `word` is one.
     [[nodiscard]] std::string text(std::string_view word = {}) const {
         if (of.empty()) return why;
-        if (property == Property::NONE) return of + ": " + why;
-        const std::string what(word.empty() ? name_of(property) : word);
-        if (value == value && which.empty()) {
-            std::array<char, 32> digits{};
-            std::snprintf(digits.data(), digits.size(), "%g", value);
-            return of + ": " + what + " = " + digits.data() + ", " + why;
-        }
-        return of + ", " + what + (which.empty() ? "" : " of " + which) + ": " + why;
+        std::string what(word.empty() ? name_of(property) : word), line = of;
+        if (what.empty()) return line.append(": ").append(why);
+        if (!which.empty()) what.append(" of ").append(which);
+        if (value != value) return line.append(", ").append(what).append(": ").append(why);
+        std::array<char, 32> digits{};
+        std::snprintf(digits.data(), digits.size(), "%g", value);
+        line.append(": ").append(what).append(" = ").append(digits.data());
+        return line.append(", ").append(why);
     }
 };
 

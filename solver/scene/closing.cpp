@@ -161,7 +161,7 @@ std::string advice(const Model& model, const Bag& bag, const Hole& hole) {
     return text;
 }
 
-void close_bag(Model& model, Bag bag, std::vector<std::string>& faults) {
+void close_bag(Model& model, Bag bag, std::vector<Fault>& faults) {
     if (free_edges(model, bag.shells()).empty()) return;
     if (model.closes_bags) {
         tie_hanging_nodes(model, bag);
@@ -173,20 +173,21 @@ void close_bag(Model& model, Bag bag, std::vector<std::string>& faults) {
             put_lid(model, bag, hole);
             continue;
         }
-        faults.push_back(fmt::format(
-            "{}: is not closed: {}{}{}", bag.name(), hole.text(model), advice(model, bag, hole),
-            model.closes_bags && hole.is_loop
-                ? fmt::format("; lids close up to {:.3g} of the bag's area, this is {:.3g} "
-                              "(-D CLOSE=SHARE)",
-                              model.lid_share, hole.area / area)
-                : ""));
+        const std::string what = "is not closed: " + hole.text(model) + advice(model, bag, hole);
+        Fault fault{.of = bag.name(), .why = what};
+        if (model.closes_bags && hole.is_loop)
+            fault = {.of = bag.name() + ": " + what,
+                     .property = Property::HOLE_SHARE,
+                     .value = hole.area / area,
+                     .why = fmt::format("lids close up to {:.3g}", model.lid_share)};
+        faults.push_back(std::move(fault));
     }
 }
 
 }  // namespace
 
 void close_bags(Model& model) {
-    std::vector<std::string> faults;
+    std::vector<Fault> faults;
     for (std::size_t b = 0; b < model.bags.size(); ++b)
         close_bag(model, Bag(model, model.bags[b]), faults);
     for (std::size_t b = 0; b < model.uniform_bags.size(); ++b)

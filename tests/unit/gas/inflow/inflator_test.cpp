@@ -227,7 +227,7 @@ TEST_CASE("inflow that cannot be is refused", "[gas]") {
     }
     SECTION("no particles") {
         scene.card.particles = 0;
-        CHECK_THROWS_WITH(scene.inflators(), Catch::Contains("NP = 0"));
+        CHECK_THROWS_WITH(scene.inflators(), Catch::Contains("number of particles = 0"));
     }
     SECTION("a heat capacity that no gas has at the heat of its neighbour") {
         scene.card.inflow[0].species = {0.044, 22.26, 59.81e-3, -35.01e-6};
