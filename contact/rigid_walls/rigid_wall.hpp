@@ -19,7 +19,9 @@ struct WallBodies {
     std::span<const Index> of_node;  ///< by node row: number of its body, or -1; empty: no bodies
     std::span<RigidProxy> proxies;   ///< by number
 
+    /// Whether the node is one of a body.
     [[nodiscard]] bool has(Index node) const { return !of_node.empty() && of_node[node] >= 0; }
+    /// That body; only of a node that has() one.
     [[nodiscard]] RigidProxy& of(Index node) const { return proxies[of_node[node]]; }
 };
 
@@ -65,6 +67,7 @@ public:
     [[nodiscard]] double held_work() const { return held_work_; }
     [[nodiscard]] double kinetic_energy() const;  ///< of its mass                              [J]
 
+    /// Whether its card gives it a motion.
     [[nodiscard]] bool moves() const { return !card_.motion.direction.isZero(0.0); }
     [[nodiscard]] const Vec3& displacement() const { return shift_; }  ///< at t                [m]
     [[nodiscard]] const Vec3& velocity() const { return velocity_; }   ///< at t + dt/2       [m/s]
