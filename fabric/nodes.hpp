@@ -18,6 +18,7 @@ struct Nodes {
     Points f;                  ///< force at t             N × 3    [N]
     std::vector<double> mass;  ///< lumped; 0: a place without matter, moves as it started   N [kg]
 
+    /// N.
     [[nodiscard]] std::size_t size() const { return x.size(); }
 
     /// f += more; an empty `more` is no force.

@@ -19,6 +19,7 @@ struct FabricCurves {
     std::array<Index, 3> unload{-1, -1, -1};  ///< LCUA, LCUB, LCUAB; none: as loaded
     double reload = 0.0;  ///< RL: 0 reloads along the unloading curve, 1 along its chord    [-]
 
+    /// Whether any curve is given, of loading or unloading.
     [[nodiscard]] bool any() const {
         for (const auto& rows : {load, unload})
             for (const Index row : rows)
@@ -34,6 +35,7 @@ struct StrainRestoration {
     Index share_curve = -1;   ///< TSRFAC < 0: the same over time
     Index course_curve = -1;  ///< TSRFAC >= 1: what has come back so far over time, 0 to 1
 
+    /// Whether the card asks for it.
     [[nodiscard]] bool any() const { return share > 0.0 || share_curve >= 0 || course_curve >= 0; }
 };
 
@@ -51,6 +53,7 @@ struct FabricCoat {
     double coat_thickness = 0.0;  ///< |TCOAT|, of the coat on each side                     [m]
     bool coat_stretches = true;   ///< TCOAT > 0: it adds to the membrane; else it only bends
 
+    /// Whether it has both, modulus and thickness; else the coat is left out.
     [[nodiscard]] bool has_coat() const { return coat_E > 0.0 && coat_thickness > 0.0; }
 };
 
@@ -66,6 +69,7 @@ struct FabricLeak {
     bool leak_from_reference = false;  ///< A0REF = 1: the reference shape's area counts
     std::optional<std::array<double, 4>> leak_growth;  ///< X0-X3, instead of FLC and FAC    [-]
 
+    /// Whether the card gives a leak: X0-X3, or an area and a velocity.
     [[nodiscard]] bool leaks() const {
         const bool has_area = leak_area != 0.0 || leak_area_curve >= 0;
         const bool has_velocity = leak_velocity != 0.0 || leak_velocity_curve >= 0;
@@ -116,10 +120,11 @@ struct RigidCard {
 
 using MaterialCard = std::variant<FabricCard, ElasticCard, NullCard, RigidCard, OwnCard>;
 
+/// One material of the deck.
 struct Material {
-    int id = 0;  ///< MID
-    std::string title;
-    MaterialCard card;
+    int id = 0;         ///< MID
+    std::string title;  ///< from the deck, may be empty
+    MaterialCard card;  ///< its law and numbers, by keyword
 };
 
 }  // namespace corpuscle::fabric
