@@ -10,14 +10,15 @@ namespace corpuscle::gas {
 
 /// The gas of a bag at t.
 struct GasState {
-    double volume = 0;       ///< [m^3]
-    double pressure = 0;     ///< absolute                                                  [Pa]
-    double temperature = 0;  ///< at which the gas at rest would hold its energy             [K]
-    double area = 0;         ///< of what closes the bag                                   [m^2]
-    double mass = 0;         ///< inside                                                    [kg]
-    double mass_in = 0;      ///< so far                                                    [kg]
-    double mass_out_vent = 0, mass_out_fabric = 0;  ///< so far                             [kg]
-    double particles_out = 0;                       ///< so far                              [-]
+    double volume = 0;         ///< [m^3]
+    double pressure = 0;       ///< absolute                                                  [Pa]
+    double temperature = 0;    ///< at which the gas at rest would hold its energy             [K]
+    double area = 0;           ///< of what closes the bag                                   [m^2]
+    double mass = 0;           ///< inside                                                    [kg]
+    double mass_in = 0;        ///< so far                                                    [kg]
+    double mass_out_vent = 0,  ///< through vents, so far  [kg]
+        mass_out_fabric = 0;   ///< through fabric that leaks, so far  [kg]
+    double particles_out = 0;  ///< so far                              [-]
     double energy = 0;         ///< all that the gas inside holds                            [J]
     double translational = 0;  ///< of which makes pressure, p = 2/3 translational / volume  [J]
     /// One gas of it.
@@ -40,8 +41,8 @@ struct ChamberState {
 
 /// A chamber's state while it is added up, room by room.
 struct ChamberSum {
-    ChamberState state;
-    double pV = 0.0;           ///< [J]
+    ChamberState state;        ///< as far as it is added up
+    double pV = 0.0;           ///< sum of the rooms' pressure times volume                  [J]
     EnergyPolynomial content;  ///< energy of its gas at rest, as a polynomial in T
 };
 

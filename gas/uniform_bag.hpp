@@ -41,8 +41,13 @@ public:
     /// Step in which a five-hundredth of the gas leaves. [s]
     [[nodiscard]] double stable_step() const;
 
+    /// Of the bag at t, area with nodes at x; without what has left (mass_out()). With a VolumeLaw
+    /// volume, area and gauge pressure alone.
     [[nodiscard]] GasState state(const Points& x) const;
+    /// Of each part: its area with nodes at x, and PSCA times pressure(); mass out and heat are 0.
     [[nodiscard]] PartState part_state(const Points& x) const;
+    /// Adds to each shell's `force` PSCA (p - p_atm) times its area, and the area to `area`.
+    ///                                                                               E [N], E [m^2]
     void add_shell_load(const Points& x, std::span<double> force, std::span<double> area) const;
 
     [[nodiscard]] double energy() const { return gas_.energy(); }            ///< [J]
@@ -57,12 +62,16 @@ public:
     [[nodiscard]] double rate_in() const { return rate_in_; }    ///< in the last step   [kg/s]
     [[nodiscard]] double rate_out() const { return rate_out_; }  ///< in the last step   [kg/s]
 
+    /// As it was built with.
     [[nodiscard]] const UniformBagCard& card() const { return card_; }
+    /// As it was built with, all closing.
     [[nodiscard]] const BagWalls& walls() const { return walls_; }
+    /// The closed surface of its walls.
     [[nodiscard]] const Enclosure& enclosure() const { return enclosure_; }
     [[nodiscard]] const ControlVolume& gas() const { return gas_; }  ///< none with a VolumeLaw
     /// Absolute, at t; that of a VolumeLaw is gauge.                                        [Pa]
     [[nodiscard]] double pressure() const { return card_.law ? law_pressure_ : gas_.pressure(); }
+    /// What the user should know of the bag as it was built, a sentence each.
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).

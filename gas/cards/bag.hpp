@@ -25,7 +25,7 @@ struct SpeciesCard {
 
 /// A gas that flows in.
 struct InflowCard {
-    SpeciesCard species;
+    SpeciesCard species;     ///< its molar mass and heat capacity
     Index mass_rate = -1;    ///< LCM: curve row, mass flow over time              [kg/s]
     Index temperature = -1;  ///< LCT: curve row, static temperature over time     [K]
     int inflator = 1;        ///< INFG
@@ -46,7 +46,7 @@ struct OrificeCard {
 
 /// Air that is in the bag at the start.
 struct InitialAirCard {
-    SpeciesCard species;
+    SpeciesCard species;        ///< its molar mass and heat capacity
     double pressure = NaN;      ///< PAIR  [Pa]
     double temperature = NaN;   ///< TAIR  [K]
     bool is_particles = false;  ///< IAIR = 2
@@ -77,9 +77,9 @@ struct AmbientCard {
 
 /// One *AIRBAG_PARTICLE.
 struct BagCard : AmbientCard {
-    std::string kind = "bag";  ///< for messages: "*AIRBAG_PARTICLE"
-    int id = 0;                ///< the _ID card's number, else order in the deck from 1
-    std::string title;
+    std::string kind = "bag";           ///< for messages: "*AIRBAG_PARTICLE"
+    int id = 0;                         ///< the _ID card's number, else order in the deck from 1
+    std::string title;                  ///< from the deck, may be empty
     std::vector<Index> external_parts;  ///< SID1 without SID2: part rows whose shells close the bag
     std::vector<Index> internal_parts;  ///< SID2: part rows inside (tethers, diffusers, valves)
     std::size_t particles = 200000;     ///< NP
@@ -103,6 +103,7 @@ struct BagCard : AmbientCard {
     double normal_damping = 0.0;              ///< VNDAMP                                 [-]
     double smoothing = 1.0;  ///< SFFDC, scales the time over which impulse is released [-]
 
+    /// For messages: "*AIRBAG_PARTICLE 1".
     [[nodiscard]] std::string name() const { return kind + ' ' + std::to_string(id); }
 };
 

@@ -55,6 +55,7 @@ struct BlockCard {
 
     bool by_pressure = false;  ///< M = 2: external vents, where contact presses more than the gas
 
+    /// Whether touching closes anything.
     [[nodiscard]] bool any() const {
         return fabric || external_vents || internal_vents || by_pressure;
     }

@@ -34,7 +34,9 @@ public:
     /// [van Oosterom & Strackee 1983, Eq. 8]. Cost: one atan2 a triangle.
     [[nodiscard]] bool contains(const Vec3& point, std::span<const Vec3> x) const;
 
+    /// T × 3 node rows, normals outward.
     [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
+    /// Rows of the nodes that triangles have, each once.
     [[nodiscard]] std::span<const Index> nodes() const { return nodes_; }
     [[nodiscard]] std::size_t turned() const {
         return turned_;

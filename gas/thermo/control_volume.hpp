@@ -18,12 +18,14 @@ namespace corpuscle::gas {
 /// t - dt/2 to t + dt/2. settle() finds the state at t; work() books the kick's.
 class ControlVolume {
 public:
+    /// Empty of gas at first.
+    /// @param species  one at least, all of the same gas constant R
     explicit ControlVolume(std::vector<Species> species)
         : species_(std::move(species)), moles_(species_.size(), 0.0) {
         assert(!species_.empty());
     }
 
-    /// Gas of one species with all that it carries.                                 [mol], [J]
+    /// Adds gas of one species with all the energy that it carries.                  [mol], [J]
     void add(std::size_t species, double moles, double energy) {
         moles_[species] += moles;
         energy_ += energy;
@@ -50,9 +52,13 @@ public:
     [[nodiscard]] double volume() const { return volume_; }            ///< [m^3]
     [[nodiscard]] double energy() const { return energy_at_t_; }       ///< [J]
 
+    /// As it was built with.
     [[nodiscard]] const std::vector<Species>& species() const { return species_; }
+    /// Of one species, by row.                                                      [mol]
     [[nodiscard]] double moles(std::size_t species) const { return moles_[species]; }
+    /// Of all species.                                                              [mol]
     [[nodiscard]] double moles() const;
+    /// Of one species, by row.                                                       [kg]
     [[nodiscard]] double mass(std::size_t s) const { return moles_[s] * species_[s].molar_mass(); }
     [[nodiscard]] double mass() const;      ///< [kg]
     [[nodiscard]] double gamma() const;     ///< Cp / Cv of the mixture at T              [-]

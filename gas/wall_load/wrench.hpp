@@ -10,25 +10,30 @@ namespace corpuscle::gas {
 struct Wrench {
     Vec3 linear = Vec3::Zero();   ///< [N s]
     Vec3 angular = Vec3::Zero();  ///< [N m s]
+    /// Adds both, about the same origin.
     Wrench& operator+=(const Wrench& o) {
         linear += o.linear;
         angular += o.angular;
         return *this;
     }
+    /// Takes off both.
     Wrench& operator-=(const Wrench& o) {
         linear -= o.linear;
         angular -= o.angular;
         return *this;
     }
+    /// Multiplies both.                                                                       [-]
     Wrench& operator*=(double factor) {
         linear *= factor;
         angular *= factor;
         return *this;
     }
+    /// Adds an impulse [N s] that acts at a place [m], and its moment about the origin.
     void add(const Vec3& at, const Vec3& impulse) {
         linear += impulse;
         angular += at.cross(impulse);
     }
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(linear, angular);
