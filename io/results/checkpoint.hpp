@@ -14,7 +14,7 @@ namespace corpuscle::io {
 struct Checkpoint {
     std::uint64_t scene = 0;  ///< fingerprint of the scene
     double t = 0.0;           ///< [s]
-    std::int64_t step = 0;
+    std::int64_t step = 0;    ///< made so far
     std::vector<char> state;  ///< of the simulation and its outputs (solver/base/archive.hpp)
 };
 
@@ -25,6 +25,7 @@ void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& che
 /// version of the program
 [[nodiscard]] std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& folder);
 
+/// Should there be one; without it a restart begins at the start.
 void remove_checkpoint(const std::filesystem::path& folder);
 
 }  // namespace corpuscle::io
