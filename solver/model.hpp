@@ -34,12 +34,18 @@ struct ShellReference {
 /// Bits 0-2: translation x y z, bits 3-5: rotation (membranes have none).
 using DofMask = unsigned;
 
-struct Support {  ///< *BOUNDARY_SPC
-    Index node = -1;
+/// *BOUNDARY_SPC.
+struct Support {
+    Index node = -1;    ///< row
     DofMask fixed = 0;  ///< held for good
 };
 
-enum class MotionKind { VELOCITY, ACCELERATION, DISPLACEMENT };  ///< VAD 0, 1, 2
+/// What the curve of a motion gives, VAD.
+enum class MotionKind {
+    VELOCITY,      ///< 0                                                       [m/s]
+    ACCELERATION,  ///< 1                                                     [m/s^2]
+    DISPLACEMENT   ///< 2                                                         [m]
+};
 
 /// *BOUNDARY_PRESCRIBED_MOTION of nodes or of one rigid part.
 struct PrescribedMotion {
@@ -50,10 +56,12 @@ struct PrescribedMotion {
     Vec3 axis = Vec3::UnitX();               ///< unit direction of the motion
     Index curve = -1;                        ///< row: over time                 [m/s] or as `kind`
     double scale = 1.0;                      ///< SF
-    double birth = 0.0, death = 1e28;        ///< [s]
+    double birth = 0.0,                      ///< begins  [s]
+        death = 1e28;                        ///< ends  [s]
 };
 
-struct RigidVelocity {             ///< initial velocity of a rigid part
+/// Initial velocity of a rigid part.
+struct RigidVelocity {
     Index part = -1;               ///< row
     Vec3 velocity = Vec3::Zero();  ///< of the centre of mass          [m/s]
     Vec3 spin = Vec3::Zero();      ///< angular velocity               [rad/s]
@@ -75,7 +83,8 @@ struct RigidExtraNode {
 
 /// *CONSTRAINED_RIGID_BODIES: two *MAT_RIGID parts that move as one body, the lead's.
 struct RigidMerge {
-    Index lead = -1, part = -1;  ///< rows
+    Index lead = -1,             ///< row of the part that leads
+        part = -1;               ///< row of the part that goes with it
     bool keeps_inertia = false;  ///< the lead's *PART_INERTIA holds for both, IFLAG = 0
 };
 
@@ -152,9 +161,15 @@ struct PartDamping {
 struct OutputIntervals {
     double frames = NaN;            ///< *DATABASE_BINARY_D3PLOT
     double checkpoint_steps = NaN;  ///< *DATABASE_BINARY_D3DUMP; NaN: by the clock            [-]
-    /// Text files of these names, *DATABASE_...                                             [s]
-    double abstat = NaN, glstat = NaN, rcforc = NaN, rwforc = NaN, rbdout = NaN, nodout = NaN;
-    double abstat_cpm = NaN, matsum = NaN, cpm_sensor = NaN;  ///< likewise                  [s]
+    double abstat = NaN,            ///< *DATABASE_ABSTAT: bags  [s]
+        glstat = NaN,               ///< *DATABASE_GLSTAT: energies of the scene  [s]
+        rcforc = NaN,               ///< *DATABASE_RCFORC: forces of contacts  [s]
+        rwforc = NaN,               ///< *DATABASE_RWFORC: forces on rigid walls  [s]
+        rbdout = NaN,               ///< *DATABASE_RBDOUT: motion of rigid bodies  [s]
+        nodout = NaN;               ///< *DATABASE_NODOUT: motion of `history_nodes`  [s]
+    double abstat_cpm = NaN,        ///< *DATABASE_ABSTAT_CPM: bags of particles  [s]
+        matsum = NaN,               ///< *DATABASE_MATSUM: energies of parts  [s]
+        cpm_sensor = NaN;           ///< *DATABASE_CPM_SENSOR: gas at sensors  [s]
 };
 
 /// Nodes, shells, and what they are made of.

@@ -54,7 +54,9 @@ public:
     /// @param is_of_kick  it acts with the forces of the kick, and book_kick() knows it
     void pull(const contact::RigidProxy& proxy, const Vec3& impulse, const Vec3& turning,
               double span, bool is_of_kick);
+    /// Finds where V and L lead the centre and the orientation at t + dt.
     void foresee(double dt);
+    /// foresee(), and gives each node the velocity that brings it there.                    [m/s]
     void carry(double dt, fabric::Nodes& nodes);
     void book_kick();  ///< work of the last kick, with what joints gave
 
@@ -68,15 +70,21 @@ public:
     [[nodiscard]] Index part() const { return part_; }  ///< the lead
     /// The part and all that are merged with it.
     [[nodiscard]] const std::vector<Index>& parts() const { return parts_; }
+    /// Rows of the nodes that ride on it.
     [[nodiscard]] const std::vector<Index>& nodes() const { return nodes_; }
     [[nodiscard]] const Vec3& position() const { return centre_; }    ///< of the mass centre, at t
     [[nodiscard]] const Vec3& velocity() const { return velocity_; }  ///< at t + dt/2
+    /// Of the mass centre: change of velocity by the last kick, joints and contact, over the kick's
+    /// span.                                                                               [m/s^2]
     [[nodiscard]] const Vec3& acceleration() const { return acceleration_; }
     /// Not all of its translations are fixed.
     [[nodiscard]] bool can_move() const { return fixed_moves_ != 7U; }
+    /// Of all its parts.                                                                      [kg]
     [[nodiscard]] double mass() const { return mass_; }
+    /// L about the mass centre, at t + dt/2, global axes.                              [kg m^2/s]
     [[nodiscard]] const Vec3& angular_momentum() const { return angular_momentum_; }
     [[nodiscard]] Vec3 spin() const { return spin_of(turn_, angular_momentum_); }  ///< [rad/s]
+    /// R at t: from the principal axes of inertia to the global ones.
     [[nodiscard]] const Eigen::Quaterniond& turn() const { return turn_; }
 
     [[nodiscard]] double kinetic_energy() const {  ///< at t + dt/2                         [J]
@@ -96,10 +104,11 @@ public:
     [[nodiscard]] Vec3 mid_velocity_at(const Vec3& x) const {
         return mid_velocity_ + mid_spin_.cross(x - centre_);
     }
-    /// In the last kick: by supports and prescribed motions, by the field's acceleration, and what
-    /// its damping took.                                                                   [J]
+    /// By supports and prescribed motions in the last kick.                                 [J]
     [[nodiscard]] double held_work() const { return held_work_; }
+    /// By the field's acceleration in the last kick.                                         [J]
     [[nodiscard]] double field_work() const { return field_work_; }
+    /// What the field's damping took in the last kick.                                       [J]
     [[nodiscard]] double damped() const { return damped_; }
     /// Mean of what contact's impulses gave in the last step.                              [N]
     [[nodiscard]] const Vec3& impulse_force() const { return impulse_force_; }

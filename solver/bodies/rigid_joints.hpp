@@ -28,9 +28,14 @@ public:
     /// Errors: InputError for a joint whose two parts move as one body.
     RigidJoints(const Model& model, const std::vector<RigidBody>& bodies);
 
+    /// Whether the model has none.
     [[nodiscard]] bool empty() const { return pins_.empty(); }
 
-    enum class After { KICK, CONTACT };
+    /// What hold() follows in a step.
+    enum class After {
+        KICK,    ///< RigidBody::advance(), whose work is booked anew
+        CONTACT  ///< RigidBody::take()
+    };
     /// Pulls bodies together and carries their nodes, after a kick, whose work is booked anew, or
     /// after they have taken what contact gave. Errors: PhysicsError where holds keep a joint's
     /// bodies apart.
