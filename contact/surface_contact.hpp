@@ -13,6 +13,7 @@
 #include "contact/surface/rigid_proxies.hpp"
 #include "solver/base/archive.hpp"
 
+/// Contact of fabric with itself, with rigid bodies and with rigid walls.
 namespace corpuscle::contact {
 
 /// What contact has found and done.

@@ -7,6 +7,7 @@
 #include "solver/base/parallel.hpp"
 #include "solver/base/vec.hpp"
 
+/// Membrane finite elements of fabric: meshes, materials, internal force, stable step.
 namespace corpuscle::fabric {
 
 /// Nodes of the whole scene. Leapfrog: x live at t, v at t - dt/2 before the kick, t + dt/2 after

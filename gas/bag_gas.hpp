@@ -18,6 +18,7 @@ class StateReader;
 class StateWriter;
 }  // namespace corpuscle
 
+/// Gas of airbags: particles that obey kinetic theory, or a uniform gas; inflow, vents, leaks.
 namespace corpuscle::gas {
 
 class Chambers;

@@ -10,9 +10,11 @@
 
 #include "solver/base/vec.hpp"
 
+/// @file
 /// What a run hands to its results: plain numbers in deck units. io writes them, nothing reads them
 /// back. Simulation::layout() says once who is who; Simulation::sample() and frame() give, inside
 /// an observer, the numbers at t in the same order. io/FORMAT.md has the paths where they lie.
+
 namespace corpuscle {
 
 /// Who the entries of a Sample and a Frame are; fixed for the whole run.

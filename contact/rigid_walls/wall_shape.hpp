@@ -7,9 +7,11 @@
 
 #include "solver/base/vec.hpp"
 
+/// @file
 /// Convex shapes of rigid walls, in closed form: how far a point is, where a way leads in.
 ///
 /// Ranges (low, high) may be endless; axes are unit vectors.
+
 namespace corpuscle::contact {
 
 /// All that lies behind a plane.

@@ -7,7 +7,9 @@
 
 #include "solver/base/vec.hpp"
 
+/// @file
 /// What the deck says of contact, sets expanded to rows.
+
 namespace corpuscle::contact {
 
 /// *CONTACT_..._SINGLE_SURFACE, _SURFACE_TO_SURFACE, _NODES_TO_SURFACE: who may touch whom, and

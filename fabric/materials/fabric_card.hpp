@@ -118,6 +118,7 @@ struct RigidCard {
     Mat3 axes = Mat3::Identity();  ///< columns: those x, y, z; of CMO = -1 the system CON1, at rest
 };
 
+/// The card of a material, by its keyword; OwnCard: a law that a program brings.
 using MaterialCard = std::variant<FabricCard, ElasticCard, NullCard, RigidCard, OwnCard>;
 
 /// One material of the deck.

@@ -12,7 +12,9 @@
 #include "solver/base/constants.hpp"
 #include "solver/base/vec.hpp"
 
+/// @file
 /// What *AIRBAG_PARTICLE says of one bag, in deck units, defaults resolved, sets expanded to rows.
+
 namespace corpuscle::gas {
 
 /// One gas: molar heat capacity Cp(T) = A + B·T + C·T².

@@ -10,7 +10,9 @@
 #include "solver/base/constants.hpp"
 #include "solver/base/vec.hpp"
 
+/// @file
 /// What the deck says of the ways out of a bag, for gas and for heat.
+
 namespace corpuscle::gas {
 
 /// One vent: NVENT row of *AIRBAG_PARTICLE, or *DEFINE_CPM_VENT.

@@ -12,7 +12,9 @@
 #include "solver/base/constants.hpp"
 #include "solver/base/vec.hpp"
 
+/// @file
 /// What *AIRBAG_SIMPLE_AIRBAG_MODEL, *AIRBAG_WANG_NEFSKE and their like say, in deck units.
+
 namespace corpuscle::gas {
 
 /// A value, or a curve of something; the curve counts where it is given.

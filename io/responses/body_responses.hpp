@@ -9,8 +9,10 @@
 #include "io/text/units.hpp"
 #include "solver/base/vec.hpp"
 
+/// @file
 /// What an impact test would report of a rigid form: and nothing that a rigid form cannot give
 /// (neck forces, chest deflection).
+
 namespace corpuscle::io {
 
 /// Motion of one rigid body, uniformly sampled, in deck units: row k is at k times the interval.

@@ -10,11 +10,13 @@
 #include <type_traits>
 #include <vector>
 
+/// @file
 /// The little of HDF5 that results need, its failures thrown as SystemError. <hdf5.h> stays out of
 /// sight. Every dataset carries Fletcher's checksum (32 bits), and so do the metadata: what has
 /// changed on the disk since is an error, not another number.
 ///
 /// Elements T are float, double, std::uint8_t, std::int32_t, std::int64_t or std::uint64_t.
+
 namespace corpuscle::io {
 
 using Shape = std::vector<std::uint64_t>;  ///< rows, columns, ...; empty: one number

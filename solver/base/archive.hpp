@@ -13,6 +13,7 @@
 
 #include "solver/base/error.hpp"
 
+/// @file
 /// State as bytes, for checkpoints. Whoever has state lists it once, for both ways:
 ///
 ///     template <class Archive>
@@ -20,6 +21,7 @@
 ///
 /// Listed is what changes during a run and is not worked out anew from the rest in every step; what
 /// a scene is built with (meshes, cards, tables) is not. Values come back bit by bit.
+
 namespace corpuscle {
 
 namespace archive_detail {

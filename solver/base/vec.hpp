@@ -9,6 +9,8 @@
 #include <limits>
 #include <vector>
 
+/// Airbag deployment by the corpuscular method: a scene as data (Model), in motion (Simulation), and
+/// what all rooms stand on. Numbers are in one consistent unit system; units named are those of SI.
 namespace corpuscle {
 
 using Vec3 = Eigen::Vector3d;  ///< point, velocity, force: 3 doubles, no padding
