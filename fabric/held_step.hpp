@@ -36,7 +36,7 @@ public:
         count_ = 0;
     }
 
-    [[nodiscard]] double dt() const { return dt_; }       ///< [s]
+    [[nodiscard]] double dt() const { return dt_; }       ///< the step held now  [s]
     [[nodiscard]] Index shell() const { return shell_; }  ///< -1: nothing limits it
 
     /// All of it, for a checkpoint.

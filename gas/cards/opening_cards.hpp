@@ -43,10 +43,9 @@ struct LeakCard {
 
 /// Heat through a part: HCONV (T - TATM) per area.
 struct HeatCard {
-    std::vector<Index> parts;  ///< part rows
-    double coefficient =
-        0.0;           ///< HCONV                                                 [W/(m^2 K)]
-    Index curve = -1;  ///< HCONV < 0: over time
+    std::vector<Index> parts;  ///< part rows that lose heat
+    double coefficient = 0.0;  ///< HCONV: heat transfer coefficient  [W/(m^2 K)]
+    Index curve = -1;          ///< HCONV < 0: over time
 };
 
 /// BLOCK of *AIRBAG_PARTICLE: what touching does to holes.

@@ -35,7 +35,7 @@ struct ExitCard {
 
 /// Fabric of one part that leaks: FLC, FAC, X0-X3, FVOPT.
 struct UniformLeak {
-    Index part = -1;  ///< row
+    Index part = -1;  ///< part row
     CurveOr share;    ///< FLC, of time                                                   [-]
     CurveOr factor;   ///< FAC, of absolute pressure           [m/s], [-] or [s/m], by law
     LeakLaw law = LeakLaw::VELOCITY;  ///< what `factor` is, by FVOPT
@@ -56,7 +56,7 @@ struct UniformGasCard {
 ///     p = BETA CN / (V / V0),   or a curve of V / V0,   V0 the volume at the start.
 struct VolumeLaw {
     CurveOr coefficient;  ///< CN, of time                                              [Pa]
-    double scale = 1.0;   ///< BETA                                                     [-]
+    double scale = 1.0;   ///< BETA: factor on the pressure                          [-]
     Index curve = -1;     ///< LCID: pressure over V / V0, instead of these             [Pa]
 };
 
@@ -74,8 +74,8 @@ struct UniformBagCard {
     int id = 0;                   ///< the _ID card's number, else order in the deck from 1
     std::string title;            ///< from the deck, may be empty
     std::vector<Index> shells;    ///< shell rows that close the bag
-    double volume_scale = 1.0;    ///< VSCA                                          [-]
-    double pressure_scale = 1.0;  ///< PSCA                                          [-]
+    double volume_scale = 1.0;    ///< VSCA: factor on the mesh's volume                     [-]
+    double pressure_scale = 1.0;  ///< PSCA: factor on the load                              [-]
     double volume_taken = 0.0;    ///< VINI: V = VSCA · V of the mesh - VINI         [m^3]
     double cv = NaN,              ///< CV: heat capacity at constant volume  [J/(kg K)]
         cp = NaN;                 ///< CP: heat capacity at constant pressure  [J/(kg K)]
@@ -84,7 +84,7 @@ struct UniformBagCard {
     std::vector<ExitCard> exits;  ///< holes out of the bag, into the atmosphere
     Index exit_rate = -1;         ///< LOU, LCEFR: mass flow out of gauge pressure [kg/s]
     double opens_at = 0.0;        ///< PPOP: gauge pressure from which exits are open [Pa]
-    double p_atm = NaN;           ///< PE                                           [Pa]
+    double p_atm = NaN;           ///< PE: pressure outside                                  [Pa]
     double density = NaN;         ///< RO: of the gas inside at the start      [kg/m^3]
     double overpressure = 0.0;    ///< POVER: gauge pressure at the start           [Pa]
     double start_temperature =

@@ -30,7 +30,8 @@ public:
         moles_[species] += moles;
         energy_ += energy;
     }
-    void add_heat(double energy) { energy_ += energy; }  ///< [J]
+    /// Adds heat, to all the gas alike.                                                [J]
+    void add_heat(double energy) { energy_ += energy; }
 
     /// Gas that flows out as it is, with its enthalpy: a share of every species. Returns the energy
     /// that goes with it.                                                                    [J]
@@ -46,11 +47,14 @@ public:
         return pressure_ * swept;
     }
 
-    // At t, as settle() found it
-    [[nodiscard]] double pressure() const { return pressure_; }        ///< [Pa]
-    [[nodiscard]] double temperature() const { return temperature_; }  ///< [K]
-    [[nodiscard]] double volume() const { return volume_; }            ///< [m^3]
-    [[nodiscard]] double energy() const { return energy_at_t_; }       ///< [J]
+    /// Absolute, at t, as settle() found it.                                          [Pa]
+    [[nodiscard]] double pressure() const { return pressure_; }
+    /// Of all species alike, at t.                                                     [K]
+    [[nodiscard]] double temperature() const { return temperature_; }
+    /// That the gas fills at t.                                                      [m^3]
+    [[nodiscard]] double volume() const { return volume_; }
+    /// All that the gas holds at t, 0 at 0 K.                                          [J]
+    [[nodiscard]] double energy() const { return energy_at_t_; }
 
     /// As it was built with.
     [[nodiscard]] const std::vector<Species>& species() const { return species_; }
@@ -60,9 +64,9 @@ public:
     [[nodiscard]] double moles() const;
     /// Of one species, by row.                                                       [kg]
     [[nodiscard]] double mass(std::size_t s) const { return moles_[s] * species_[s].molar_mass(); }
-    [[nodiscard]] double mass() const;      ///< [kg]
+    [[nodiscard]] double mass() const;      ///< of all species              [kg]
     [[nodiscard]] double gamma() const;     ///< Cp / Cv of the mixture at T              [-]
-    [[nodiscard]] double enthalpy() const;  ///< at T                                   [J/kg]
+    [[nodiscard]] double enthalpy() const;  ///< u + R T / M at T                        [J/kg]
     /// R / M of the mixture.                                                       [J/(kg K)]
     [[nodiscard]] double gas_constant() const { return R() * moles() / mass(); }
 

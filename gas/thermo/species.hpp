@@ -53,22 +53,26 @@ struct EnergyPolynomial {
 /// is.
 class Species {
 public:
-    /// Errors: InputError, naming the gas by `name`, when a number is missing or M or R is not
-    /// positive.
+    /// @param gas_constant  R in the card's units                                     [J/(mol K)]
+    /// @throws InputError  naming the gas by `name`, when a number is missing or M or R is not
+    ///                     positive
     Species(const SpeciesCard& card, double gas_constant, std::string name);
 
     /// For messages.
     [[nodiscard]] const std::string& name() const { return name_; }
-    [[nodiscard]] double molar_mass() const { return M_; }    ///< [kg/mol]
-    [[nodiscard]] double gas_constant() const { return R_; }  ///< [J/(mol K)]
-    [[nodiscard]] double cp(double T) const {
-        return ((C_ * T + B_) * T + A_) / M_;
-    }                                                                          ///< [J/(kg K)]
-    [[nodiscard]] double cv(double T) const { return cp(T) - R_ / M_; }        ///< [J/(kg K)]
-    [[nodiscard]] double gamma(double T) const { return cp(T) / cv(T); }       ///< [-]
-    [[nodiscard]] double u(double T) const { return molar_energy()(T) / M_; }  ///< [J/kg]
-    [[nodiscard]] double h(double T) const { return u(T) + R_ * T / M_; }      ///< [J/kg]
-    [[nodiscard]] double internal(double T) const { return molar_internal()(T) / M_; }  ///< [J/kg]
+    [[nodiscard]] double molar_mass() const { return M_; }    ///< M        [kg/mol]
+    [[nodiscard]] double gas_constant() const { return R_; }  ///< R  [J/(mol K)]
+    /// Heat capacity at constant pressure.                                            [J/(kg K)]
+    [[nodiscard]] double cp(double T) const { return ((C_ * T + B_) * T + A_) / M_; }
+    /// Heat capacity at constant volume.                                              [J/(kg K)]
+    [[nodiscard]] double cv(double T) const { return cp(T) - R_ / M_; }
+    [[nodiscard]] double gamma(double T) const { return cp(T) / cv(T); }  ///< cp / cv         [-]
+    /// Energy of the gas at rest.                                                         [J/kg]
+    [[nodiscard]] double u(double T) const { return molar_energy()(T) / M_; }
+    /// Enthalpy.                                                                          [J/kg]
+    [[nodiscard]] double h(double T) const { return u(T) + R_ * T / M_; }
+    /// Energy of spin and vibration.                                                      [J/kg]
+    [[nodiscard]] double internal(double T) const { return molar_internal()(T) / M_; }
 
     /// Same molar mass, same heat capacity.
     [[nodiscard]] bool is_like(const Species& o) const {
@@ -113,8 +117,10 @@ public:
 
     /// As it was built with.
     [[nodiscard]] const std::vector<Species>& species() const { return species_; }
-    [[nodiscard]] double moles_each() const { return moles_each_; }                ///< [mol]
-    [[nodiscard]] double particle_mass(std::int32_t s) const { return mass_[s]; }  ///< [kg]
+    /// That a particle stands for.                                                         [mol]
+    [[nodiscard]] double moles_each() const { return moles_each_; }
+    /// Of one particle of a species, by row.                                                [kg]
+    [[nodiscard]] double particle_mass(std::int32_t s) const { return mass_[s]; }
     /// Internal (spin + vibration) energy of a particle at equilibrium, over temperature.
     [[nodiscard]] const EnergyPolynomial& particle_internal(std::int32_t s) const {
         return internal_[s];

@@ -8,8 +8,8 @@ namespace corpuscle::gas {
 
 /// Linear and angular momentum, about the origin of coordinates.
 struct Wrench {
-    Vec3 linear = Vec3::Zero();   ///< [N s]
-    Vec3 angular = Vec3::Zero();  ///< [N m s]
+    Vec3 linear = Vec3::Zero();   ///< momentum, or an impulse               [N s]
+    Vec3 angular = Vec3::Zero();  ///< its moment about the origin         [N m s]
     /// Adds both, about the same origin.
     Wrench& operator+=(const Wrench& o) {
         linear += o.linear;
