@@ -8,7 +8,7 @@ namespace corpuscle {
 
 /// Time of the leapfrog: positions live at t, velocities at t - dt_last / 2.
 struct Clock {
-    double t = 0.0;        ///< [s]
+    double t = 0.0;        ///< where positions live  [s]
     double dt_last = 0.0;  ///< step that led to t; 0 at the start, where velocities live at t   [s]
     std::int64_t step = 0;  ///< steps made so far
 

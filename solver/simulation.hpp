@@ -37,13 +37,15 @@ public:
     ///                     without area, ...), every fault at once
     explicit Simulation(Model model, std::uint64_t seed = 1) : scene_(std::move(model), seed) {}
 
-    /// Called in every step when positions, forces and books are those of t.
+    /// Called in every step, once, when positions, forces and books are those of t; never empty.
     using Observer = std::function<void(Simulation&)>;
 
     /// Advances everything from t to t + dt (step.cpp: the page to read first).
+    /// @throws PhysicsError  with the time, where what comes out is not physics (solver/stops.cpp)
     StepReport step(const Observer& observe);
 
     /// Brings forces and books to the end time, for the last observation.
+    /// @throws PhysicsError  likewise
     void close(const Observer& observe);
 
     /// Has t come to the end time?

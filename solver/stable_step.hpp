@@ -19,7 +19,7 @@ struct StepLimit {
         END       ///< the end of the run
     };
 
-    double dt = INF;         ///< [s]
+    double dt = INF;         ///< of the next step, INF: no limit  [s]
     Who who = Who::NOTHING;  ///< the one that allows least
     int id = 0;              ///< shell or bag id
 

@@ -22,7 +22,7 @@ struct HalfSpace {
 
 /// A rectangle without depth; it has a front, and its back lets everything pass.
 struct Plate {
-    Vec3 corner = Vec3::Zero();    ///< [m]
+    Vec3 corner = Vec3::Zero();    ///< where both ranges are 0  [m]
     Mat3 axes = Mat3::Identity();  ///< columns: two edges, normal
     double low[2] = {-INF, -INF},  ///< begin along each of the two edges, from the corner  [m]
         high[2] = {INF, INF};      ///< end, likewise  [m]
@@ -30,23 +30,23 @@ struct Plate {
 
 /// A ball, inside and rim.
 struct Ball {
-    Vec3 centre = Vec3::Zero();  ///< [m]
-    double radius = NaN;         ///< [m]
+    Vec3 centre = Vec3::Zero();  ///< of the ball  [m]
+    double radius = NaN;         ///< of its rim  [m]
 };
 
 /// A round cylinder with flat ends.
 struct Rod {
-    Vec3 base = Vec3::Zero();   ///< [m]
+    Vec3 base = Vec3::Zero();   ///< on the axis  [m]
     Vec3 axis = Vec3::UnitZ();  ///< unit
-    double radius = NaN;        ///< [m]
+    double radius = NaN;        ///< of the mantle  [m]
     double low = -INF,          ///< lower end along the axis, from the base  [m]
         high = INF;             ///< upper end, likewise  [m]
 };
 
 /// A brick.
 struct Brick {
-    Vec3 corner = Vec3::Zero();       ///< [m]
-    Mat3 axes = Mat3::Identity();     ///< columns
+    Vec3 corner = Vec3::Zero();       ///< where all ranges are 0  [m]
+    Mat3 axes = Mat3::Identity();     ///< columns: three edges, unit
     Vec3 low = Vec3::Constant(-INF),  ///< begin along each axis, from the corner  [m]
         high = Vec3::Constant(INF);   ///< end, likewise  [m]
 };
@@ -57,7 +57,7 @@ using WallShape = std::variant<HalfSpace, Plate, Ball, Rod, Brick>;
 /// Of a point: its distance from the shape, below 0 inside, and the outward normal there. Of a
 /// plate: the height above its plane.
 struct Nearby {
-    double gap = INF;            ///< [m]
+    double gap = INF;            ///< distance, < 0 inside  [m]
     Vec3 normal = Vec3::Zero();  ///< outward, unit; where several are as near, one of them
 };
 /// Distance and normal at a place, in closed form.                                         [m]

@@ -16,7 +16,7 @@ struct Contact {
     std::array<Index, 4> node;     ///< rows: a node and a triangle's three, or two edges'
     std::array<double, 4> weight;  ///< of x: > 0 on the first place, < 0 on the second
     Vec3 normal;                   ///< from the second place to the first, unit
-    double gap;                    ///< [m]
+    double gap;                    ///< between the two places  [m]
     double mass;    ///< 1 / (what an impulse of one makes of the rate)             [kg]
     bool is_edges;  ///< two edges, else a node and a triangle
     std::uint16_t column = ALONE;  ///< name of its column (contact/response/column_colouring.hpp)
@@ -25,7 +25,7 @@ struct Contact {
     int side = 0;       ///< 1: the first place is on SURFA, -1: the second is; 0: a single surface
     double rest = 0.0;  ///< gap below which it pushes                                  [m]
     double rest_rate = 0.0;  ///< growth of `rest`                                           [m/s]
-    double stiffness = 0.0;  ///< [N/m]
+    double stiffness = 0.0;  ///< of the pair, normal to it  [N/m]
     double thickness = 0.0;  ///< of contact, at full                                        [m]
     double modulus = 0.0;    ///< through the thickness                                     [Pa]
     double area = 0.0;       ///< that it stands for                                       [m^2]

@@ -31,7 +31,7 @@ public:
 
     /// What acts on all matter of a body alike.
     struct Field {
-        Vec3 acceleration = Vec3::Zero();  ///< [m/s^2]
+        Vec3 acceleration = Vec3::Zero();  ///< of all its matter  [m/s^2]
         double damping = 0.0;              ///< by mass, *DAMPING_GLOBAL [1/s]
     };
     /// Is at t, where its nodes have been carried.
@@ -62,18 +62,21 @@ public:
 
     /// A place of the body in its own axes, from where it is at t.                         [m]
     [[nodiscard]] Vec3 arm_of(const Vec3& x) const { return turn_.conjugate() * (x - centre_); }
-    [[nodiscard]] Vec3 at(const Vec3& arm) const { return centre_ + turn_ * arm; }  ///< at t
-    [[nodiscard]] Vec3 then(const Vec3& arm) const {                                ///< at t + dt
-        return next_centre_ + next_turn_ * arm;
-    }
+    /// Where a place of the body is at t.                                                   [m]
+    [[nodiscard]] Vec3 at(const Vec3& arm) const { return centre_ + turn_ * arm; }
+    /// Where it is at t + dt.                                                               [m]
+    [[nodiscard]] Vec3 then(const Vec3& arm) const { return next_centre_ + next_turn_ * arm; }
 
-    [[nodiscard]] Index part() const { return part_; }  ///< the lead
-    /// The part and all that are merged with it.
+    /// Row of the part that leads.
+    [[nodiscard]] Index part() const { return part_; }
+    /// Rows of the part and of all that are merged with it.
     [[nodiscard]] const std::vector<Index>& parts() const { return parts_; }
     /// Rows of the nodes that ride on it.
     [[nodiscard]] const std::vector<Index>& nodes() const { return nodes_; }
-    [[nodiscard]] const Vec3& position() const { return centre_; }    ///< of the mass centre, at t
-    [[nodiscard]] const Vec3& velocity() const { return velocity_; }  ///< at t + dt/2
+    /// Of the mass centre, at t.                                                            [m]
+    [[nodiscard]] const Vec3& position() const { return centre_; }
+    /// Of the mass centre, at t + dt/2.                                                   [m/s]
+    [[nodiscard]] const Vec3& velocity() const { return velocity_; }
     /// Of the mass centre: change of velocity by the last kick, joints and contact, over the kick's
     /// span.                                                                               [m/s^2]
     [[nodiscard]] const Vec3& acceleration() const { return acceleration_; }
@@ -83,7 +86,8 @@ public:
     [[nodiscard]] double mass() const { return mass_; }
     /// L about the mass centre, at t + dt/2, global axes.                              [kg m^2/s]
     [[nodiscard]] const Vec3& angular_momentum() const { return angular_momentum_; }
-    [[nodiscard]] Vec3 spin() const { return spin_of(turn_, angular_momentum_); }  ///< [rad/s]
+    /// Angular velocity of L at the orientation of t.                                   [rad/s]
+    [[nodiscard]] Vec3 spin() const { return spin_of(turn_, angular_momentum_); }
     /// R at t: from the principal axes of inertia to the global ones.
     [[nodiscard]] const Eigen::Quaterniond& turn() const { return turn_; }
 
@@ -95,7 +99,8 @@ public:
     [[nodiscard]] Vec3 velocity_at_t(double weight) const {
         return velocity_before_ + weight * (velocity_ - velocity_before_);
     }
-    [[nodiscard]] double kinetic_energy_at_t(double weight) const {  ///< [J]
+    /// At t, of velocity_at_t() and of L likewise.                                          [J]
+    [[nodiscard]] double kinetic_energy_at_t(double weight) const {
         return energy_of(velocity_at_t(weight),
                          momentum_before_ + weight * (angular_momentum_ - momentum_before_));
     }

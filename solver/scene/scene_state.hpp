@@ -44,8 +44,8 @@ struct ForceShare {
 struct SceneCloth {
     std::vector<std::uint8_t> active;            ///< E: strains are computed
     std::size_t active_shells = 0;               ///< how many of them
-    double added_mass = 0.0;                     ///< by DT2MS                          [kg]
-    std::vector<double> shell_mass;              ///< E                                 [kg]
+    double added_mass = 0.0;                     ///< by DT2MS, all told              [kg]
+    std::vector<double> shell_mass;              ///< E, rho h A0                     [kg]
     std::vector<std::array<Vec3, 4>> reference;  ///< E × 4, stress-free corners         [m]
     std::vector<double> births;  ///< E: when it counts; empty: from the start           [s]
     double next_birth = INF;     ///< the first of `births` to come; INF: none             [s]
@@ -139,12 +139,15 @@ struct SceneState {
     /// The next step and who limits it.
     /// @param without_start  as if there were no DTINIT
     [[nodiscard]] StepLimit stable_step(bool without_start = false) const;
-    [[nodiscard]] StepLimit shells_step() const;  ///< what the shells alone allow
+    /// What the shells alone allow.
+    [[nodiscard]] StepLimit shells_step() const;
 
     /// Of nodes, rigid bodies and walls of mass, at the half step that velocities live at. [J]
     [[nodiscard]] double kinetic_energy() const;
-    [[nodiscard]] Vec3 gas_force(Index node) const;  ///< [N]
-    [[nodiscard]] Vec3 velocity(Index node) const;   ///< at t                         [m/s]
+    /// All that gas and atmosphere do to a node at t.                                       [N]
+    [[nodiscard]] Vec3 gas_force(Index node) const;
+    /// Of a node at t, interpolated between the half steps.                               [m/s]
+    [[nodiscard]] Vec3 velocity(Index node) const;
     /// 1 for nodes that supports, motions, rigid bodies or other nodes carry in every direction.
     [[nodiscard]] std::vector<std::uint8_t> held_nodes() const;
     /// Mass of nodes that obstacles meet.                                             N [kg]
