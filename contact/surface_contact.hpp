@@ -13,6 +13,7 @@
 #include "contact/surface/rigid_proxies.hpp"
 #include "solver/base/archive.hpp"
 
+/// Contact of fabric with itself, with rigid bodies and with rigid walls.
 namespace corpuscle::contact {
 
 /// What contact has found and done.
@@ -43,12 +44,15 @@ struct ContactCounts {
 ///     contact.find(x, v, t, dt);  kick;  contact.respond(x, dt, v);  drift;
 class SurfaceContact {
 public:
+    /// Stops nodes that others hold, between the sweeps of respond(); see there.
     using Hold = std::function<void(bool is_last)>;
 
     /// @throws InputError for a contact thickness that is not positive or a free node without mass
     explicit SurfaceContact(const ContactSetup& setup);
     ~SurfaceContact();
+    /// What was moved from may only be assigned to or destroyed.
     SurfaceContact(SurfaceContact&&) noexcept;
+    /// Likewise.
     SurfaceContact& operator=(SurfaceContact&&) noexcept;
 
     /// Finds what is near at x, v being half a step old.
@@ -61,8 +65,8 @@ public:
     /// velocities only, and what the bodies have taken. Its impulses stand for half the last step
     /// and half this one.
     /// @param v_before  gets v as it was, unless null or nothing is near
-    /// @param hold      stops nodes that others hold: hold(false) after each sweep, on those that it
-    ///                  has held lately, hold(true) after the last one, on all; may be empty
+    /// @param hold      stops nodes that others hold: hold(false) after each sweep, on those it has
+    ///                  held lately, hold(true) after the last one, on all; may be empty
     /// @returns whether it may have changed any
     bool respond(const Points& x, double dt, Points& v, std::span<RigidProxy> bodies = {},
                  Points* v_before = nullptr, const Hold& hold = {});
@@ -93,21 +97,25 @@ public:
     /// Pairs of one card nearer than their contact thickness now, and the greatest part of their
     /// contact thickness that is missing between two places.
     struct Depth {
-        std::size_t pairs = 0;
+        std::size_t pairs = 0;  ///< contacts with gap < rest
         double greatest = 0.0;  ///< 1 - gap / rest                                            [-]
     };
+    /// Of a card (row), as the last find() saw it.
     [[nodiscard]] Depth depth(int card) const;
 
     /// Normal force on every triangle of the set-up, mean since this was last asked for, both
     /// sides together (facet_load.hpp); and begins anew.                                      [N]
     [[nodiscard]] std::vector<double> take_facet_forces(const Points& x);
 
+    /// Of the last step, and sums from the start.
     [[nodiscard]] const ContactCounts& counts() const;
     /// Sets a 1 for every node that carries more than half of its side of a contact that pushes.
     void mark_touching(std::span<std::uint8_t> nodes) const;  // N
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     void visit_state(StateWriter& archive);
+    /// Reads the state of a contact that was built from the same set-up.
+    /// @throws SystemError where the bytes end too early or do not fit the set-up
     void visit_state(StateReader& archive);
 
 private:

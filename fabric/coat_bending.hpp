@@ -34,6 +34,7 @@ public:
     /// @param mass  N [kg]
     CoatBending(const MembraneSetup& setup, const std::vector<double>& mass);
 
+    /// Whether nothing bends: no coat, or no node that the cloth surrounds.
     [[nodiscard]] bool empty() const { return rows_.empty(); }
 
     /// f -= dW/dx
@@ -52,9 +53,11 @@ public:
     /// Nodes that shells of a part surround, and those of them where a seam keeps the coat from
     /// bending.
     struct Coated {
-        Index part;
-        std::size_t inner = 0, sewn = 0;
+        Index part;             ///< row
+        std::size_t inner = 0,  ///< nodes that its shells surround
+            sewn = 0;           ///< of these, nodes that a seam keeps from bending
     };
+    /// Of each part with a coat.
     [[nodiscard]] const std::vector<Coated>& parts() const { return parts_; }
 
 private:

@@ -18,6 +18,8 @@ public:
     static constexpr int HELD = 1000;  ///< 200 do as well as 3000 on crumpled films
 
     HeldStep() = default;
+    /// @param dt     holds until something else is taken                                       [s]
+    /// @param shell  row of the shell that it is of, -1: of none
     HeldStep(double dt, Index shell) : dt_(dt), shell_(shell) {}
 
     /// Takes what the present state allows, and which shell says so.
@@ -34,7 +36,7 @@ public:
         count_ = 0;
     }
 
-    [[nodiscard]] double dt() const { return dt_; }       ///< [s]
+    [[nodiscard]] double dt() const { return dt_; }       ///< the step held now  [s]
     [[nodiscard]] Index shell() const { return shell_; }  ///< -1: nothing limits it
 
     /// All of it, for a checkpoint.

@@ -16,13 +16,13 @@ namespace corpuscle::fabric {
 
 /// What membranes are made of: views, only read during construction.
 struct MembraneSetup {
-    std::span<const Shell> shells;                   ///< E
-    std::span<const Part> parts;                     ///< P
+    std::span<const Shell> shells;                   ///< E, nodes and part by row
+    std::span<const Part> parts;                     ///< P, material by row
     std::span<const Material> materials;             ///< M
     std::span<const std::array<Vec3, 4>> reference;  ///< E × 4 stress-free corners              [m]
     std::span<const std::uint8_t>
         active;                       ///< E; 0: never strained (all nodes prescribed, rigid, null)
-    std::size_t node_count = 0;       ///< N
+    std::size_t node_count = 0;       ///< N, of the whole scene
     std::span<const Curve> curves{};  ///< that the materials' rows mean
     std::span<const Vec3> start{};    ///< N: places at the start, for TSRFAC; empty: no strain [m]
     std::span<const double> node_mass{};  ///< N; empty: lumped_mass() of this setup           [kg]

@@ -25,12 +25,13 @@ class MembraneBlock;
 /// of threads.
 class Membranes {
 public:
-    /// @throws InputError  naming every shell whose reference shape is impossible, and every
-    /// material
-    ///                     whose numbers are
+    /// @throws InputError  naming every shell whose reference shape, and every material whose
+    ///                     numbers are impossible
     explicit Membranes(const MembraneSetup& setup);
     ~Membranes();
+    /// What was moved from may only be assigned to or destroyed.
     Membranes(Membranes&&) noexcept;
+    /// Likewise.
     Membranes& operator=(Membranes&&) noexcept;
 
     /// A stable step.
@@ -47,8 +48,7 @@ public:
     /// @returns  row of the first shell whose strain or force is not finite, -1 when all are
     [[nodiscard]] Index add_force(const Points& x, const Points& v, Points& f);
 
-    /// Energy stored at the last add_force, hourglass control and bent coats included; all and by
-    /// part row.    [J]
+    /// Energy stored at the last add_force, hourglass control and bent coats included.          [J]
     [[nodiscard]] double strain_energy() const;
     /// By part row.                                                                         [J]
     [[nodiscard]] std::span<const double> part_strain_energy() const { return part_energy_; }
@@ -95,9 +95,15 @@ public:
         std::vector<double> node;  ///< N, to be added to the lumped mass                     [kg]
         double total = 0.0;        ///< may be negative when the step was forced on all       [kg]
     };
-    enum class Scaling { WHERE_NEEDED, EVERYWHERE };  ///< DT2MS < 0, DT2MS > 0
+    /// Which elements take mass.
+    enum class Scaling {
+        WHERE_NEEDED,  ///< DT2MS < 0: those whose own step is shorter
+        EVERYWHERE     ///< DT2MS > 0: all; mass is taken from those whose step is longer
+    };
     /// Gives elements the mass for which the step `wish` is stable at their reference shape;
     /// stable_step() knows of it from then on.
+    /// @param wish  greater than 0                                                              [s]
+    /// @throws InputError  where bending of a coat alone allows no such step, of whatever mass
     AddedMass scale_mass(double wish, Scaling where);
 
     /// For pictures, warp, weft and shear of every shell's mean strain, zeros for inactive ones (E

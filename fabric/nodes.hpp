@@ -7,6 +7,7 @@
 #include "solver/base/parallel.hpp"
 #include "solver/base/vec.hpp"
 
+/// Membrane finite elements of fabric: meshes, materials, internal force, stable step.
 namespace corpuscle::fabric {
 
 /// Nodes of the whole scene. Leapfrog: x live at t, v at t - dt/2 before the kick, t + dt/2 after
@@ -18,6 +19,7 @@ struct Nodes {
     Points f;                  ///< force at t             N × 3    [N]
     std::vector<double> mass;  ///< lumped; 0: a place without matter, moves as it started   N [kg]
 
+    /// N.
     [[nodiscard]] std::size_t size() const { return x.size(); }
 
     /// f += more; an empty `more` is no force.

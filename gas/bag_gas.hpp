@@ -18,6 +18,7 @@ class StateReader;
 class StateWriter;
 }  // namespace corpuscle
 
+/// Gas of airbags: particles that obey kinetic theory, or a uniform gas; inflow, vents, leaks.
 namespace corpuscle::gas {
 
 class Chambers;
@@ -39,21 +40,29 @@ struct Particles;
 ///     bag.fly(t, dt, x_0, x_1);
 class BagGas {
 public:
-    /// @param held  N: 1 for nodes that supports, motions or rigid bodies carry
-    /// @param x     N × 3, at the start                                                 [m]
-    /// Errors: InputError for walls that do not close, orifices outside, gases that are none.
+    /// @param walls    of the bag, with the shells and parts that they are of
+    /// @param curves   that the card's rows mean
+    /// @param node_id  N: the deck's, for messages
+    /// @param held     N: 1 for nodes that supports, motions or rigid bodies carry
+    /// @param x        N × 3, at the start                                              [m]
+    /// @param seed     of the run
+    /// @throws InputError  for walls that do not close, orifices outside, gases that are none
     BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curves,
            std::span<const int> node_id, std::span<const std::uint8_t> held, const Points& x,
            std::uint64_t seed);
+    /// What was moved from may only be assigned to or destroyed.
     BagGas(BagGas&&) noexcept;
+    /// Likewise.
     BagGas& operator=(BagGas&&) noexcept;
     ~BagGas();
 
     /// f += impulse released over `span`, air pressure inside, atmosphere outside, at t.
+    /// @throws PhysicsError  at uniform pressure, for a volume or an energy that no gas has
     /// v: at the last half step [m/s]; mass: of the nodes [kg]
     void add_load(const Points& x, const Points& v, std::span<const double> mass, double span,
                   Points& f);
-    /// Books the work that the load has just done on nodes that moved at v_mid.
+    /// Books the work that the load has just done over `span` [s] on nodes that moved at v_mid, the
+    /// mean of before and after the kick.                                                 [m/s]
     void book_load(const Points& v_mid, double span);
 
     /// All that the gas and the atmosphere do to a node at t.                                 [N]
@@ -65,31 +74,46 @@ public:
     /// the next flight.
     void set_touching(std::span<const std::uint8_t> nodes, std::span<const Vec3> force);
 
-    /// Facet lists for the step.
+    /// Facet lists for the step, made anew when the fabric has moved too far for the last ones.
+    /// @throws PhysicsError  for fabric that goes many times the bag's size in the step
     void prepare(double dt, const Points& x_0, const Points& x_1);
+    /// Particles trade momentum and energy within their groups, and heat with the initial air; not
+    /// in every step, but once a typical particle has crossed a fifth of a cell. After TSW nothing.
+    /// @throws PhysicsError  for a particle that is not finite
     void collide(double dt, const Points& x);
+    /// Lets in what the inflators give from t to t + dt; after TSW it lets out as well.
+    /// @throws PhysicsError  for fabric that passes over an orifice, inflow that is not finite
     void inject(double t, double dt, const Points& x_0, const Points& x_1);
+    /// Moves particles over dt, from wall to wall, hands their impulse to the walls, and takes out
+    /// what leaves and the heat lost. After TSW nothing.
+    /// @throws PhysicsError  for a particle that is not finite
     void fly(double t, double dt, const Points& x_0, const Points& x_1);
 
     /// Is it time (TSW) to go over to uniform pressure?
     [[nodiscard]] bool switches(double t) const;
     /// Sums up all particles, which freeze where they are.
     void become_uniform(const Points& x);
+    /// Whether become_uniform() has taken place.
     [[nodiscard]] bool is_uniform() const { return uniform_ != nullptr; }
 
-    /// Step in which a typical particle crosses half a cell: longer ones blur waves. [s]
+    /// Step in which a typical particle crosses a fifth of a cell: longer ones blur waves. INF after
+    /// TSW.                                                                                  [s]
     [[nodiscard]] double stable_step() const;
 
+    /// The gas of all rooms together, nodes at x.
     [[nodiscard]] GasState state(const Points& x) const;
-    /// Of each chamber, in the order of the cards.
+    /// Of each chamber, in the order of the cards; empty without chambers.
     [[nodiscard]] std::vector<ChamberState> chamber_states(const Points& x) const;
     [[nodiscard]] double energy() const;  ///< all gas inside  [J]
+    /// That inflow and ambient air have brought so far.                                       [J]
     [[nodiscard]] double inflow_energy() const;
+    /// That has left so far: through openings, as heat, with lost particles.                  [J]
     [[nodiscard]] double lost_energy() const;
     /// By hits and jets, less what came back and what the gas owes to others.                [J]
     [[nodiscard]] double smoothing_taken() const;
     /// To the fabric.                                                                        [J]
     [[nodiscard]] double smoothing_given() const;
+    /// Of the walls against the atmosphere so far: p_atm times the volume that they swept.    [J]
     [[nodiscard]] double ambient_work() const;
 
     /// Mean pressure on each part over the time `since` the last call: impulse as delivered, and
@@ -103,12 +127,19 @@ public:
     void add_shell_load(const Points& x, double since, std::span<double> force,
                         std::span<double> area);
 
+    /// As the bag was built with it.
     [[nodiscard]] const BagCard& card() const;
+    /// As the bag was built with them.
     [[nodiscard]] const BagWalls& walls() const;
+    /// The surface of the closing facets.
     [[nodiscard]] const Enclosure& enclosure() const;
+    /// Empty: the bag has none.
     [[nodiscard]] const Chambers& chambers() const;
+    /// Vents and fabric that leaks.
     [[nodiscard]] const Openings& openings() const;
+    /// Those inside; after TSW where they froze.
     [[nodiscard]] const Particles& particles() const;
+    /// Of one particle, by row in Particles::species.                                        [kg]
     [[nodiscard]] std::span<const double> particle_mass() const;
     /// Of particle i alone (Mixture::particle_temperature).                                [K]
     [[nodiscard]] double particle_temperature(std::size_t i) const;
@@ -117,21 +148,32 @@ public:
     [[nodiscard]] double initial_air_pressure() const;
     /// The gas while it is particles; after TSW as it was then.
     [[nodiscard]] const ParticleGas& particle_gas() const;
+    /// Particles taken out so far because closing facets had caught them between each other.
     [[nodiscard]] std::size_t lost() const;
+    /// Particle, time and place of the first of them, a sentence each.
     [[nodiscard]] const std::vector<std::string>& losses() const;
+    /// Hits of particles on facets so far.
     [[nodiscard]] std::size_t hits() const;
+    /// Flights so far: a particle's way through one step counts once.
     [[nodiscard]] std::size_t flights() const;
+    /// Groups so far whose energy belonged to no temperature; it stayed as it was.
     [[nodiscard]] std::size_t unrelaxed() const;
+    /// Steps so far in which particles collided.
     [[nodiscard]] std::uint64_t collision_steps() const;
+    /// Lists of facets in cells built so far, for flight and for collisions.
     [[nodiscard]] std::size_t list_builds() const;
+    /// What the user should know of the bag as it was built, a sentence each.
     [[nodiscard]] const std::vector<std::string>& warnings() const;
     /// What the gas has given up at walls and the fabric has not yet got, when it has got `done` of
     /// the last load.
     [[nodiscard]] Wrench owed(double done = 1.0) const;
+    /// Mass that inflators bring until `end_time` [s], over all they bring; 1 without any.    [-]
     [[nodiscard]] double expected_share_in(double end_time) const;
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     void visit_state(StateWriter& archive);
+    /// Reads the state of a bag that was built from the same card, walls and nodes.
+    /// @throws SystemError  where the bytes end too early or do not fit the bag
     void visit_state(StateReader& archive);
 
 private:

@@ -16,6 +16,7 @@ namespace corpuscle::gas {
 ///     m = m_e (1 - exp(-m' dt / m_e)),   m_e = (p_1 - p_2) / (gamma R T (1/V_1 + 1/V_2)).
 class Exchange {
 public:
+    /// @param curves  that the card's rows mean, copied
     Exchange(const ExchangeCard& card, std::span<const Curve> curves)
         : card_(card), curves_(curves.begin(), curves.end()) {}
 
@@ -35,7 +36,7 @@ private:
     std::vector<Curve> curves_;
 };
 
-/// Area of facets as they lie; a triangle repeats its third node.                         [m^2]
+/// Area of facets, node rows, with nodes at x; a triangle repeats its third node.         [m^2]
 [[nodiscard]] double area_of(std::span<const std::array<Index, 4>> facets, const Points& x);
 
 }  // namespace corpuscle::gas

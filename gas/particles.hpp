@@ -23,7 +23,9 @@ struct Particles {
     std::vector<std::int16_t> room;     ///< that it is in; empty where a bag has one room
     std::vector<float> safe_distance;  ///< way that is free (safe_distances.hpp), 0: not known  [m]
 
+    /// Particles.
     [[nodiscard]] std::size_t size() const { return x.size(); }
+    /// Room that particle i is in; 0 where the bag has one.
     [[nodiscard]] std::size_t room_of(std::size_t i) const {
         return room.empty() ? 0 : static_cast<std::size_t>(room[i]);
     }
@@ -35,6 +37,7 @@ struct Particles {
         safe_distance.assign(x.size(), 0.0F);
     }
 
+    /// Makes it n particles: the last ones go, new ones are at rest at the origin, without energy.
     void resize(std::size_t n) {
         x.resize(n);
         v.resize(n);
@@ -73,6 +76,12 @@ struct Particles {
         }
         resize(to);
     }
+    /// Appends one particle; its room, where there are several, is the caller's to append.
+    /// @param at        [m]
+    /// @param velocity  [m/s]
+    /// @param internal  spin and vibration energy                                              [J]
+    /// @param kind      row among the bag's species
+    /// @param born      its id
     void add(const Vec3& at, const Vec3& velocity, double internal, std::int32_t kind,
              std::int32_t born) {
         x.push_back(at);

@@ -13,9 +13,10 @@ class BagGas;
 
 /// A region of gas beside one segment, *DATABASE_CPM_SENSOR: it moves with it.
 struct SensorCard {
+    /// Of the region; CYLINDER and BOX stand along the segment's normal.
     enum class Shape { SPHERE, CYLINDER, BOX };
 
-    Shape shape = Shape::SPHERE;
+    Shape shape = Shape::SPHERE;   ///< gives `size` its meaning
     std::array<Index, 4> nodes{};  ///< of the segment; a triangle repeats its 3rd
     double offset = 0.0;  ///< OFFSET: of its centre from the segment's, along the normal  [m]
     /// Radius; radius and length along the normal; or lengths along nodes 1-2, along the third
@@ -25,8 +26,8 @@ struct SensorCard {
 
 /// What the particles in a sensor are like at one instant.
 struct SensorReading {
-    double particles = 0;
-    double pressure = 0;  ///< of their motion about their mean, and of initial air; absolute  [Pa]
+    double particles = 0;  ///< how many are inside, a whole number
+    double pressure = 0;   ///< of their motion about their mean, and of initial air; absolute  [Pa]
     double temperature = 0;  ///< of that motion; 0 for fewer than two particles               [K]
     double density = 0;      ///< particles' mass over the sensor's volume                [kg/m^3]
     Vec3 velocity = Vec3::Zero();  ///< mean by mass                                         [m/s]

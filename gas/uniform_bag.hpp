@@ -24,45 +24,63 @@ namespace corpuscle::gas {
 /// gas: mass, temperature and energy are 0, and the work of its load comes from outside.
 class UniformBag {
 public:
-    /// Errors: InputError when the surface is not closed, or when there is no gas to begin with.
+    /// @param walls    all closing
+    /// @param curves   that the card's rows mean
+    /// @param node_id  N: the deck's, for messages
+    /// @param x        N × 3, at the start                                                    [m]
+    /// @throws InputError  when the surface is not closed, or there is no gas to begin with
     UniformBag(const UniformBagCard& card, BagWalls walls, std::span<const Curve> curves,
                std::span<const int> node_id, const Points& x);
 
     /// f += load at t.                                                                      [N]
+    /// @throws PhysicsError  for a volume or an energy that no gas has
     void add_load(double t, const Points& x, Points& f);
-    /// Books the work that the load has just done on nodes that moved at v_mid.
+    /// Books the work that the load has just done over `span` [s] on nodes that moved at v_mid.
     void book_load(const Points& v_mid, double span);
     /// Gas in and out, t -> t + dt.
     void flow(double t, double dt);
     /// Gas as it is here to another bag of the same gases, with its enthalpy.           [kg]
     void give(double mass, double dt, UniformBag& to);
 
-    [[nodiscard]] Vec3 force(Index node) const { return gauge() * area_[node]; }  ///< [N]
+    /// What the gas and the atmosphere do to a node at t.                                    [N]
+    [[nodiscard]] Vec3 force(Index node) const { return gauge() * area_[node]; }
     /// Step in which a five-hundredth of the gas leaves. [s]
     [[nodiscard]] double stable_step() const;
 
+    /// Of the bag at t, area with nodes at x; without what has left (mass_out()). With a VolumeLaw
+    /// volume, area and gauge pressure alone.
     [[nodiscard]] GasState state(const Points& x) const;
+    /// Of each part: its area with nodes at x, and PSCA times pressure(); mass out and heat are 0.
     [[nodiscard]] PartState part_state(const Points& x) const;
+    /// Adds to each shell's `force` PSCA (p - p_atm) times its area, and the area to `area`.
+    ///                                                                               E [N], E [m^2]
     void add_shell_load(const Points& x, std::span<double> force, std::span<double> area) const;
 
-    [[nodiscard]] double energy() const { return gas_.energy(); }            ///< [J]
-    [[nodiscard]] double inflow_energy() const { return inflow_energy_; }    ///< [J]
-    [[nodiscard]] double outflow_energy() const { return outflow_energy_; }  ///< [J]
-    [[nodiscard]] double ambient_work() const { return ambient_work_; }      ///< [J]
+    [[nodiscard]] double energy() const { return gas_.energy(); }  ///< inside, at t        [J]
+    /// With the gas that has come in so far.                                                [J]
+    [[nodiscard]] double inflow_energy() const { return inflow_energy_; }
+    /// With the gas that has gone out so far.                                               [J]
+    [[nodiscard]] double outflow_energy() const { return outflow_energy_; }
+    /// Of the walls against the atmosphere so far.                                          [J]
+    [[nodiscard]] double ambient_work() const { return ambient_work_; }
     /// Work that VSCA, PSCA and a VolumeLaw make of nothing (or take away).                 [J]
     [[nodiscard]] double scaling_work() const { return scaling_work_; }
 
-    [[nodiscard]] double mass_in() const { return mass_in_; }    ///< [kg]
-    [[nodiscard]] double mass_out() const { return mass_out_; }  ///< [kg]
+    [[nodiscard]] double mass_in() const { return mass_in_; }    ///< come in so far  [kg]
+    [[nodiscard]] double mass_out() const { return mass_out_; }  ///< gone out so far  [kg]
     [[nodiscard]] double rate_in() const { return rate_in_; }    ///< in the last step   [kg/s]
     [[nodiscard]] double rate_out() const { return rate_out_; }  ///< in the last step   [kg/s]
 
+    /// As it was built with.
     [[nodiscard]] const UniformBagCard& card() const { return card_; }
+    /// As it was built with, all closing.
     [[nodiscard]] const BagWalls& walls() const { return walls_; }
+    /// The closed surface of its walls.
     [[nodiscard]] const Enclosure& enclosure() const { return enclosure_; }
     [[nodiscard]] const ControlVolume& gas() const { return gas_; }  ///< none with a VolumeLaw
     /// Absolute, at t; that of a VolumeLaw is gauge.                                        [Pa]
     [[nodiscard]] double pressure() const { return card_.law ? law_pressure_ : gas_.pressure(); }
+    /// What the user should know of the bag as it was built, a sentence each.
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).

@@ -9,6 +9,7 @@
 
 #include "solver/model.hpp"
 
+/// Decks, meshes, results, checkpoints and units: what a scene is read from and written to.
 namespace corpuscle::io {
 
 class DeckPlaces;

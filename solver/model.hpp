@@ -27,19 +27,25 @@ struct ReferenceGeometry {
 
 /// *AIRBAG_SHELL_REFERENCE_GEOMETRY: the stress-free corners of one shell, whatever its nodes' are.
 struct ShellReference {
-    Index shell = -1;             ///< row
+    Index shell = -1;             ///< row among the shells
     std::array<Vec3, 4> corners;  ///< in the order of the shell's nodes                [m]
 };
 
 /// Bits 0-2: translation x y z, bits 3-5: rotation (membranes have none).
 using DofMask = unsigned;
 
-struct Support {  ///< *BOUNDARY_SPC
-    Index node = -1;
+/// *BOUNDARY_SPC.
+struct Support {
+    Index node = -1;    ///< row among the nodes
     DofMask fixed = 0;  ///< held for good
 };
 
-enum class MotionKind { VELOCITY, ACCELERATION, DISPLACEMENT };  ///< VAD 0, 1, 2
+/// What the curve of a motion gives, VAD.
+enum class MotionKind {
+    VELOCITY,      ///< 0                                                       [m/s]
+    ACCELERATION,  ///< 1                                                     [m/s^2]
+    DISPLACEMENT   ///< 2                                                         [m]
+};
 
 /// *BOUNDARY_PRESCRIBED_MOTION of nodes or of one rigid part.
 struct PrescribedMotion {
@@ -49,20 +55,22 @@ struct PrescribedMotion {
     bool rotation = false;                   ///< DOF 5-8: about `axis`, rigid parts only
     Vec3 axis = Vec3::UnitX();               ///< unit direction of the motion
     Index curve = -1;                        ///< row: over time                 [m/s] or as `kind`
-    double scale = 1.0;                      ///< SF
-    double birth = 0.0, death = 1e28;        ///< [s]
+    double scale = 1.0;                      ///< SF: factor on the curve                      [-]
+    double birth = 0.0,                      ///< acts from then on                            [s]
+        death = 1e28;                        ///< no more from then on                         [s]
 };
 
-struct RigidVelocity {             ///< initial velocity of a rigid part
-    Index part = -1;               ///< row
+/// Initial velocity of a rigid part.
+struct RigidVelocity {
+    Index part = -1;               ///< row of a *MAT_RIGID part
     Vec3 velocity = Vec3::Zero();  ///< of the centre of mass          [m/s]
     Vec3 spin = Vec3::Zero();      ///< angular velocity               [rad/s]
 };
 
 /// *PART_INERTIA, or the solids of a rigid part: its mass, whatever its shells would weigh.
 struct RigidInertia {
-    Index part = -1;              ///< row
-    double mass = NaN;            ///< [kg]
+    Index part = -1;              ///< row of a *MAT_RIGID part
+    double mass = NaN;            ///< of the part                                [kg]
     Vec3 centre = Vec3::Zero();   ///< of mass, at the start                     [m]
     Mat3 inertia = Mat3::Zero();  ///< about the centre, global axes             [kg m^2]
 };
@@ -70,19 +78,20 @@ struct RigidInertia {
 /// *CONSTRAINED_EXTRA_NODES: a node that rides on a rigid part without being one of its shells'.
 struct RigidExtraNode {
     Index part = -1;  ///< row of a *MAT_RIGID part
-    Index node = -1;  ///< row
+    Index node = -1;  ///< row among the nodes
 };
 
 /// *CONSTRAINED_RIGID_BODIES: two *MAT_RIGID parts that move as one body, the lead's.
 struct RigidMerge {
-    Index lead = -1, part = -1;  ///< rows
+    Index lead = -1,             ///< row of the part that leads
+        part = -1;               ///< row of the part that goes with it
     bool keeps_inertia = false;  ///< the lead's *PART_INERTIA holds for both, IFLAG = 0
 };
 
 /// *CONSTRAINED_JOINT_SPHERICAL, _REVOLUTE: two rigid parts share a place, or two places and with
 /// them an axis.
 struct RigidJoint {
-    std::array<Index, 2> parts{-1, -1};  ///< rows
+    std::array<Index, 2> parts{-1, -1};  ///< rows of *MAT_RIGID parts
     std::vector<Vec3> places;            ///< one or two, at the start                       [m]
     std::string name;                    ///< for messages: "*CONSTRAINED_JOINT_REVOLUTE 3"
 };
@@ -94,28 +103,28 @@ struct RigidJoint {
 /// which bear its mass and the forces on it in the same shares. *CONSTRAINED_TIED_NODES: both ends
 /// are one node, where it is.
 struct TiedNode {
-    Index node = -1;                    ///< row
+    Index node = -1;                    ///< row of the node that hangs
     std::array<Index, 2> ends{-1, -1};  ///< rows; may be tied themselves
     double share = 0.5;                 ///< w                                               [-]
 };
 
 /// *MAT_ADD_AIRBAG_POROSITY_LEAKAGE: what a material lets through, before what it says itself.
 struct AddedLeak {
-    Index material = -1;      ///< row
+    Index material = -1;      ///< row among the materials
     fabric::FabricCard says;  ///< its leak_ fields alone
 };
 
 /// Shells that a contact means of parts of which it does not mean all; rows.
 struct ContactShells {
-    std::vector<Index> first;   ///< of SURFA
-    std::vector<Index> second;  ///< of SURFB
+    std::vector<Index> first;   ///< rows, of SURFA
+    std::vector<Index> second;  ///< rows, of SURFB
 };
 
 /// *LOAD_BODY_X/Y/Z, *LOAD_GRAVITY_PART: acceleration of the frame; bodies feel its opposite.
 struct BodyLoad {
     int axis = 0;              ///< 0 x, 1 y, 2 z
     Index curve = -1;          ///< base acceleration over time; -1: constant `scale`    [m/s^2]
-    double scale = 1.0;        ///< SF, ACCEL
+    double scale = 1.0;        ///< SF, ACCEL: factor on the curve
     std::vector<Index> parts;  ///< rows of those that feel it; none: all
 };
 
@@ -123,38 +132,44 @@ struct BodyLoad {
 struct PressureLoad {
     std::vector<std::array<Index, 4>> facets;  ///< node rows; a triangle repeats its 3rd
     Index curve = -1;                          ///< pressure over time; -1: constant `scale`  [Pa]
-    double scale = 1.0;                        ///< SF
-    double arrival = 0.0;                      ///< AT                                        [s]
+    double scale = 1.0;                        ///< SF: factor on the curve
+    double arrival = 0.0;  ///< AT: acts from then on, the curve begins there      [s]
 };
 
 /// *LOAD_NODE_POINT, _SET: a force on each of some nodes, F = SF · curve(t).
 struct NodeLoad {
-    std::vector<Index> nodes;  ///< rows
+    std::vector<Index> nodes;  ///< node rows
     int axis = 0;              ///< DOF 1 to 3: 0 x, 1 y, 2 z
     Index curve = -1;          ///< force over time                                       [N]
-    double scale = 1.0;        ///< SF
+    double scale = 1.0;        ///< SF: factor on the curve                            [-]
 };
 
 /// *ELEMENT_MASS: mass that a node has beside that of its shells.
 struct NodeMass {
-    Index node = -1;    ///< row
-    double mass = 0.0;  ///< [kg]
+    Index node = -1;    ///< row among the nodes
+    double mass = 0.0;  ///< added to that of its shells  [kg]
 };
 
 /// *DAMPING_PART_MASS: f = -SF · curve(t) m v on the nodes of a part, m being the part's share.
 struct PartDamping {
-    Index part = -1;     ///< row
+    Index part = -1;     ///< row of the part that is damped
     Index curve = -1;    ///< over time                                                   [1/s]
-    double scale = 1.0;  ///< SF
+    double scale = 1.0;  ///< SF: factor on the curve                            [-]
 };
 
 /// Output intervals; NaN: not asked for.                                                       [s]
 struct OutputIntervals {
     double frames = NaN;            ///< *DATABASE_BINARY_D3PLOT
     double checkpoint_steps = NaN;  ///< *DATABASE_BINARY_D3DUMP; NaN: by the clock            [-]
-    /// Text files of these names, *DATABASE_...                                             [s]
-    double abstat = NaN, glstat = NaN, rcforc = NaN, rwforc = NaN, rbdout = NaN, nodout = NaN;
-    double abstat_cpm = NaN, matsum = NaN, cpm_sensor = NaN;  ///< likewise                  [s]
+    double abstat = NaN,            ///< *DATABASE_ABSTAT: bags  [s]
+        glstat = NaN,               ///< *DATABASE_GLSTAT: energies of the scene  [s]
+        rcforc = NaN,               ///< *DATABASE_RCFORC: forces of contacts  [s]
+        rwforc = NaN,               ///< *DATABASE_RWFORC: forces on rigid walls  [s]
+        rbdout = NaN,               ///< *DATABASE_RBDOUT: motion of rigid bodies  [s]
+        nodout = NaN;               ///< *DATABASE_NODOUT: motion of `history_nodes`  [s]
+    double abstat_cpm = NaN,        ///< *DATABASE_ABSTAT_CPM: bags of particles  [s]
+        matsum = NaN,               ///< *DATABASE_MATSUM: energies of parts  [s]
+        cpm_sensor = NaN;           ///< *DATABASE_CPM_SENSOR: gas at sensors  [s]
 };
 
 /// Nodes, shells, and what they are made of.
@@ -184,7 +199,7 @@ struct ModelLoads {
     Points velocity;                ///< initial node velocities, N × 3                [m/s]
     std::vector<Support> supports;  ///< held nodes
     std::vector<PrescribedMotion> motions;     ///< driven nodes and bodies
-    std::vector<BodyLoad> body_loads;          ///< gravity
+    std::vector<BodyLoad> body_loads;          ///< gravity and other accelerations of the frame
     std::vector<PressureLoad> pressure_loads;  ///< on facets
     std::vector<NodeLoad> node_loads;          ///< on nodes
     std::vector<PartDamping> part_dampings;    ///< by part
@@ -210,13 +225,13 @@ struct ModelAirbags {
 struct ModelContacts {
     std::vector<contact::ContactCard> contacts;  ///< the first that holds for a pair counts
     std::vector<ContactShells> contact_shells;  ///< by contact; none: all contacts mean whole parts
-    std::vector<contact::WallCard> walls;       ///< *RIGIDWALL
+    std::vector<contact::WallCard> walls;       ///< *RIGIDWALL, in the deck's order
 };
 
 /// Control and output.
 struct ModelControl {
     double end_time = NaN;          ///< *CONTROL_TERMINATION ENDTIM                   [s]
-    double step_factor = 0.9;       ///< TSSFAC                                        [-]
+    double step_factor = 0.9;       ///< TSSFAC: share of the shells' stable step       [-]
     double step_start = 0.0;        ///< DTINIT, 0: stable step                        [s]
     double step_mass_scaled = 0.0;  ///< DT2MS < 0: mass is added where the step would be below
                                     ///< |DT2MS|; > 0: everywhere to that step; 0: none         [s]

@@ -10,8 +10,11 @@ namespace corpuscle {
 /// What a run hands to its results: means are over the time since the last call of the same kind.
 class Recorder {
 public:
+    /// Who the entries of samples and frames are; the same all through a run.
     [[nodiscard]] static RecordLayout layout(const SceneState& scene);
+    /// One row of every history at t, inside an observer.
     [[nodiscard]] Sample sample(SceneState& scene);
+    /// One state for pictures at t, inside an observer.
     [[nodiscard]] Frame frame(SceneState& scene);
     /// Of contact and gas on a body, in the kick at t.                               [N]
     [[nodiscard]] static Vec3 force_on(const SceneState& scene, const RigidBody& body);

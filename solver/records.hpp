@@ -10,9 +10,11 @@
 
 #include "solver/base/vec.hpp"
 
+/// @file
 /// What a run hands to its results: plain numbers in deck units. io writes them, nothing reads them
 /// back. Simulation::layout() says once who is who; Simulation::sample() and frame() give, inside
 /// an observer, the numbers at t in the same order. io/FORMAT.md has the paths where they lie.
+
 namespace corpuscle {
 
 /// Who the entries of a Sample and a Frame are; fixed for the whole run.
@@ -30,7 +32,8 @@ struct RecordLayout {
     std::vector<int> parts;                ///< part ids
     std::vector<double> part_mass;         ///< of the parts' shells, or of the rigid body     [kg]
     std::vector<int> rigid_bodies;         ///< part ids of the rigid bodies
-    std::vector<int> walls, contacts;      ///< ids
+    std::vector<int> walls,                ///< ids of rigid walls
+        contacts;                          ///< ids of contacts
     Points wall_normals;                   ///< of the walls, unit, 0 of one that is not plane
     std::vector<int> moving_walls;         ///< ids of those of the walls that can move
     std::vector<int> joints;               ///< ids of the joints between rigid bodies
@@ -41,7 +44,8 @@ struct RecordLayout {
     // mesh
     std::vector<int> node_id;                       ///< N
     Points coordinates;                             ///< N × 3, initial
-    std::vector<int> shell_id, shell_part;          ///< E (part ids)
+    std::vector<int> shell_id,                      ///< E
+        shell_part;                                 ///< E: part ids
     std::vector<std::array<Index, 4>> shell_nodes;  ///< E × 4 rows
 };
 
@@ -74,11 +78,12 @@ struct AirbagSample {
     double particles = 0;        ///< inside                                                [-]
     double particles_out = 0;    ///< gone so far                                           [-]
     double energy = 0;           ///< translation, spin, vibration, initial air             [J]
-    double translational_energy = 0;             ///< [J]
-    Vec3 owed_momentum = Vec3::Zero();           ///< taken at walls, not given yet       [N s]
-    Vec3 owed_angular_momentum = Vec3::Zero();   ///< about the origin                  [N m s]
-    double mass_rate_in = 0, mass_rate_out = 0;  ///< means since the last sample        [kg/s]
-    double surface_area = 0;                     ///< of what closes the bag              [m^2]
+    double translational_energy = 0;            ///< [J]
+    Vec3 owed_momentum = Vec3::Zero();          ///< taken at walls, not given yet       [N s]
+    Vec3 owed_angular_momentum = Vec3::Zero();  ///< about the origin                  [N m s]
+    double mass_rate_in = 0,                    ///< mean since the last sample         [kg/s]
+        mass_rate_out = 0;                      ///< mean since the last sample         [kg/s]
+    double surface_area = 0;                    ///< of what closes the bag              [m^2]
     /// One gas of the bag.
     struct Species {
         double mass = 0;         ///< [kg]
@@ -104,6 +109,7 @@ struct AirbagSample {
     std::vector<Part> parts;        ///< as RecordLayout::Airbag::parts
     std::vector<Chamber> chambers;  ///< as RecordLayout::Airbag::chambers
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(volume, pressure, temperature, mass, mass_in, mass_out_vent, mass_out_fabric,
@@ -169,6 +175,7 @@ struct Sample {
     Points node_coordinates;      ///< of the history nodes, × 3                       [m]
     Points node_velocity;         ///< the same                                      [m/s]
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(time, dt, step, energy, airbags, parts, rigid_bodies, wall_impulse, moving_walls,
@@ -184,7 +191,8 @@ inline Vec3 mean_force(const Vec3& impulse, const Vec3& before, double span) {
 /// One state for pictures.
 struct Frame {
     double time = 0;                                 ///< [s]
-    Points coordinates, velocity;                    ///< N × 3                     [m], [m/s]
+    Points coordinates,                              ///< N × 3, at t                    [m]
+        velocity;                                    ///< N × 3, at t                  [m/s]
     std::vector<float> shell_pressure;               ///< E, gauge                     [Pa]
     std::vector<float> shell_contact_pressure;       ///< E; empty: no contact         [Pa]
     std::vector<std::array<float, 3>> shell_stress;  ///< E × 3, warp weft shear       [Pa]
@@ -195,7 +203,8 @@ struct Frame {
         std::vector<std::int64_t> id;         ///< P; of each bag, in the order of entry from 0
         std::vector<std::int32_t> bag;        ///< P, id of its airbag
         std::vector<std::int32_t> species;    ///< P, number K of its gas
-        Points position, velocity;            ///< P × 3                        [m], [m/s]
+        Points position,                      ///< P × 3, at t                            [m]
+            velocity;                         ///< P × 3                                [m/s]
         std::vector<double> internal_energy;  ///< P, spin and vibration               [J]
         std::vector<double> mass;             ///< P                                  [kg]
         std::vector<float> temperature;       ///< at which it would hold its internal energy [K]

@@ -20,7 +20,8 @@ namespace corpuscle {
 
 /// What a step was.
 struct StepReport {
-    double t, dt;     ///< of the step that was made: from t, by dt                [s]
+    double t,         ///< where the step began  [s]
+        dt;           ///< how long it was, to t + dt  [s]
     StepLimit limit;  ///< who set dt
 };
 
@@ -31,17 +32,20 @@ struct StepReport {
 ///     simulation.close(look);
 class Simulation {
 public:
-    /// Errors: InputError for what only the whole scene shows (a bag that is not closed, a shell
-    /// without area, ...), every fault at once.
+    /// @param seed  of all random numbers: same model and seed, same bits on any number of threads
+    /// @throws InputError  for what only the whole scene shows (a bag that is not closed, a shell
+    ///                     without area, ...), every fault at once
     explicit Simulation(Model model, std::uint64_t seed = 1) : scene_(std::move(model), seed) {}
 
-    /// Called in every step when positions, forces and books are those of t.
+    /// Called in every step, once, when positions, forces and books are those of t; never empty.
     using Observer = std::function<void(Simulation&)>;
 
     /// Advances everything from t to t + dt (step.cpp: the page to read first).
+    /// @throws PhysicsError  with the time, where what comes out is not physics (solver/stops.cpp)
     StepReport step(const Observer& observe);
 
     /// Brings forces and books to the end time, for the last observation.
+    /// @throws PhysicsError  likewise
     void close(const Observer& observe);
 
     /// Has t come to the end time?
@@ -55,8 +59,9 @@ public:
     [[nodiscard]] const Model& model() const { return scene_.model; }
     /// x at t, v at the last half step, f and m.
     [[nodiscard]] const fabric::Nodes& nodes() const { return scene_.nodes; }
-    /// Bags of particles, and those of uniform pressure from the start, in the order of the deck.
+    /// Bags of particles (*AIRBAG_PARTICLE), in the order of the deck.
     [[nodiscard]] const std::vector<gas::BagGas>& bags() const { return scene_.airbags.particle; }
+    /// Those of uniform pressure from the start, in the order of the deck.
     [[nodiscard]] const std::vector<gas::UniformBag>& uniform_bags() const {
         return scene_.airbags.uniform;
     }

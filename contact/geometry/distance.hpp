@@ -11,8 +11,9 @@ namespace corpuscle::contact {
 /// Which part of a triangle a b c (0 1 2) is nearest to a point.
 enum class TriangleRegion { NODE_0, NODE_1, NODE_2, EDGE_01, EDGE_12, EDGE_20, INSIDE };
 
+/// Place on a triangle a b c that is nearest to a point.
 struct TriangleFoot {
-    TriangleRegion region;
+    TriangleRegion region;  ///< where it lies: within, on an edge or on a node
     Vec3
         weights;  ///< barycentric, of a b c: the foot is weights[0] a + weights[1] b + weights[2] c
 };
@@ -30,9 +31,11 @@ enum class EdgeRegion {
     END      ///< at an end of one or both: a node-triangle pair sees that too
 };
 
+/// Places on two segments, p0 p1 and q0 q1, that are nearest to each other.
 struct EdgeFeet {
-    EdgeRegion region;
-    double s, t;  ///< the places are p0 + s (p1 - p0) and q0 + t (q1 - q0), in [0, 1]
+    EdgeRegion region;  ///< INSIDE: their vector is normal to both segments
+    double s,           ///< the first place is p0 + s (p1 - p0), in [0, 1]  [-]
+        t;              ///< the second place is q0 + t (q1 - q0), in [0, 1]  [-]
 };
 
 /// Nearest places of segments p0 p1 and q0 q1. Segments that are parallel or have no length are
@@ -46,8 +49,8 @@ struct EdgeFeet {
 
 /// A node and a triangle (its three nodes), or two edges (first's two nodes, second's two).
 struct Pair {
-    std::array<Index, 4> node;
-    bool is_edges;
+    std::array<Index, 4> node;  ///< rows: of the first side, then of the second
+    bool is_edges;              ///< two edges, 2 + 2; else a node and a triangle, 1 + 3
 };
 
 /// Their nearest places: the vector between them is sum of weight · x, from the second to the
@@ -61,6 +64,7 @@ struct Nearest {
 /// A value of each of a pair's nodes: positions, displacements.
 using Corners = std::array<Vec3, 4>;
 
+/// The values of a pair's nodes, out of those by node row.
 [[nodiscard]] inline Corners corners(const Pair& pair, const Points& of) {
     return {of[pair.node[0]], of[pair.node[1]], of[pair.node[2]], of[pair.node[3]]};
 }
@@ -76,6 +80,7 @@ using Corners = std::array<Vec3, 4>;
 /// The nearest places of a pair whose nodes are at x.
 [[nodiscard]] Nearest nearest(const Pair& pair, const Corners& x);
 
+/// The same of nodes at x, by node row.                                                    [m]
 [[nodiscard]] inline Nearest nearest(const Pair& pair, const Points& x) {
     return nearest(pair, corners(pair, x));
 }

@@ -19,7 +19,9 @@ struct WallBodies {
     std::span<const Index> of_node;  ///< by node row: number of its body, or -1; empty: no bodies
     std::span<RigidProxy> proxies;   ///< by number
 
+    /// Whether the node is one of a body.
     [[nodiscard]] bool has(Index node) const { return !of_node.empty() && of_node[node] >= 0; }
+    /// That body; only of a node that has() one.
     [[nodiscard]] RigidProxy& of(Index node) const { return proxies[of_node[node]]; }
 };
 
@@ -53,21 +55,25 @@ public:
 
     /// On the wall in the last step: impulse / dt.                                              [N]
     [[nodiscard]] const Vec3& force() const { return force_; }
-    /// On the wall in the last step.                                                           [Ns]
+    /// On the wall in the last step.                                                          [N s]
     [[nodiscard]] const Vec3& impulse() const { return impulse_; }
     /// Nodes that the last hold() stopped.
     [[nodiscard]] std::span<const Index> touching() const { return touching_; }
-    [[nodiscard]] double stopping_energy() const { return stopping_energy_; }  ///< so far      [J]
-    [[nodiscard]] double friction_energy() const { return friction_energy_; }  ///< so far      [J]
+    /// Lost so far by plastic impact along the normal.                                          [J]
+    [[nodiscard]] double stopping_energy() const { return stopping_energy_; }
+    /// Lost so far by friction.                                                                 [J]
+    [[nodiscard]] double friction_energy() const { return friction_energy_; }
     /// Done so far on nodes by a wall whose motion is given.                                    [J]
     [[nodiscard]] double driving_work() const { return driving_work_; }
     /// Done so far by what holds or drives bodies that it pushed.                             [J]
     [[nodiscard]] double held_work() const { return held_work_; }
     [[nodiscard]] double kinetic_energy() const;  ///< of its mass                              [J]
 
+    /// Whether its card gives it a motion.
     [[nodiscard]] bool moves() const { return !card_.motion.direction.isZero(0.0); }
-    [[nodiscard]] const Vec3& displacement() const { return shift_; }  ///< at t                [m]
-    [[nodiscard]] const Vec3& velocity() const { return velocity_; }   ///< at t + dt/2       [m/s]
+    /// Since the start, at t.                                                                   [m]
+    [[nodiscard]] const Vec3& displacement() const { return shift_; }
+    [[nodiscard]] const Vec3& velocity() const { return velocity_; }  ///< at t + dt/2       [m/s]
     /// At t, between the steps before and ahead.
     /// @param weight  of the step ahead, Clock::weight()                                       [-]
     [[nodiscard]] Vec3 velocity_at_t(double weight) const {

@@ -20,13 +20,14 @@ struct WallMotion {
 
 /// *RIGIDWALL_PLANAR, *RIGIDWALL_GEOMETRIC: something hard that nodes cannot enter.
 struct WallCard {
-    int id = 0;  ///< RWID, else order in the deck from 1
-    std::string title;
-    WallShape shape;
-    WallMotion motion;
-    double friction = 0.0;            ///< FRIC: 0 slides, 1 sticks, else Coulomb     [-]
-    std::vector<Index> nodes;         ///< node rows that it stops
-    double birth = 0.0, death = INF;  ///< [s]
+    int id = 0;                ///< RWID, else order in the deck from 1
+    std::string title;         ///< from the deck, may be empty
+    WallShape shape;           ///< at the start
+    WallMotion motion;         ///< from birth on
+    double friction = 0.0;     ///< FRIC: 0 slides, 1 sticks, else Coulomb     [-]
+    std::vector<Index> nodes;  ///< node rows that it stops
+    double birth = 0.0,        ///< before it the wall is not there  [s]
+        death = INF;           ///< after it the wall is not there  [s]
 };
 
 }  // namespace corpuscle::contact

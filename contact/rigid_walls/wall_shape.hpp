@@ -7,9 +7,11 @@
 
 #include "solver/base/vec.hpp"
 
+/// @file
 /// Convex shapes of rigid walls, in closed form: how far a point is, where a way leads in.
 ///
 /// Ranges (low, high) may be endless; axes are unit vectors.
+
 namespace corpuscle::contact {
 
 /// All that lies behind a plane.
@@ -20,45 +22,51 @@ struct HalfSpace {
 
 /// A rectangle without depth; it has a front, and its back lets everything pass.
 struct Plate {
-    Vec3 corner = Vec3::Zero();                          ///< [m]
-    Mat3 axes = Mat3::Identity();                        ///< columns: two edges, normal
-    double low[2] = {-INF, -INF}, high[2] = {INF, INF};  ///< along the edges             [m]
+    Vec3 corner = Vec3::Zero();    ///< where both ranges are 0  [m]
+    Mat3 axes = Mat3::Identity();  ///< columns: two edges, normal
+    double low[2] = {-INF, -INF},  ///< begin along each of the two edges, from the corner  [m]
+        high[2] = {INF, INF};      ///< end, likewise  [m]
 };
 
+/// A ball, inside and rim.
 struct Ball {
-    Vec3 centre = Vec3::Zero();  ///< [m]
-    double radius = NaN;         ///< [m]
+    Vec3 centre = Vec3::Zero();  ///< of the ball  [m]
+    double radius = NaN;         ///< of its rim  [m]
 };
 
 /// A round cylinder with flat ends.
 struct Rod {
-    Vec3 base = Vec3::Zero();  ///< [m]
-    Vec3 axis = Vec3::UnitZ();
-    double radius = NaN;            ///< [m]
-    double low = -INF, high = INF;  ///< along the axis from the base                         [m]
+    Vec3 base = Vec3::Zero();   ///< on the axis  [m]
+    Vec3 axis = Vec3::UnitZ();  ///< unit
+    double radius = NaN;        ///< of the mantle  [m]
+    double low = -INF,          ///< lower end along the axis, from the base  [m]
+        high = INF;             ///< upper end, likewise  [m]
 };
 
 /// A brick.
 struct Brick {
-    Vec3 corner = Vec3::Zero();                                   ///< [m]
-    Mat3 axes = Mat3::Identity();                                 ///< columns
-    Vec3 low = Vec3::Constant(-INF), high = Vec3::Constant(INF);  ///< along the axes         [m]
+    Vec3 corner = Vec3::Zero();       ///< where all ranges are 0  [m]
+    Mat3 axes = Mat3::Identity();     ///< columns: three edges, unit
+    Vec3 low = Vec3::Constant(-INF),  ///< begin along each axis, from the corner  [m]
+        high = Vec3::Constant(INF);   ///< end, likewise  [m]
 };
 
+/// One of the shapes; the functions below take any.
 using WallShape = std::variant<HalfSpace, Plate, Ball, Rod, Brick>;
 
 /// Of a point: its distance from the shape, below 0 inside, and the outward normal there. Of a
 /// plate: the height above its plane.
 struct Nearby {
-    double gap = INF;  ///< [m]
-    Vec3 normal = Vec3::Zero();
+    double gap = INF;            ///< distance, < 0 inside  [m]
+    Vec3 normal = Vec3::Zero();  ///< outward, unit; where several are as near, one of them
 };
+/// Distance and normal at a place, in closed form.                                         [m]
 [[nodiscard]] Nearby nearest(const WallShape& shape, const Vec3& at);
 
 /// Where a straight way leads in: the share of the way, and the outward normal there.
 struct Entry {
-    double share = 0.0;  ///< 0 to 1  [-]
-    Vec3 normal = Vec3::Zero();
+    double share = 0.0;          ///< 0 to 1  [-]
+    Vec3 normal = Vec3::Zero();  ///< outward, unit, at the entry
 };
 /// The first entry of the way from a place outside to another; none where it stays outside.
 /// A plate is entered from its front only.

@@ -18,12 +18,12 @@ namespace corpuscle::contact {
 
 /// What contact is built from. Spans need to live during construction only.
 struct ContactSetup {
-    std::vector<ContactCard> cards;
-    std::vector<Triangle> triangles;
-    std::vector<Index> part;        ///< row of each triangle's part
-    std::vector<double> thickness;  ///< of the section, per triangle; 0: a skin              [m]
-    std::vector<double> modulus;    ///< through the thickness, per triangle; empty: 10 MPa   [Pa]
-    std::size_t parts = 1;          ///< in the scene
+    std::vector<ContactCard> cards;   ///< of several for a pair the first holds
+    std::vector<Triangle> triangles;  ///< of all parts that cards name, T × 3 node rows
+    std::vector<Index> part;          ///< row of each triangle's part
+    std::vector<double> thickness;    ///< of the section, per triangle; 0: a skin              [m]
+    std::vector<double> modulus;      ///< through the thickness, per triangle; empty: 10 MPa   [Pa]
+    std::size_t parts = 1;            ///< in the scene
     /// In which gaps that start below the contact thickness grow to it, but for 1/e; long against a
     /// step, so that nothing is thrown, and short against a deployment.                        [s]
     double growth_time = 1e-3;
@@ -38,8 +38,8 @@ struct ContactSetup {
 
 /// What contact knows of the fabric and of rigid bodies' surfaces, and what never changes.
 struct Cloth {
-    Rules rules;
-    std::vector<Triangle> triangles;
+    Rules rules;                                 ///< who may touch whom, from the cards
+    std::vector<Triangle> triangles;             ///< as set up, T × 3 node rows
     std::vector<Index> part;                     ///< by triangle: row of its part
     std::vector<std::vector<double>> thickness;  ///< contact thickness by card and triangle   [m]
     std::vector<double> node_thickness;          ///< by node: the greatest of its triangles   [m]
@@ -50,14 +50,15 @@ struct Cloth {
     std::vector<double> inverse_mass;  ///< by node row; 0: held, or of a rigid body     [1/kg]
     Points mobility;  ///< by node row and axis: likewise, 0 also along axes that are held [1/kg]
     std::vector<Index> body;  ///< by node row: number of its rigid body, or -1
-    Points reference_x, x0;   ///< by node row, N × 3                           [m]
+    Points reference_x,       ///< stress-free, by node row, N × 3  [m]
+        x0;                   ///< at the start, by node row, N × 3  [m]
 
     /// Each node and each edge belongs to just one of the triangles that have it, so that a pair of
     /// them is met once. Bits 0-2: node k is this triangle's; bits 3-5: edge k -> k + 1 is.
     std::vector<std::uint8_t> owned;
     std::vector<std::array<Index, 3>> edge;  ///< by triangle: names of its edges k -> k + 1
 
-    Patches patches;
+    Patches patches;           ///< of the triangles, each compact along the cloth
     std::vector<Index> nodes;  ///< that triangles have, ascending
 
     /// By node row: least height over the opposite side of its triangles in the reference shape.
@@ -65,29 +66,36 @@ struct Cloth {
     std::vector<double> star_height;
 
     std::vector<Index> node_triangle;  ///< triangles of node n, ascending
-    std::vector<Index> node_start;
+    std::vector<Index> node_start;     ///< where those of node n begin, N + 1
 
     std::vector<Index> body_node;   ///< nodes of body b: body_node[body_start[b]] ...
     std::vector<Index> body_start;  ///< of numbers 0 ... greatest, and the end
 
-    std::vector<Index> near_node;  ///< nodes beside node i on the cloth, ascending
-    std::vector<Index> near_start;
+    std::vector<Index> near_node;   ///< nodes beside node i on the cloth, ascending
+    std::vector<Index> near_start;  ///< where those of node i begin, N + 1
 
+    /// @throws InputError for a contact thickness that is not positive or a free node without mass
     explicit Cloth(const ContactSetup& setup);
 
+    /// Rows of the triangles that have a node, ascending.
     [[nodiscard]] std::span<const Index> triangles_of(Index node) const {
         return std::span(node_triangle)
             .subspan(node_start[node], node_start[node + 1] - node_start[node]);
     }
+    /// Whether pairs of node k of a triangle are met from this triangle.
     [[nodiscard]] bool owns_node(Index triangle, int k) const { return owned[triangle] >> k & 1; }
+    /// Whether pairs of its edge k -> k + 1 are.
     [[nodiscard]] bool owns_edge(Index triangle, int k) const {
         return owned[triangle] >> (3 + k) & 1;
     }
     /// Whether nothing can move the pair's nodes against each other.
     [[nodiscard]] bool is_held(const Pair& pair) const;
+    /// Node rows of a rigid body, ascending.
+    /// @param b  its number, below body_start.size() - 1
     [[nodiscard]] std::span<const Index> nodes_of_body(std::size_t b) const {
         return std::span(body_node).subspan(body_start[b], body_start[b + 1] - body_start[b]);
     }
+    /// Whether a node of the pair is one of a rigid body.
     [[nodiscard]] bool has_body(const Pair& pair) const {
         return body_start.size() > 1 && std::any_of(pair.node.begin(), pair.node.end(),
                                                     [&](Index n) { return body[n] >= 0; });
@@ -97,6 +105,8 @@ struct Cloth {
         const auto& of = thickness[static_cast<std::size_t>(card)];
         return 0.5 * (of[a] + of[b]);
     }
+    /// Whether `other` has an edge in common with the node, or with one that is nearer to it along
+    /// edges of the reference shape than twice the greatest contact thickness.
     [[nodiscard]] bool are_beside(Index node, Index other) const;
 };
 

@@ -11,12 +11,12 @@ namespace corpuscle::contact {
 /// Two places of the cloth, or of rigid bodies, that are near each other: gap = |sum of weight x|,
 /// rate = normal · sum of weight v. The weights add up to zero, so forces along them keep momentum.
 struct Contact {
-    static constexpr std::uint16_t ALONE = 256;  ///< name of no column
+    static constexpr std::uint16_t ALONE = 256;  ///< `column` of a contact outside of all columns
 
-    std::array<Index, 4> node;
-    std::array<double, 4> weight;
-    Vec3 normal;    ///< from the second place to the first
-    double gap;     ///< [m]
+    std::array<Index, 4> node;     ///< rows: a node and a triangle's three, or two edges'
+    std::array<double, 4> weight;  ///< of x: > 0 on the first place, < 0 on the second
+    Vec3 normal;                   ///< from the second place to the first, unit
+    double gap;                    ///< between the two places  [m]
     double mass;    ///< 1 / (what an impulse of one makes of the rate)             [kg]
     bool is_edges;  ///< two edges, else a node and a triangle
     std::uint16_t column = ALONE;  ///< name of its column (contact/response/column_colouring.hpp)
@@ -25,7 +25,7 @@ struct Contact {
     int side = 0;       ///< 1: the first place is on SURFA, -1: the second is; 0: a single surface
     double rest = 0.0;  ///< gap below which it pushes                                  [m]
     double rest_rate = 0.0;  ///< growth of `rest`                                           [m/s]
-    double stiffness = 0.0;  ///< [N/m]
+    double stiffness = 0.0;  ///< of the pair, normal to it  [N/m]
     double thickness = 0.0;  ///< of contact, at full                                        [m]
     double modulus = 0.0;    ///< through the thickness                                     [Pa]
     double area = 0.0;       ///< that it stands for                                       [m^2]
@@ -38,10 +38,12 @@ struct Contact {
     std::size_t pair = 0;        ///< candidate row
     Index memory = -1;           ///< row of what the pair remembers, or -1; until lists change
 
+    /// Velocity of the first place against the second; v by node row.                       [m/s]
     [[nodiscard]] Vec3 relative(const Points& v) const {
         return weight[0] * v[node[0]] + weight[1] * v[node[1]] + weight[2] * v[node[2]] +
                weight[3] * v[node[3]];
     }
+    /// Of the gap: the same along the normal, > 0 as it opens.                              [m/s]
     [[nodiscard]] double rate(const Points& v) const { return normal.dot(relative(v)); }
 };
 

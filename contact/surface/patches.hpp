@@ -16,7 +16,9 @@ struct Patches {
     std::vector<Index> triangle;  ///< triangle rows, patch by patch
     std::vector<Index> start;     ///< compressed rows, one more than there are patches
 
+    /// Patches.
     [[nodiscard]] std::size_t size() const { return start.empty() ? 0 : start.size() - 1; }
+    /// Triangle rows of patch p.
     [[nodiscard]] std::span<const Index> operator[](std::size_t p) const {
         return {triangle.data() + start[p], static_cast<std::size_t>(start[p + 1] - start[p])};
     }

@@ -33,9 +33,11 @@ struct RigidProxy {
     Vec3 velocity_change = Vec3::Zero();  ///< by it, as far as nodes do not have it       [m/s]
     Vec3 spin_change = Vec3::Zero();      ///< likewise                                    [rad/s]
 
+    /// Velocity at a place of it by what it has taken and its nodes do not have.            [m/s]
     [[nodiscard]] Vec3 change_at(const Vec3& x) const {
         return velocity_change + spin_change.cross(x - centre);
     }
+    /// Velocity at a place of it, all told.                                                 [m/s]
     [[nodiscard]] Vec3 velocity_at(const Vec3& x) const {
         return velocity + spin.cross(x - centre) + change_at(x);
     }
@@ -47,6 +49,9 @@ struct RigidProxy {
     }
     /// Takes an impulse; returns the work that supports and motions do thereby.            [J]
     double push(const Vec3& by, const Vec3& at) { return take({by, (at - centre).cross(by)}); }
+    /// The same of an impulse and its moment about the centre:
+    ///
+    ///     work = - impulse · held_velocity - moment · held_spin                            [J]
     double take(const BodyImpulse& by);
 };
 
@@ -93,15 +98,20 @@ public:
         if (!std::exchange(has_begun_, true) && v_before_) parallel::copy(v_, *v_before_);
     }
 
+    /// Of a node, with what its body has taken.                                             [m/s]
     [[nodiscard]] Vec3 velocity(Index node) const {
         const Index body = cloth_.body[node];
         return body < 0 ? v_[node] : Vec3(v_[node] + bodies_[body].change_at(x_[node]));
     }
+    /// Of the first place of a contact against the second, likewise.                        [m/s]
     [[nodiscard]] Vec3 relative(const Contact& c) const {
         return c.weight[0] * velocity(c.node[0]) + c.weight[1] * velocity(c.node[1]) +
                c.weight[2] * velocity(c.node[2]) + c.weight[3] * velocity(c.node[3]);
     }
+    /// The same along the normal, > 0 as the gap opens.                                     [m/s]
     [[nodiscard]] double rate(const Contact& c) const { return c.normal.dot(relative(c)); }
+    /// 1 / (what an impulse of one along `direction` makes of the rate along it); of free nodes the
+    /// same in all directions.                                                               [kg]
     [[nodiscard]] double mass(const Contact& c, const Vec3& direction) const {
         return c.on_body ? mass_along(cloth_, bodies_, x_, c, direction) : c.mass;
     }
@@ -116,11 +126,13 @@ public:
         for (int k = 0; k < 3; ++k)
             if (cloth_.mobility[node][k] > 0.0) v_[node][k] = velocity[k];
     }
-    /// Joins a node to a body's place where it is: an impulse that leaves no velocity between them.
+    /// What join() did.
     struct Joined {
         double taken = 0.0;      ///< energy                                               [J]
         double held_work = 0.0;  ///< of what is held                                      [J]
     };
+    /// Joins a node to a body's place where it is: an impulse that leaves no velocity between them.
+    /// Of two that nothing can move it does nothing.
     Joined join(Index node, Index body);
 
     /// Velocities of nodes, those of bodies without what these have taken since.             [m/s]
@@ -132,8 +144,11 @@ public:
     void settle();
     /// Whether any velocity may have changed.
     [[nodiscard]] bool has_begun() const { return has_begun_; }
+    /// By node row, as node_velocities()  [m/s]
     [[nodiscard]] const Points& v() const { return v_; }
+    /// By node row, at t                  [m]
     [[nodiscard]] const Points& x() const { return x_; }
+    /// By number.
     [[nodiscard]] std::span<const RigidProxy> bodies() const { return bodies_; }
 
 private:

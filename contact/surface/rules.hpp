@@ -14,12 +14,14 @@ namespace corpuscle::contact {
 /// Where several cards hold for a pair the first one in the deck does.
 class Rules {
 public:
-    static constexpr int NONE = -1;
+    static constexpr int NONE = -1;  ///< row of no card
 
     /// @param parts  in the scene
     Rules(std::vector<ContactCard> cards, std::span<const Curve> curves, std::size_t parts);
 
+    /// By row, in the deck's order.
     [[nodiscard]] const std::vector<ContactCard>& cards() const { return cards_; }
+    /// The card of a row, not NONE.
     [[nodiscard]] const ContactCard& card(int row) const {
         return cards_[static_cast<std::size_t>(row)];
     }
@@ -47,6 +49,7 @@ public:
     /// Bound on the contact thickness at t: that of LCIDAB; INF without a curve.                [m]
     [[nodiscard]] double most(int card, double t) const;
 
+    /// Whether t lies within birth and death of the card, ends included.                        [s]
     [[nodiscard]] bool is_on(int card, double t) const {
         return t >= this->card(card).birth && t <= this->card(card).death;
     }

@@ -7,22 +7,26 @@ namespace corpuscle::fabric {
 /// Green-Lagrange strain on the warp and weft of the reference shape; shear is the angle's.   [-]
 template <class Real>
 struct Strain {
-    Real warp, weft;  ///< E11, E22
-    Real shear;       ///< 2·E12
+    Real warp,   ///< E11
+        weft;    ///< E22
+    Real shear;  ///< 2·E12
 };
 
 /// Second Piola-Kirchhoff stress on warp and weft, and the energy it stores.
 template <class Real>
 struct Stress {
-    Real warp, weft;  ///< S11, S22                               [Pa]
-    Real shear;       ///< S12                                    [Pa]
-    Real energy;      ///< of the reference volume                [J/m^3]
+    Real warp,    ///< S11  [Pa]
+        weft;     ///< S22  [Pa]
+    Real shear;   ///< S12                                    [Pa]
+    Real energy;  ///< of the reference volume                [J/m^3]
 };
 
 /// Stiffness of a thin sheet on its warp and weft.                       [Pa]
 struct PlaneModuli {
-    double warp = 0, cross = 0, weft = 0;  ///< D11, D12, D22     [Pa]
-    double shear = 0;                      ///< G                 [Pa]
+    double warp = 0,   ///< D11  [Pa]
+        cross = 0,     ///< D12  [Pa]
+        weft = 0;      ///< D22  [Pa]
+    double shear = 0;  ///< G                 [Pa]
 
     /// S = D·E without the energy.
     template <class Real>
@@ -50,11 +54,12 @@ Stress<Real> stress_at(const Law& law, int k, const Strain<Real>& e) {
 }
 
 /// D11 = E1/(1 - nu12·nu21), D12 = nu21·D11, D22 = E2/(1 - nu12·nu21), nu12 = nu21·E1/E2.
-/// @param nu_21  strain along 1 from stress along 2 (PRBA)
+/// @param nu_21  strain along 1 from stress along 2 (PRBA), nu_21² E_1 / E_2 < 1               [-]
 inline PlaneModuli orthotropic_moduli(double E_1, double E_2, double nu_21, double G) {
     const double scale = 1.0 / (1.0 - nu_21 * nu_21 * E_1 / E_2);
     return {scale * E_1, scale * nu_21 * E_1, scale * E_2, G};
 }
+/// The same of one modulus and one Poisson's ratio, G = E/2(1 + nu).
 inline PlaneModuli isotropic_moduli(double E, double nu) {
     return orthotropic_moduli(E, E, nu, 0.5 * E / (1.0 + nu));
 }

@@ -10,7 +10,9 @@
 #include "solver/base/constants.hpp"
 #include "solver/base/vec.hpp"
 
+/// @file
 /// What the deck says of the ways out of a bag, for gas and for heat.
+
 namespace corpuscle::gas {
 
 /// One vent: NVENT row of *AIRBAG_PARTICLE, or *DEFINE_CPM_VENT.
@@ -41,10 +43,9 @@ struct LeakCard {
 
 /// Heat through a part: HCONV (T - TATM) per area.
 struct HeatCard {
-    std::vector<Index> parts;  ///< part rows
-    double coefficient =
-        0.0;           ///< HCONV                                                 [W/(m^2 K)]
-    Index curve = -1;  ///< HCONV < 0: over time
+    std::vector<Index> parts;  ///< part rows that lose heat
+    double coefficient = 0.0;  ///< HCONV: heat transfer coefficient  [W/(m^2 K)]
+    Index curve = -1;          ///< HCONV < 0: over time
 };
 
 /// BLOCK of *AIRBAG_PARTICLE: what touching does to holes.
@@ -55,6 +56,7 @@ struct BlockCard {
 
     bool by_pressure = false;  ///< M = 2: external vents, where contact presses more than the gas
 
+    /// Whether touching closes anything.
     [[nodiscard]] bool any() const {
         return fabric || external_vents || internal_vents || by_pressure;
     }

@@ -12,13 +12,15 @@
 #include "solver/base/constants.hpp"
 #include "solver/base/vec.hpp"
 
+/// @file
 /// What *AIRBAG_SIMPLE_AIRBAG_MODEL, *AIRBAG_WANG_NEFSKE and their like say, in deck units.
+
 namespace corpuscle::gas {
 
 /// A value, or a curve of something; the curve counts where it is given.
 struct CurveOr {
-    double value = 0.0;
-    Index curve = -1;  ///< row in Model::curves
+    double value = 0.0;  ///< where `curve` is -1, in the units of what it stands for
+    Index curve = -1;    ///< row in Model::curves
 };
 
 /// A hole: mass flow = coefficient · area · orifice_flow().
@@ -33,10 +35,10 @@ struct ExitCard {
 
 /// Fabric of one part that leaks: FLC, FAC, X0-X3, FVOPT.
 struct UniformLeak {
-    Index part = -1;  ///< row
+    Index part = -1;  ///< part row
     CurveOr share;    ///< FLC, of time                                                   [-]
     CurveOr factor;   ///< FAC, of absolute pressure           [m/s], [-] or [s/m], by law
-    LeakLaw law = LeakLaw::VELOCITY;
+    LeakLaw law = LeakLaw::VELOCITY;  ///< what `factor` is, by FVOPT
     /// X0-X3: Wang-Nefske flow through A0 (X0 + X1 rs + X2 rp + X3 rs rp), instead of these.
     std::optional<std::array<double, 4>> growth;
 };
@@ -54,7 +56,7 @@ struct UniformGasCard {
 ///     p = BETA CN / (V / V0),   or a curve of V / V0,   V0 the volume at the start.
 struct VolumeLaw {
     CurveOr coefficient;  ///< CN, of time                                              [Pa]
-    double scale = 1.0;   ///< BETA                                                     [-]
+    double scale = 1.0;   ///< BETA: factor on the pressure                          [-]
     Index curve = -1;     ///< LCID: pressure over V / V0, instead of these             [Pa]
 };
 
@@ -68,25 +70,26 @@ struct ExchangeCard {
 
 /// One bag of uniform pressure.
 struct UniformBagCard {
-    std::string keyword;  ///< for messages: "*AIRBAG_WANG_NEFSKE"
-    int id = 0;
-    std::string title;
+    std::string keyword;          ///< for messages: "*AIRBAG_WANG_NEFSKE"
+    int id = 0;                   ///< the _ID card's number, else order in the deck from 1
+    std::string title;            ///< from the deck, may be empty
     std::vector<Index> shells;    ///< shell rows that close the bag
-    double volume_scale = 1.0;    ///< VSCA                                          [-]
-    double pressure_scale = 1.0;  ///< PSCA                                          [-]
+    double volume_scale = 1.0;    ///< VSCA: factor on the mesh's volume                     [-]
+    double pressure_scale = 1.0;  ///< PSCA: factor on the load                              [-]
     double volume_taken = 0.0;    ///< VINI: V = VSCA · V of the mesh - VINI         [m^3]
-    double cv = NaN, cp = NaN;    ///< CV, CP                                  [J/(kg K)]
+    double cv = NaN,              ///< CV: heat capacity at constant volume  [J/(kg K)]
+        cp = NaN;                 ///< CP: heat capacity at constant pressure  [J/(kg K)]
     CurveOr temperature;          ///< T, LCT: of the gas that comes in, of time     [K]
     Index mass_rate = -1;         ///< LCID, LCMT: of time                        [kg/s]
-    std::vector<ExitCard> exits;
-    Index exit_rate = -1;       ///< LOU, LCEFR: mass flow out of gauge pressure [kg/s]
-    double opens_at = 0.0;      ///< PPOP: gauge pressure from which exits are open [Pa]
-    double p_atm = NaN;         ///< PE                                           [Pa]
-    double density = NaN;       ///< RO: of the gas inside at the start      [kg/m^3]
-    double overpressure = 0.0;  ///< POVER: gauge pressure at the start           [Pa]
+    std::vector<ExitCard> exits;  ///< holes out of the bag, into the atmosphere
+    Index exit_rate = -1;         ///< LOU, LCEFR: mass flow out of gauge pressure [kg/s]
+    double opens_at = 0.0;        ///< PPOP: gauge pressure from which exits are open [Pa]
+    double p_atm = NaN;           ///< PE: pressure outside                                  [Pa]
+    double density = NaN;         ///< RO: of the gas inside at the start      [kg/m^3]
+    double overpressure = 0.0;    ///< POVER: gauge pressure at the start           [Pa]
     double start_temperature =
         NaN;  ///< IABT: of the gas inside at the start, RO follows; NaN: from RO     [K]
-    std::vector<UniformLeak> leaks;
+    std::vector<UniformLeak> leaks;     ///< fabric of the bag that leaks
     std::vector<UniformGasCard> gases;  ///< in the place of cv, cp, temperature, mass_rate, density
     double gas_constant = NaN;          ///< GC, of `gases`                        [J/(mol K)]
     std::optional<VolumeLaw> law;       ///< in the place of all gas

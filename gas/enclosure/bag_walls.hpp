@@ -11,11 +11,11 @@ namespace corpuscle::gas {
 
 /// The fabric of one bag as the gas sees it.
 struct BagWalls {
-    std::vector<Triangle> triangles;  ///< the closing ones first, then the internal ones
-    std::vector<Index> shell;         ///< a shell row a triangle
-    std::vector<Index> part;          ///< a row in part_ids a triangle
-    std::size_t closing = 0;          ///< how many close the bag
-    std::vector<int> part_ids;
+    std::vector<Triangle> triangles;     ///< the closing ones first, then the internal ones
+    std::vector<Index> shell;            ///< a shell row a triangle
+    std::vector<Index> part;             ///< a row in part_ids a triangle
+    std::size_t closing = 0;             ///< how many close the bag
+    std::vector<int> part_ids;           ///< the deck's numbers of the parts that wall it
     std::vector<Index> part_rows;        ///< the same parts, as rows of the model
     std::vector<LeakCard> leaks;         ///< of the fabrics that leak
     std::vector<double> reference_area;  ///< of each part's stress-free shape          [m^2]

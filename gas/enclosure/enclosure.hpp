@@ -16,15 +16,18 @@ namespace corpuscle::gas {
 class Enclosure {
 public:
     /// Mends the orientation where triangles disagree, by walking from neighbour to neighbour.
-    /// Errors: InputError when an edge is free or shared by more than two triangles, naming nodes;
-    /// its faults are of `bag_name`'s `property`.
+    /// @param x         N × 3, at the start                                                  [m]
+    /// @param node_id   N: the deck's, for messages
+    /// @param property  with `bag_name`, what the faults are of
+    /// @throws InputError  when an edge is free or shared by more than two triangles, naming nodes
     Enclosure(std::vector<Triangle> triangles, std::span<const Vec3> x,
               std::span<const int> node_id, const std::string& bag_name,
               Property property = Property::NONE);
 
     /// Enclosed volume, V = sum x0·(x1 × x2) / 6. [m^3]
     [[nodiscard]] double volume(std::span<const Vec3> x) const;
-    [[nodiscard]] double area(std::span<const Vec3> x) const;  ///< [m^2]
+    /// Sum of its triangles' areas.                                                           [m^2]
+    [[nodiscard]] double area(std::span<const Vec3> x) const;
 
     /// area[n] = dV/dx_n: the vector area that a node carries, outward.                 N × 3 [m^2]
     /// Only rows in nodes() are written.
@@ -34,11 +37,12 @@ public:
     /// [van Oosterom & Strackee 1983, Eq. 8]. Cost: one atan2 a triangle.
     [[nodiscard]] bool contains(const Vec3& point, std::span<const Vec3> x) const;
 
+    /// T × 3 node rows, normals outward.
     [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
+    /// Rows of the nodes that triangles have, each once.
     [[nodiscard]] std::span<const Index> nodes() const { return nodes_; }
-    [[nodiscard]] std::size_t turned() const {
-        return turned_;
-    }  ///< triangles whose normal was mended
+    /// Triangles whose normal was mended.
+    [[nodiscard]] std::size_t turned() const { return turned_; }
 
 private:
     std::vector<Triangle> triangles_;

@@ -16,9 +16,9 @@ public:
     /// @param end   nothing counts after this time                                  [s]
     FlowCurve(const Curve& rate, double end);
 
-    [[nodiscard]] double total() const { return sum_.back(); }  ///< [kg]
-    [[nodiscard]] double begins() const { return t_.front(); }  ///< [s]
-    [[nodiscard]] double ends() const { return t_.back(); }     ///< [s]
+    [[nodiscard]] double total() const { return sum_.back(); }  ///< all that comes in  [kg]
+    [[nodiscard]] double begins() const { return t_.front(); }  ///< when flow may begin, >= 0  [s]
+    [[nodiscard]] double ends() const { return t_.back(); }     ///< when it has ended  [s]
 
     /// Exact integral of the flow from 0 to t.                                      [kg]
     [[nodiscard]] double sum_until(double t) const;

@@ -18,17 +18,20 @@ namespace corpuscle::gas {
 /// t - dt/2 to t + dt/2. settle() finds the state at t; work() books the kick's.
 class ControlVolume {
 public:
+    /// Empty of gas at first.
+    /// @param species  one at least, all of the same gas constant R
     explicit ControlVolume(std::vector<Species> species)
         : species_(std::move(species)), moles_(species_.size(), 0.0) {
         assert(!species_.empty());
     }
 
-    /// Gas of one species with all that it carries.                                 [mol], [J]
+    /// Adds gas of one species with all the energy that it carries.                  [mol], [J]
     void add(std::size_t species, double moles, double energy) {
         moles_[species] += moles;
         energy_ += energy;
     }
-    void add_heat(double energy) { energy_ += energy; }  ///< [J]
+    /// Adds heat, to all the gas alike.                                                [J]
+    void add_heat(double energy) { energy_ += energy; }
 
     /// Gas that flows out as it is, with its enthalpy: a share of every species. Returns the energy
     /// that goes with it.                                                                    [J]
@@ -44,19 +47,26 @@ public:
         return pressure_ * swept;
     }
 
-    // At t, as settle() found it
-    [[nodiscard]] double pressure() const { return pressure_; }        ///< [Pa]
-    [[nodiscard]] double temperature() const { return temperature_; }  ///< [K]
-    [[nodiscard]] double volume() const { return volume_; }            ///< [m^3]
-    [[nodiscard]] double energy() const { return energy_at_t_; }       ///< [J]
+    /// Absolute, at t, as settle() found it.                                          [Pa]
+    [[nodiscard]] double pressure() const { return pressure_; }
+    /// Of all species alike, at t.                                                     [K]
+    [[nodiscard]] double temperature() const { return temperature_; }
+    /// That the gas fills at t.                                                      [m^3]
+    [[nodiscard]] double volume() const { return volume_; }
+    /// All that the gas holds at t, 0 at 0 K.                                          [J]
+    [[nodiscard]] double energy() const { return energy_at_t_; }
 
+    /// As it was built with.
     [[nodiscard]] const std::vector<Species>& species() const { return species_; }
+    /// Of one species, by row.                                                      [mol]
     [[nodiscard]] double moles(std::size_t species) const { return moles_[species]; }
+    /// Of all species.                                                              [mol]
     [[nodiscard]] double moles() const;
+    /// Of one species, by row.                                                       [kg]
     [[nodiscard]] double mass(std::size_t s) const { return moles_[s] * species_[s].molar_mass(); }
-    [[nodiscard]] double mass() const;      ///< [kg]
+    [[nodiscard]] double mass() const;      ///< of all species              [kg]
     [[nodiscard]] double gamma() const;     ///< Cp / Cv of the mixture at T              [-]
-    [[nodiscard]] double enthalpy() const;  ///< at T                                   [J/kg]
+    [[nodiscard]] double enthalpy() const;  ///< u + R T / M at T                        [J/kg]
     /// R / M of the mixture.                                                       [J/(kg K)]
     [[nodiscard]] double gas_constant() const { return R() * moles() / mass(); }
 

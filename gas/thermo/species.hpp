@@ -19,16 +19,21 @@ struct EnergyPolynomial {
     double b = 0.0;  ///< [J/K^2]
     double c = 0.0;  ///< [J/K^3]
 
+    /// E at T [K].                                                                            [J]
     [[nodiscard]] double operator()(double T) const { return ((c * T + b) * T + a) * T; }
+    /// dE/dT at T: the heat capacity.                                                       [J/K]
     [[nodiscard]] double slope(double T) const { return (3.0 * c * T + 2.0 * b) * T + a; }
+    /// d²E/dT² at T.                                                                      [J/K^2]
     [[nodiscard]] double curvature(double T) const { return 6.0 * c * T + 2.0 * b; }
 
+    /// Energy of both together.
     EnergyPolynomial& operator+=(const EnergyPolynomial& o) {
         a += o.a;
         b += o.b;
         c += o.c;
         return *this;
     }
+    /// Energy of s times as much.
     friend EnergyPolynomial operator*(double s, const EnergyPolynomial& p) {
         return {s * p.a, s * p.b, s * p.c};
     }
@@ -48,21 +53,26 @@ struct EnergyPolynomial {
 /// is.
 class Species {
 public:
-    /// Errors: InputError, naming the gas by `name`, when a number is missing or M or R is not
-    /// positive.
+    /// @param gas_constant  R in the card's units                                     [J/(mol K)]
+    /// @throws InputError  naming the gas by `name`, when a number is missing or M or R is not
+    ///                     positive
     Species(const SpeciesCard& card, double gas_constant, std::string name);
 
+    /// For messages.
     [[nodiscard]] const std::string& name() const { return name_; }
-    [[nodiscard]] double molar_mass() const { return M_; }    ///< [kg/mol]
-    [[nodiscard]] double gas_constant() const { return R_; }  ///< [J/(mol K)]
-    [[nodiscard]] double cp(double T) const {
-        return ((C_ * T + B_) * T + A_) / M_;
-    }                                                                          ///< [J/(kg K)]
-    [[nodiscard]] double cv(double T) const { return cp(T) - R_ / M_; }        ///< [J/(kg K)]
-    [[nodiscard]] double gamma(double T) const { return cp(T) / cv(T); }       ///< [-]
-    [[nodiscard]] double u(double T) const { return molar_energy()(T) / M_; }  ///< [J/kg]
-    [[nodiscard]] double h(double T) const { return u(T) + R_ * T / M_; }      ///< [J/kg]
-    [[nodiscard]] double internal(double T) const { return molar_internal()(T) / M_; }  ///< [J/kg]
+    [[nodiscard]] double molar_mass() const { return M_; }    ///< M        [kg/mol]
+    [[nodiscard]] double gas_constant() const { return R_; }  ///< R  [J/(mol K)]
+    /// Heat capacity at constant pressure.                                            [J/(kg K)]
+    [[nodiscard]] double cp(double T) const { return ((C_ * T + B_) * T + A_) / M_; }
+    /// Heat capacity at constant volume.                                              [J/(kg K)]
+    [[nodiscard]] double cv(double T) const { return cp(T) - R_ / M_; }
+    [[nodiscard]] double gamma(double T) const { return cp(T) / cv(T); }  ///< cp / cv         [-]
+    /// Energy of the gas at rest.                                                         [J/kg]
+    [[nodiscard]] double u(double T) const { return molar_energy()(T) / M_; }
+    /// Enthalpy.                                                                          [J/kg]
+    [[nodiscard]] double h(double T) const { return u(T) + R_ * T / M_; }
+    /// Energy of spin and vibration.                                                      [J/kg]
+    [[nodiscard]] double internal(double T) const { return molar_internal()(T) / M_; }
 
     /// Same molar mass, same heat capacity.
     [[nodiscard]] bool is_like(const Species& o) const {
@@ -79,6 +89,7 @@ public:
 
     /// All energy and its internal (spin + vibration) part, of a mole.
     [[nodiscard]] EnergyPolynomial molar_energy() const { return {A_ - R_, B_ / 2, C_ / 3}; }
+    /// The internal part: A - 5/2 R in the place of A - R.
     [[nodiscard]] EnergyPolynomial molar_internal() const {
         return {A_ - 2.5 * R_, B_ / 2, C_ / 3};
     }
@@ -96,15 +107,20 @@ private:
 /// The gases of a bag, as particles: all stand for the same number of moles.
 class Mixture {
 public:
+    /// @param species     one at least, by row
+    /// @param moles_each  that a particle stands for, > 0                                     [mol]
     Mixture(std::vector<Species> species, double moles_each);
 
     /// The first species that is alike in molar mass and heat capacity: collisions cannot tell gas
     /// of one kind apart, by whatever inflow it came.
     [[nodiscard]] std::int32_t kind(std::int32_t s) const { return kind_[s]; }
 
+    /// As it was built with.
     [[nodiscard]] const std::vector<Species>& species() const { return species_; }
-    [[nodiscard]] double moles_each() const { return moles_each_; }                ///< [mol]
-    [[nodiscard]] double particle_mass(std::int32_t s) const { return mass_[s]; }  ///< [kg]
+    /// That a particle stands for.                                                         [mol]
+    [[nodiscard]] double moles_each() const { return moles_each_; }
+    /// Of one particle of a species, by row.                                                [kg]
+    [[nodiscard]] double particle_mass(std::int32_t s) const { return mass_[s]; }
     /// Internal (spin + vibration) energy of a particle at equilibrium, over temperature.
     [[nodiscard]] const EnergyPolynomial& particle_internal(std::int32_t s) const {
         return internal_[s];

@@ -9,17 +9,21 @@
 #include "io/text/units.hpp"
 #include "solver/base/vec.hpp"
 
+/// @file
 /// What an impact test would report of a rigid form: and nothing that a rigid form cannot give
 /// (neck forces, chest deflection).
+
 namespace corpuscle::io {
 
-/// Uniformly sampled, in deck units.
+/// Motion of one rigid body, uniformly sampled, in deck units: row k is at k times the interval.
 struct BodyMotion {
-    int id = 0;  ///< of its part
-    double mass = 0.0;
-    double interval = 0.0;
-    Points position, velocity, acceleration, force;  ///< rows; the last two are means since the row
-                                                     ///< before
+    int id = 0;             ///< of its part
+    double mass = 0.0;      ///< of the body
+    double interval = 0.0;  ///< between rows, > 0
+    Points position,        ///< of the mass centre, by row
+        velocity,           ///< of the mass centre, by row
+        acceleration,       ///< mean since the row before
+        force;              ///< of contact and gas on it, mean since the row before
 };
 
 /// A number with all that is needed to read it.
@@ -41,13 +45,17 @@ struct Response {
 
 /// The bodies of /history_fast.
 [[nodiscard]] std::vector<int> tracked_bodies(const Hdf5Reader& results);
+/// The motion of one of them.
+/// @param id  of its part
+/// @throws InputError  where there are less than two rows, SystemError where they cannot be read
 [[nodiscard]] BodyMotion read_motion(const Hdf5Reader& results, int id);
 
-/// `{"file": ..., "bodies": {"20": {"peak_force": {"value": 1.5, "unit": "kN", ...}}}}`
+/// The responses of one body.
 struct BodyTable {
-    int id;
-    std::vector<Response> responses;
+    int id;                           ///< of its part
+    std::vector<Response> responses;  ///< of body_responses()
 };
+/// For programs: `{"bodies": {"20": {"peak_force": {"value": 1.5, "unit": "kN", ...}}}}`.
 [[nodiscard]] std::string responses_json(const std::vector<BodyTable>& tables);
 /// For people.
 [[nodiscard]] std::string responses_text(const BodyTable& table);

@@ -13,18 +13,20 @@ namespace corpuscle::io {
 /// that a restart needs to end in the same bits as the run that was never broken off.
 struct Checkpoint {
     std::uint64_t scene = 0;  ///< fingerprint of the scene
-    double t = 0.0;           ///< [s]
-    std::int64_t step = 0;
+    double t = 0.0;           ///< where the run is  [s]
+    std::int64_t step = 0;    ///< made so far
     std::vector<char> state;  ///< of the simulation and its outputs (solver/base/archive.hpp)
 };
 
-/// Takes the place of the checkpoint before it in one stroke. @throws SystemError
+/// Takes the place of the checkpoint before it in one stroke.
+/// @throws SystemError  where it cannot be written; the one before it is there then
 void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint);
 
 /// The checkpoint of a folder, or none. @throws SystemError for one that is damaged or of another
 /// version of the program
 [[nodiscard]] std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& folder);
 
+/// Should there be one; without it a restart begins at the start.
 void remove_checkpoint(const std::filesystem::path& folder);
 
 }  // namespace corpuscle::io

@@ -27,6 +27,7 @@ public:
     /// Writes /history, in the units of `unit_system`.
     void write(Hdf5Writer& file, const std::string& unit_system) const;
 
+    /// Appended so far.
     [[nodiscard]] std::size_t rows() const { return rows_; }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).

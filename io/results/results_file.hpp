@@ -23,11 +23,12 @@ namespace corpuscle::io {
 
 /// Who ran what: the root attributes of the results.
 struct RunInfo {
-    std::string program, version;
-    std::string deck;         ///< path of the deck
-    std::string unit_system;  ///< as Model::unit_system
-    std::uint64_t seed = 0;
-    int threads = 1;
+    std::string program,        ///< "corpuscle"
+        version;                ///< of the program
+    std::string deck;           ///< path of the deck
+    std::string unit_system;    ///< as Model::unit_system
+    std::uint64_t seed = 0;     ///< of the run's random numbers
+    int threads = 1;            ///< that the run uses
     std::string mendings = {};  ///< what was done to close bags, a line each
     std::uint64_t scene = 0;    ///< fingerprint of the scene, as in its checkpoints
     std::vector<std::pair<int, std::string>> parts = {};  ///< ids and titles
@@ -51,8 +52,12 @@ struct FinishedRun {
 /// At any instant results.h5 is a whole HDF5 file that nobody is writing to: each version is
 /// written beside it and renamed. So it opens, whenever the run is killed, and may be looked at
 /// meanwhile. To keep versions small, mesh and frames lie in FOLDER/results.parts while the run
-/// lasts, each written once, behind external links; finish() gathers all in the one file. Libhdf5 is
-/// used by one thread at a time: whoever writes settles the frame first.
+/// lasts, each written once, behind external links; finish() gathers all in the one file. Libhdf5
+/// is used by one thread at a time: whoever writes settles the frame first.
+///
+/// Numbers that are not finite are refused, so that none is ever in the results: observe(), append()
+/// and write() throw PhysicsError, which names the first, and leave it out. (Responses are NaN where
+/// there are none.)
 class ResultsFile {
 public:
     /// Creates the folder, clears away the results of an earlier run, writes the mesh.
@@ -73,6 +78,7 @@ public:
     }
 
     /// From now on these bodies are followed at a rate of their own. Once, before the first step.
+    /// @param interval  between rows, rigid_interval()                                          [s]
     void follow(double interval, const std::vector<RigidTrack>& tracks);
     /// Once in every step: the followed bodies at t; `at_end`: the last time.
     void observe(double t, const std::vector<RigidState>& states, bool at_end);
@@ -84,15 +90,13 @@ public:
     /// What the followed bodies felt so far.
     [[nodiscard]] std::vector<BodyTable> responses() const;
 
-    /// Numbers that are not finite are refused here, so that none is ever in the results: observe(),
-    /// append() and write() throw PhysicsError, which names the first, and leave it out.
-    /// (Responses are NaN where there are none.)
-
     /// One row in every history. On the disk within a second, or 50 times what a version costs.
+    /// @throws PhysicsError  if a number is not finite; the row is left out
     void append(const Sample& sample);
     /// One state for pictures. A thread of its own writes it while the run goes on; it is found in
     /// results.h5 with the next version.
-    /// @throws SystemError if the frame before could not be written
+    /// @throws SystemError if the frame before could not be written, PhysicsError if a number is not
+    ///         finite; the frame is left out
     void write(Frame frame);
     /// Waits until the last frame is on the disk.
     /// @throws SystemError if it could not be written; it is left out then

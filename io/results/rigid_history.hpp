@@ -13,9 +13,10 @@ namespace corpuscle::io {
 
 /// A rigid body that can move, as it starts.
 struct RigidTrack {
-    int id = 0;                                             ///< of its part
-    double mass = 0.0;                                      ///< [kg]
-    Vec3 position = Vec3::Zero(), velocity = Vec3::Zero();  ///< of the mass centre  [m], [m/s]
+    int id = 0;                    ///< of its part
+    double mass = 0.0;             ///< [kg]
+    Vec3 position = Vec3::Zero(),  ///< of the mass centre                              [m]
+        velocity = Vec3::Zero();   ///< of the mass centre                            [m/s]
 };
 
 /// A rigid body in a step, at t.
@@ -51,8 +52,10 @@ public:
 
     /// What was followed so far.
     [[nodiscard]] std::vector<BodyMotion> motions() const;
+    /// So far; the first is the start.
     [[nodiscard]] std::size_t rows() const { return rows_; }
 
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(tracks_, rows_, waits_, t_, t_half_);

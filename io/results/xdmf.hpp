@@ -15,14 +15,16 @@ namespace corpuscle::io {
 
 /// What an XDMF file needs to know of results.h5: sizes only, the numbers stay there.
 struct XdmfScene {
+    /// A frame, of those that results.h5 holds.
     struct State {
-        double time = 0;
+        double time = 0;                         ///< [s]
         std::optional<std::uint64_t> particles;  ///< absent: none are shown
     };
-    std::uint64_t nodes = 0, shells = 0;
+    std::uint64_t nodes = 0,          ///< N of /mesh
+        shells = 0;                   ///< E of /mesh
     std::uint64_t topology_size = 0;  ///< length of /mesh/xdmf_topology
-    bool has_contact = false;
-    std::vector<State> states;
+    bool has_contact = false;         ///< frames hold contact pressure by shell
+    std::vector<State> states;        ///< in the order of the frames
 };
 
 /// Mixed topology of XDMF: for each shell 4 (triangle) or 5 (quad), then its node rows.

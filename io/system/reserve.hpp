@@ -11,6 +11,8 @@ namespace corpuscle::io {
 /// then: a file of blocks that nobody else gets. Where the disk has none to hold, that is no error.
 class Reserve {
 public:
+    /// Holds nothing yet.
+    /// @param file  whose blocks are the room; made by hold_for(), removed by release()
     explicit Reserve(std::filesystem::path file) : file_(std::move(file)) {}
 
     /// Holds room for another version of this size, and some growth.                     [byte]

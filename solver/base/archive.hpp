@@ -13,6 +13,7 @@
 
 #include "solver/base/error.hpp"
 
+/// @file
 /// State as bytes, for checkpoints. Whoever has state lists it once, for both ways:
 ///
 ///     template <class Archive>
@@ -20,6 +21,7 @@
 ///
 /// Listed is what changes during a run and is not worked out anew from the rest in every step; what
 /// a scene is built with (meshes, cards, tables) is not. Values come back bit by bit.
+
 namespace corpuscle {
 
 namespace archive_detail {
@@ -33,10 +35,14 @@ template <class T>
 struct IsOptional<std::optional<T>> : std::true_type {};
 }  // namespace archive_detail
 
-/// Common to both ways: Way has raw(void*, bytes) and count(std::size_t&).
+/// Common to both ways. Way has raw(void*, bytes), which moves bytes, and count(std::size_t&), the
+/// length of what follows. A value is visited by its own visit_state(); vectors and strings by
+/// length and elements; optionals by a byte and the value; all else as its bytes.
 template <class Way>
 class ArchiveOf {
 public:
+    /// Writes or reads the values in turn, by reference either way.
+    /// @throws SystemError  reading: bytes that end too early, a length that does not fit the scene
     template <class... T>
     void operator()(T&... values) {
         (visit(values), ...);
@@ -90,13 +96,17 @@ private:
 /// Appends state to bytes.
 class StateWriter : public ArchiveOf<StateWriter> {
 public:
+    /// Written so far; valid until the next call.
     [[nodiscard]] const std::vector<char>& bytes() const { return bytes_; }
-    [[nodiscard]] std::vector<char> take() { return std::move(bytes_); }  ///< and is empty then
+    /// The same by move; the writer is empty then.
+    [[nodiscard]] std::vector<char> take() { return std::move(bytes_); }
 
+    /// Appends `size` bytes as they lie in memory: of this machine's byte order.
     void raw(const void* from, std::size_t size) {
         const auto* begin = static_cast<const char*>(from);
         bytes_.insert(bytes_.end(), begin, begin + size);
     }
+    /// Appends a length, 8 bytes.
     void count(std::size_t& size) { raw(&size, sizeof(size)); }
 
 private:
@@ -106,16 +116,21 @@ private:
 /// Takes state from bytes, in the order in which it was written.
 class StateReader : public ArchiveOf<StateReader> {
 public:
+    /// @param bytes  of a StateWriter, not copied: they outlive the reader
     explicit StateReader(std::span<const char> bytes) : rest_(bytes) {}
 
+    /// Whether all was read: a checkpoint that fits the scene ends here.
     [[nodiscard]] bool is_at_end() const { return rest_.empty(); }
 
+    /// Copies the next `size` bytes.
     /// @throws SystemError where the bytes end too early
     void raw(void* to, std::size_t size) {
         if (size > rest_.size()) throw SystemError("the checkpoint ends too early");
         if (size > 0) std::memcpy(to, rest_.data(), size);
         rest_ = rest_.subspan(size);
     }
+    /// Takes a length.
+    /// @throws SystemError  for one above 2^30 that the bytes left cannot hold
     void count(std::size_t& size) {
         raw(&size, sizeof(size));
         if (size > rest_.size() && size > (1U << 30))

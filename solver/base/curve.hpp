@@ -15,11 +15,12 @@ namespace corpuscle {
 struct Curve {
     int id = 0;             ///< the deck's LCID
     std::vector<double> x;  ///< abscissa, ascending
-    std::vector<double> y;  ///< ordinate
+    std::vector<double> y;  ///< ordinate, as many as x; units of both as the user of it says
 
+    /// Without points: of such a curve nothing else may be asked.
     [[nodiscard]] bool empty() const { return x.empty(); }
 
-    /// y at `at`.                                               cost: one binary search, 1 div
+    /// y at `at`; on a jump within the range, after it.         cost: one binary search, 1 div
     [[nodiscard]] double operator()(double at) const {
         if (at <= x.front()) return y.front();
         if (at >= x.back()) return y.back();
@@ -29,7 +30,7 @@ struct Curve {
         return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / span;
     }
 
-    /// Mean of y over [from, to], exact.
+    /// Mean of y over [from, to], exact; from < to.
     [[nodiscard]] double mean(double from, double to) const {
         double sum = 0.0, at = from, y_at = (*this)(from);
         for (auto next = std::upper_bound(x.begin(), x.end(), from); at < to; ++next) {
@@ -45,7 +46,7 @@ struct Curve {
         return sum / (to - from);
     }
 
-    /// Exact integral of y from the first abscissa to `to`, y = 0 outside the range.
+    /// Exact integral of y from the first abscissa to `to`, y = 0 outside the range. [units of x y]
     [[nodiscard]] double integral_to(double to) const {
         double sum = 0.0;
         for (std::size_t i = 1; i < x.size() && x[i - 1] < to; ++i) {

@@ -15,12 +15,16 @@ namespace corpuscle {
 
 /// Bad input: every fault that was found. Exit status 2.
 struct InputError : std::runtime_error {
+    /// Faults in the words of physics; `faults` gets their texts.
     explicit InputError(std::vector<Fault> all) : InputError(texts(all)) { typed = std::move(all); }
+    /// Messages as they stand; `typed` gets them as `why` alone. what() joins them by line ends.
     explicit InputError(std::vector<std::string> all)
         : std::runtime_error(lines(all)), faults(std::move(all)) {
         for (const std::string& fault : faults) typed.push_back({.of = {}, .why = fault});
     }
+    /// One message.
     explicit InputError(std::string one) : InputError(std::vector<std::string>{std::move(one)}) {}
+    /// One fault.
     explicit InputError(Fault one) : InputError(std::vector<Fault>{std::move(one)}) {}
 
     std::vector<std::string> faults;  ///< one message each
@@ -42,10 +46,12 @@ private:
 /// The physics broke (an inverted element, a NaN, a particle that left a closed bag). Exit
 /// status 3.
 struct PhysicsError : std::runtime_error {
+    /// @param at_time        of the step that broke                                           [s]
+    /// @param where_and_why  element, node or particle by its id, and what is wrong with it
     PhysicsError(double at_time, const std::string& where_and_why)
         : std::runtime_error("at time " + digits(at_time) + ": " + where_and_why), time(at_time) {}
 
-    double time;  ///< [s]
+    double time;  ///< of the step that broke; what() begins with it                 [s]
 
 private:
     static std::string digits(double number) {

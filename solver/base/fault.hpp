@@ -14,7 +14,7 @@ namespace corpuscle {
 /// What of a scene is at fault, in the words of physics. io knows the deck's word for each
 /// (io/deck/deck_words.hpp).
 enum class Property : std::uint8_t {
-    NONE,
+    NONE,  ///< `why` tells the whole fault
     // a material's
     DENSITY,
     WARP_MODULUS,
@@ -53,6 +53,7 @@ enum class Property : std::uint8_t {
     COUNT
 };
 
+/// Its name in physics, English, lower case; empty for NONE.
 [[nodiscard]] inline std::string_view name_of(Property property) {
     constexpr std::array<std::string_view, static_cast<std::size_t>(Property::COUNT)> NAMES{
         "",
@@ -93,9 +94,9 @@ enum class Property : std::uint8_t {
 
 /// One fault of a scene: of what, which of its numbers, and why.
 struct Fault {
-    std::string of;  ///< "bag 1", "material 17"; empty where `why` says it all
-    Property property = Property::NONE;
-    std::string which{};  ///< "vent 2", "orifice 1"; empty: there is one
+    std::string of;                      ///< "bag 1", "material 17"; empty where `why` says it all
+    Property property = Property::NONE;  ///< whose value, table or place is wrong
+    std::string which{};                 ///< "vent 2", "orifice 1"; empty: there is one
     double value = std::numeric_limits<double>::quiet_NaN();  ///< NaN: `why` is no matter of one
     std::string why{};  ///< "expected > 0", "no shell of it is in the bag"
 

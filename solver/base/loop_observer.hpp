@@ -15,21 +15,23 @@ public:
     LoopObserver(const LoopObserver&) = delete;
     LoopObserver& operator=(const LoopObserver&) = delete;
 
-    /// Around a loop; of several side by side the first one's call.
+    /// Before a loop, on the thread that calls it; of several side by side the first one's call.
     virtual void begin(const std::source_location& where) = 0;
+    /// After it, on the same thread, all chunks being done.
     virtual void end() = 0;
     /// After each of its chunks, on the thread that did it.
     virtual void end_chunk() = 0;
     /// After each of several loops in turn, on one thread.
     virtual void end_stage() {}
 
-    inline static LoopObserver* running = nullptr;
+    inline static LoopObserver* running = nullptr;  ///< the one that watches now; nullptr: none
 };
 
 /// Wall time within loops that threads share.
 class LoopClock final : public LoopObserver {
 public:
     void begin(const std::source_location& /*where*/) override { begin_ = Clock::now(); }
+    /// Adds the time since begin().
     void end() override { inside_ += Clock::now() - begin_; }
     void end_chunk() override {}
     [[nodiscard]] double seconds() const {  ///< so far [s]

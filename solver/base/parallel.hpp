@@ -30,21 +30,25 @@ inline constexpr std::size_t WORTH_THREADS = 4096;
 /// How a loop is cut, whether threads are worth calling, and which loop it is. Chunks depend on the
 /// first alone.
 struct Cut {
-    using Where = std::source_location;
-    std::size_t chunk = CHUNK;
-    bool is_light = true;
-    Where where;                                           ///< of the call
-    Cut(Where call = Where::current()) : where(call) {}    // NOLINT: {} is a cut
+    using Where = std::source_location;  ///< file and line, its name in traces
+    std::size_t chunk = CHUNK;           ///< items a chunk; the order of sums hangs on it alone
+    bool is_light = true;  ///< threads help from WORTH_THREADS items on, else from 2 chunks
+    Where where;           ///< of the call
+    /// A light loop in chunks of CHUNK.
+    Cut(Where call = Where::current()) : where(call) {}  // NOLINT: {} is a cut
+    /// A heavy loop, worth threads from two chunks of `items` on.
     Cut(std::size_t items, Where call = Where::current())  // NOLINT: a number is a cut
         : chunk(items), is_light(false), where(call) {}
 };
 
+/// Threads of all loops from now on, n >= 1; without OpenMP there is one.
 inline void set_threads([[maybe_unused]] int n) {
 #ifdef _OPENMP
     omp_set_num_threads(n);
 #endif
 }
 
+/// Threads that the next loop may use.
 [[nodiscard]] inline int threads() {
 #ifdef _OPENMP
     return omp_get_max_threads();
@@ -70,6 +74,7 @@ inline void set_threads([[maybe_unused]] int n) {
     return LoopObserver::running;
 }
 
+/// Chunks that n items are cut into; the last may be shorter.
 [[nodiscard]] inline std::size_t chunk_count(std::size_t n, std::size_t chunk = CHUNK) {
     return (n + chunk - 1) / chunk;
 }
@@ -84,14 +89,16 @@ inline void set_threads([[maybe_unused]] int n) {
 /// A loop that runs with others: what for_chunks() takes.
 template <class Body>
 struct Loop {
-    std::size_t n;
-    Body body;
-    Cut cut;
+    std::size_t n;  ///< items
+    Body body;      ///< body(begin, end, chunk index)
+    Cut cut;        ///< as for_chunks() takes it
 
-    [[nodiscard]] std::size_t chunks() const { return chunk_count(n, cut.chunk); }
+    [[nodiscard]] std::size_t chunks() const { return chunk_count(n, cut.chunk); }  ///< of all
+    /// Whether it has more chunks than one, and work enough for the call of the threads.
     [[nodiscard]] bool is_worth_threads() const {
         return chunks() > 1 && (!cut.is_light || n >= WORTH_THREADS);
     }
+    /// Chunk c alone, on the calling thread.
     void run(std::size_t c) const {
         const std::size_t begin = c * cut.chunk;
         body(begin, std::min(n, begin + cut.chunk), c);
@@ -264,11 +271,12 @@ private:
     std::vector<std::vector<T>> by_chunk_;
 };
 
-/// Smallest value(i) and the first i that has it.
+/// Smallest value(i) and the first i that has it; `start` and n where none is below `start`.
 struct Least {
-    double value;
-    std::size_t at;
+    double value;    ///< the smallest, in the caller's units
+    std::size_t at;  ///< its i
 };
+/// value(i) over 0..n, a double without side effects; NaN is never the least.
 template <class Value>
 [[nodiscard]] Least least(std::size_t n, double start, Value&& value, Cut cut = {}) {
     std::vector<Least> part(chunk_count(n, cut.chunk), Least{start, n});

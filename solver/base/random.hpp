@@ -12,21 +12,25 @@
 
 namespace corpuscle {
 
+/// What a draw is for, so that draws of different causes never share numbers.
+enum class Stream : std::uint32_t {
+    INFLOW = 1,     ///< direction in which a particle enters
+    COLLISION = 2,  ///< partners in a group of a cell and their scattering
+    VENT = 3,       ///< passage at a facet: vents, holes, porous cloth, collars
+    POROSITY = 4,   ///< drawn by nothing
+    INITIAL = 5,    ///< places and thermal velocities of the air at the start
+    WALL = 6        ///< drawn by nothing
+};
+
 /// Random numbers that are a function of (seed, stream, step, id) and of nothing else: never of the
 /// thread, nor of how many were drawn before. Philox-4x32-10 [Salmon 2011].
 ///
 ///     Random draw(seed, Stream::COLLISION, step, cell);  double u = draw.uniform();
-enum class Stream : std::uint32_t {
-    INFLOW = 1,
-    COLLISION = 2,
-    VENT = 3,
-    POROSITY = 4,
-    INITIAL = 5,
-    WALL = 6
-};
-
 class Random {
 public:
+    /// @param seed  of the run
+    /// @param step  of the run, 0 at the start
+    /// @param id    of what draws: particle, cell, triangle; each draws its own sequence
     Random(std::uint64_t seed, Stream stream, std::uint64_t step, std::uint64_t id)
         : key_{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32) ^
                                                       (static_cast<std::uint32_t>(stream) << 24)}},

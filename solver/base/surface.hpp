@@ -27,8 +27,8 @@ inline Vec3 vector_area(const Vec3& a, const Vec3& b, const Vec3& c) {
     return 0.5 * (b - a).cross(c - a);
 }
 
-/// Volume to the origin's side: sum over a closed surface's triangles = enclosed volume, positive
-/// when normals point outward. [m^3]
+/// Signed volume of the tetrahedron of a, b, c and the origin, a·(b × c) / 6: its sum over a
+/// closed surface's triangles is the enclosed volume, positive when normals point outward. [m^3]
 inline double signed_volume(const Vec3& a, const Vec3& b, const Vec3& c) {
     return a.dot(b.cross(c)) / 6.0;
 }

@@ -13,10 +13,13 @@ namespace corpuscle {
 /// A motion along one axis as the deck states it, turned into the velocity of a step.
 class MotionCurve {
 public:
-    /// @param end_time  of the run, beyond which a curve that reaches it goes on              [s]
+    /// @param curve           of the motion, over time
+    /// @param start_velocity  along the axis, of a prescribed acceleration                 [m/s]
+    /// @param end_time        of the run, beyond which a curve that reaches it goes on       [s]
     MotionCurve(const PrescribedMotion& motion, const Curve& curve, double start_velocity,
                 double end_time);
 
+    /// Whether birth <= t < death.
     [[nodiscard]] bool is_active(double t) const { return t >= birth_ && t < death_; }
 
     /// Velocity that carries x(t) to x(t + dt): the exact displacement of the step over dt.   [m/s]
@@ -39,9 +42,11 @@ private:
 /// Supports and prescribed motions of nodes. Rigid bodies have their own (rigid_body.hpp).
 class Constraints {
 public:
+    /// @param model  whose supports and motions it takes, those of rigid parts left out
     explicit Constraints(const Model& model);
 
     /// Sets v(t + dt/2) of the held directions.
+    /// @param span  of the kick at t                                                         [s]
     void hold(double t, double dt, double span, fabric::Nodes& nodes);
 
     /// Bits 0-2: directions x y z of a node that something holds, whatever the time.

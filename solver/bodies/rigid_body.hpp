@@ -31,7 +31,7 @@ public:
 
     /// What acts on all matter of a body alike.
     struct Field {
-        Vec3 acceleration = Vec3::Zero();  ///< [m/s^2]
+        Vec3 acceleration = Vec3::Zero();  ///< of all its matter  [m/s^2]
         double damping = 0.0;              ///< by mass, *DAMPING_GLOBAL [1/s]
     };
     /// Is at t, where its nodes have been carried.
@@ -54,29 +54,41 @@ public:
     /// @param is_of_kick  it acts with the forces of the kick, and book_kick() knows it
     void pull(const contact::RigidProxy& proxy, const Vec3& impulse, const Vec3& turning,
               double span, bool is_of_kick);
+    /// Finds where V and L lead the centre and the orientation at t + dt.
     void foresee(double dt);
+    /// foresee(), and gives each node the velocity that brings it there.                    [m/s]
     void carry(double dt, fabric::Nodes& nodes);
     void book_kick();  ///< work of the last kick, with what joints gave
 
     /// A place of the body in its own axes, from where it is at t.                         [m]
     [[nodiscard]] Vec3 arm_of(const Vec3& x) const { return turn_.conjugate() * (x - centre_); }
-    [[nodiscard]] Vec3 at(const Vec3& arm) const { return centre_ + turn_ * arm; }  ///< at t
-    [[nodiscard]] Vec3 then(const Vec3& arm) const {                                ///< at t + dt
-        return next_centre_ + next_turn_ * arm;
-    }
+    /// Where a place of the body is at t.                                                   [m]
+    [[nodiscard]] Vec3 at(const Vec3& arm) const { return centre_ + turn_ * arm; }
+    /// Where it is at t + dt.                                                               [m]
+    [[nodiscard]] Vec3 then(const Vec3& arm) const { return next_centre_ + next_turn_ * arm; }
 
-    [[nodiscard]] Index part() const { return part_; }  ///< the lead
-    /// The part and all that are merged with it.
+    /// Row of the part that leads.
+    [[nodiscard]] Index part() const { return part_; }
+    /// Rows of the part and of all that are merged with it.
     [[nodiscard]] const std::vector<Index>& parts() const { return parts_; }
+    /// Rows of the nodes that ride on it.
     [[nodiscard]] const std::vector<Index>& nodes() const { return nodes_; }
-    [[nodiscard]] const Vec3& position() const { return centre_; }    ///< of the mass centre, at t
-    [[nodiscard]] const Vec3& velocity() const { return velocity_; }  ///< at t + dt/2
+    /// Of the mass centre, at t.                                                            [m]
+    [[nodiscard]] const Vec3& position() const { return centre_; }
+    /// Of the mass centre, at t + dt/2.                                                   [m/s]
+    [[nodiscard]] const Vec3& velocity() const { return velocity_; }
+    /// Of the mass centre: change of velocity by the last kick, joints and contact, over the kick's
+    /// span.                                                                               [m/s^2]
     [[nodiscard]] const Vec3& acceleration() const { return acceleration_; }
     /// Not all of its translations are fixed.
     [[nodiscard]] bool can_move() const { return fixed_moves_ != 7U; }
+    /// Of all its parts.                                                                      [kg]
     [[nodiscard]] double mass() const { return mass_; }
+    /// L about the mass centre, at t + dt/2, global axes.                              [kg m^2/s]
     [[nodiscard]] const Vec3& angular_momentum() const { return angular_momentum_; }
-    [[nodiscard]] Vec3 spin() const { return spin_of(turn_, angular_momentum_); }  ///< [rad/s]
+    /// Angular velocity of L at the orientation of t.                                   [rad/s]
+    [[nodiscard]] Vec3 spin() const { return spin_of(turn_, angular_momentum_); }
+    /// R at t: from the principal axes of inertia to the global ones.
     [[nodiscard]] const Eigen::Quaterniond& turn() const { return turn_; }
 
     [[nodiscard]] double kinetic_energy() const {  ///< at t + dt/2                         [J]
@@ -87,7 +99,8 @@ public:
     [[nodiscard]] Vec3 velocity_at_t(double weight) const {
         return velocity_before_ + weight * (velocity_ - velocity_before_);
     }
-    [[nodiscard]] double kinetic_energy_at_t(double weight) const {  ///< [J]
+    /// At t, of velocity_at_t() and of L likewise.                                          [J]
+    [[nodiscard]] double kinetic_energy_at_t(double weight) const {
         return energy_of(velocity_at_t(weight),
                          momentum_before_ + weight * (angular_momentum_ - momentum_before_));
     }
@@ -96,10 +109,11 @@ public:
     [[nodiscard]] Vec3 mid_velocity_at(const Vec3& x) const {
         return mid_velocity_ + mid_spin_.cross(x - centre_);
     }
-    /// In the last kick: by supports and prescribed motions, by the field's acceleration, and what
-    /// its damping took.                                                                   [J]
+    /// By supports and prescribed motions in the last kick.                                 [J]
     [[nodiscard]] double held_work() const { return held_work_; }
+    /// By the field's acceleration in the last kick.                                         [J]
     [[nodiscard]] double field_work() const { return field_work_; }
+    /// What the field's damping took in the last kick.                                       [J]
     [[nodiscard]] double damped() const { return damped_; }
     /// Mean of what contact's impulses gave in the last step.                              [N]
     [[nodiscard]] const Vec3& impulse_force() const { return impulse_force_; }

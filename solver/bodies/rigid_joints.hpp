@@ -25,15 +25,20 @@ namespace corpuscle {
 /// momentum are kept. No stiffness and no damping.
 class RigidJoints {
 public:
-    /// Errors: InputError for a joint whose two parts move as one body.
+    /// @throws InputError  for a joint whose two parts move as one body
     RigidJoints(const Model& model, const std::vector<RigidBody>& bodies);
 
+    /// Whether the model has none.
     [[nodiscard]] bool empty() const { return pins_.empty(); }
 
-    enum class After { KICK, CONTACT };
+    /// What hold() follows in a step.
+    enum class After {
+        KICK,    ///< RigidBody::advance(), whose work is booked anew
+        CONTACT  ///< RigidBody::take()
+    };
     /// Pulls bodies together and carries their nodes, after a kick, whose work is booked anew, or
-    /// after they have taken what contact gave. Errors: PhysicsError where holds keep a joint's
-    /// bodies apart.
+    /// after they have taken what contact gave.
+    /// @throws PhysicsError  where holds keep a joint's bodies apart
     /// @param proxies  by body, as it is now; gets what it is after a kick
     void hold(double t, double dt, double span, After after, std::vector<RigidBody>& bodies,
               std::vector<contact::RigidProxy>& proxies, fabric::Nodes& nodes);

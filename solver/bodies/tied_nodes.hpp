@@ -16,9 +16,12 @@ namespace corpuscle {
 /// tied to one that is tied itself comes before it.
 class TiedNodes {
 public:
+    /// @throws InputError  for a node that is tied to itself through others
     explicit TiedNodes(const Model& model);
 
+    /// Whether no node is tied.
     [[nodiscard]] bool empty() const { return ties_.empty(); }
+    /// In an order in which each comes before those that it is tied to.
     [[nodiscard]] const std::vector<TiedNode>& all() const { return ties_; }
 
     /// Mass to the ends: m_0 += (1 - w) m, m_1 += w m, m = 0.                            [kg]
@@ -50,6 +53,7 @@ private:
 /// tied in one place: two that share an edge share its nodes again.
 class TiedEdges {
 public:
+    /// @param ties  in any order; nodes that are tied to one node count as that node
     explicit TiedEdges(const std::vector<TiedNode>& ties);
 
     /// The triangle, or its pieces in its own sense of turning; none where two corners are one.
@@ -59,6 +63,7 @@ public:
         if (t == whole || (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])) cut_edges(t, add);
     }
 
+    /// Whether cut() leaves every triangle whole.
     [[nodiscard]] bool empty() const { return node_on_.empty() && kept_.empty(); }
 
 private:

@@ -42,10 +42,15 @@ namespace corpuscle {
 /// which is all that fabric at rest has.
 class GrowthMonitor {
 public:
+    /// Turns in a row that are no chance.                                                   [-]
     static constexpr int TURNS = 24;
+    /// Growth since the first of these turns that is no chance.                             [-]
     static constexpr double GROWN = 10.0;
+    /// Swing that is no trifle, of the shortest edge at the node.                           [-]
     static constexpr double SWING = 1e-3;
+    /// Energy from nowhere that makes fabric unstable, of scale().                          [-]
     static constexpr double MOST = 1.0;
+    /// The same with the swing S.                                                           [-]
     static constexpr double MOST_WITH_SWING = 5.0;
 
     GrowthMonitor() = default;
@@ -64,6 +69,7 @@ public:
     /// @returns  row of a node that zigzags, -1 when none does
     [[nodiscard]] Index zigzag(const Points& f, const std::vector<double>& mass, double span);
 
+    /// Energies of the fabric in the step at t.
     struct Instant {
         double strain;       ///< at t, with what loops have lost                        [J]
         double inner_work;   ///< of the fabric's forces in this kick, on all nodes      [J]

@@ -13,9 +13,11 @@ namespace corpuscle {
 class ImpulseBook {
 public:
     ImpulseBook() = default;
+    /// @param count  of the things, each without an impulse at first
     explicit ImpulseBook(std::size_t count)
         : before_(count, Vec3::Zero()), after_(count, Vec3::Zero()) {}
 
+    /// Things.
     [[nodiscard]] std::size_t size() const { return after_.size(); }
 
     /// The next kick begins where the last ended.

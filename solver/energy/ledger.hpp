@@ -10,9 +10,10 @@ namespace corpuscle {
 /// Energy that has been moved up to some half step: sums of force · v_mid · span, exact for a
 /// leapfrog (the kinetic energy changes by precisely that). [J]
 struct Moved {
-    double kinetic = 0;  ///< not a sum: kinetic energy at the half step
-    double contact = 0;  ///< into contact: stored there or damped away
-    double friction = 0, damping = 0;
+    double kinetic = 0;    ///< not a sum: kinetic energy at the half step
+    double contact = 0;    ///< into contact: stored there or damped away
+    double friction = 0,   ///< lost by friction, in contact and at walls
+        damping = 0;       ///< lost by damping of materials, parts and the whole scene
     double ambient = 0;    ///< against the atmosphere
     double external = 0;   ///< by loads and prescribed motions, into the scene
     double smoothing = 0;  ///< by gas impulse on the fabric (leaves the smoothing account)
@@ -28,7 +29,8 @@ struct Moved {
 /// to t is the mean of the two half steps.
 class Ledger {
 public:
-    Moved before, after;  ///< half steps t - dt_last/2, t + dt/2
+    Moved before,         ///< up to t - dt_last/2
+        after;            ///< up to t + dt/2
     double weight = 0.5;  ///< of `after` at t: dt_last / (dt_last + dt)                        [-]
 
     /// What is where at t: strain, gas, inflow and outflow are the instant's own, and of damping

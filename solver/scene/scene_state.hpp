@@ -33,6 +33,7 @@ namespace corpuscle {
 struct ForceShare {
     Points f;  ///< N × 3, or empty: this scene has none                        [N]
 
+    /// span Σ f·v_mid, the exact work of a kick with v_mid the mean of before and after it.   [J]
     [[nodiscard]] double work(const Points& v_mid, double span) const;
     /// With two velocities.                                                              [J]
     [[nodiscard]] std::pair<double, double> works(const Points& v_mid, const Points& v_before,
@@ -41,28 +42,30 @@ struct ForceShare {
 
 /// Fabric: which shells are strained, their reference shape, their membranes.
 struct SceneCloth {
-    std::vector<std::uint8_t> active;  ///< E: strains are computed
-    std::size_t active_shells = 0;
-    double added_mass = 0.0;                     ///< by DT2MS                          [kg]
-    std::vector<double> shell_mass;              ///< E                                 [kg]
+    std::vector<std::uint8_t> active;            ///< E: strains are computed
+    std::size_t active_shells = 0;               ///< how many of them
+    double added_mass = 0.0;                     ///< by DT2MS, all told              [kg]
+    std::vector<double> shell_mass;              ///< E, rho h A0                     [kg]
     std::vector<std::array<Vec3, 4>> reference;  ///< E × 4, stress-free corners         [m]
     std::vector<double> births;  ///< E: when it counts; empty: from the start           [s]
-    double next_birth = INF;     ///< [s]
-    std::optional<fabric::Membranes> membranes;
-    GrowthMonitor growth;  ///< where there are membranes
+    double next_birth = INF;     ///< the first of `births` to come; INF: none             [s]
+    std::optional<fabric::Membranes> membranes;  ///< none: no shell is strained
+    GrowthMonitor growth;                        ///< where there are membranes
 };
 
+/// Bags of the scene, by card.
 struct SceneAirbags {
-    std::vector<gas::BagGas> particle;
-    std::vector<gas::UniformBag> uniform;
+    std::vector<gas::BagGas> particle;     ///< *AIRBAG_PARTICLE, in the deck's order
+    std::vector<gas::UniformBag> uniform;  ///< uniform from the start, in the deck's order
     std::vector<gas::Exchange> exchanges;  ///< between two uniform ones
 };
 
+/// Rigid bodies, and what joins them.
 struct SceneBodies {
-    std::vector<RigidBody> all;
+    std::vector<RigidBody> all;                ///< one for each rigid part that leads
     std::vector<Index> of_node;                ///< N: row in `all` or -1; empty without bodies
     std::vector<contact::RigidProxy> proxies;  ///< the same as contact sees them
-    std::optional<RigidJoints> joints;
+    std::optional<RigidJoints> joints;         ///< none: no body is joined
 
     /// Positions are those that the last step led to.
     void arrive() {
@@ -70,10 +73,11 @@ struct SceneBodies {
     }
 };
 
+/// What stops nodes and bodies.
 struct SceneObstacles {
     std::optional<contact::SurfaceContact> contact;  ///< one for all cards
     std::vector<Index> contact_shell;                ///< of its triangles: rows of their shells
-    std::vector<contact::RigidWall> walls;
+    std::vector<contact::RigidWall> walls;           ///< *RIGIDWALL, in the deck's order
 };
 
 /// Velocities of nodes during a kick.                                             N × 3 [m/s]
@@ -84,19 +88,26 @@ struct KickVelocities {
     Points mid;     ///< mean of v before and after the kick
 };
 
+/// Forces on nodes at t, by cause. Gas and contact keep their own.
 struct SceneForces {
-    ForceShare fabric, loads, damping;
+    ForceShare fabric,                             ///< internal force of membranes
+        loads,                                     ///< prescribed loads
+        damping;                                   ///< *DAMPING_GLOBAL, *DAMPING_PART_MASS
     std::vector<std::vector<double>> damped_mass;  ///< by *DAMPING_PART_MASS: N              [kg]
 };
 
+/// Impulses since the start, for results.
 struct SceneImpulses {
-    ImpulseBook walls, contacts;   ///< by wall; by card                              [N s]
-    ImpulseBook joints, turnings;  ///< by joint                             [N s], [N m s]
+    ImpulseBook walls,   ///< by wall, on it                                   [N s]
+        contacts;        ///< by card, as SurfaceContact::force()            [N s]
+    ImpulseBook joints,  ///< by joint, on the body of its first node          [N s]
+        turnings;        ///< their moments about the joint's first place    [N m s]
 };
 
 /// Pairs of shells that cross, or are nearer than contact lets them be, since contact began: ids.
 struct BadStarts {
-    std::vector<std::pair<int, int>> crossing, close;
+    std::vector<std::pair<int, int>> crossing,  ///< lower id first, ascending
+        close;                                  ///< likewise
 };
 
 /// A scene in motion, and how forces and obstacles move it.
@@ -104,37 +115,48 @@ struct BadStarts {
 /// What the scene does not need is not built: no contact keyword, no contact; all nodes of a part
 /// held, no strains. Absence is emptiness, not a flag.
 struct SceneState {
-    /// Errors: InputError for what only the whole scene shows (a bag that is not closed, a shell
-    /// without area, ...), every fault at once.
+    /// @throws InputError  for what only the whole scene shows (a bag that is not closed, a shell
+    ///                     without area, ...), every fault at once
+    /// @param of    the scene as a deck or a test says it
+    /// @param draw  seed of all random numbers
     SceneState(Model of, std::uint64_t draw);
 
     // A step (motion.cpp); forces at t are in nodes.f
     void activate_references();  ///< whose time has come
     void find_damping();         ///< f = -d m v
+    /// Finds what cloth and bodies may touch until t + dt.
     void find_contacts(double dt);
+    /// v(t - dt/2) -> v(t + dt/2) by f over `span` [s]; bodies move as one, held nodes as told.
     void kick(double dt, double span);
+    /// Walls and touching surfaces take the velocity that would carry a node through them in dt.
     void stop_at_obstacles(double dt);
     [[nodiscard]] double mass_damping() const;  ///< d of *DAMPING_GLOBAL at t          [1/s]
     /// d of the k-th *DAMPING_PART_MASS at t.                                          [1/s]
     [[nodiscard]] double part_damping(std::size_t k) const;
+    /// Shares the shells' mass of each damped part out among their corners.
     void find_damped_mass();
 
     /// The next step and who limits it.
     /// @param without_start  as if there were no DTINIT
     [[nodiscard]] StepLimit stable_step(bool without_start = false) const;
-    [[nodiscard]] StepLimit shells_step() const;  ///< what the shells alone allow
+    /// What the shells alone allow.
+    [[nodiscard]] StepLimit shells_step() const;
 
     /// Of nodes, rigid bodies and walls of mass, at the half step that velocities live at. [J]
     [[nodiscard]] double kinetic_energy() const;
-    [[nodiscard]] Vec3 gas_force(Index node) const;  ///< [N]
-    [[nodiscard]] Vec3 velocity(Index node) const;   ///< at t                         [m/s]
+    /// All that gas and atmosphere do to a node at t.                                       [N]
+    [[nodiscard]] Vec3 gas_force(Index node) const;
+    /// Of a node at t, interpolated between the half steps.                               [m/s]
+    [[nodiscard]] Vec3 velocity(Index node) const;
     /// 1 for nodes that supports, motions, rigid bodies or other nodes carry in every direction.
     [[nodiscard]] std::vector<std::uint8_t> held_nodes() const;
     /// Mass of nodes that obstacles meet.                                             N [kg]
     [[nodiscard]] const std::vector<double>& mass_met() const {
         return ties.empty() ? nodes.mass : met_mass;
     }
+    /// Inside all bags.
     [[nodiscard]] std::size_t particles() const;
+    /// Those of contact, as far as it has found them.
     [[nodiscard]] BadStarts bad_starts() const;
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
@@ -150,22 +172,22 @@ struct SceneState {
                 impulses.contacts, impulses.joints, impulses.turnings);
     }
 
-    Model model;
-    std::uint64_t seed;
-    Clock clock;
-    fabric::Nodes nodes;
-    SceneCloth cloth;
-    SceneAirbags airbags;
-    SceneBodies bodies;
-    SceneObstacles obstacles;
-    Constraints supports;
-    TiedNodes ties;
+    Model model;                   ///< what the scene was built from
+    std::uint64_t seed;            ///< of all random numbers
+    Clock clock;                   ///< t and steps
+    fabric::Nodes nodes;           ///< x, v, f, m of all nodes
+    SceneCloth cloth;              ///< membranes
+    SceneAirbags airbags;          ///< bags and their gas
+    SceneBodies bodies;            ///< rigid bodies
+    SceneObstacles obstacles;      ///< contact and walls
+    Constraints supports;          ///< of nodes
+    TiedNodes ties;                ///< nodes that ride on edges
     std::vector<double> met_mass;  ///< N: that obstacles meet, if nodes are tied          [kg]
-    Loads loads;
-    KickVelocities v;
-    SceneForces forces;
-    SceneImpulses impulses;
-    Ledger ledger;
+    Loads loads;                   ///< that the deck prescribes
+    KickVelocities v;              ///< of the kick in hand
+    SceneForces forces;            ///< at t
+    SceneImpulses impulses;        ///< since the start
+    Ledger ledger;                 ///< energy moved up to the half steps around t
 
 private:
     void build_cloth();
