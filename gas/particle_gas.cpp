@@ -23,11 +23,11 @@ constexpr double MARGIN = 0.15;
 /// cells.
 constexpr double FLIGHT_CELL = 2.25;
 
-/// Reach of the table of safe distances, in ways of thermal speed in a step: one component in two
+/// Reach of the table of safe distances, in paths at thermal speed in a step: one component in two
 /// thousand is longer. Farther: fewer look-ups, planes less tight.
 constexpr double REACH = 3.5;
 
-/// The same where layers lie closer than that reach: there no way is free.
+/// The same where layers lie closer than that reach: there no distance is safe.
 constexpr double THIN_CELL = 1.5;
 
 /// Time over which the pressure is averaged that a part's roughness goes with.       [s]

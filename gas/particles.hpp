@@ -21,7 +21,7 @@ struct Particles {
     std::vector<std::int32_t> species;  ///< row among the bag's species
     std::vector<std::int32_t> id;       ///< born 0, 1, 2, ...; never reused
     std::vector<std::int16_t> room;     ///< that it is in; empty where a bag has one room
-    std::vector<float> safe_distance;  ///< way that is free (safe_distances.hpp), 0: not known  [m]
+    std::vector<float> safe_distance;   ///< free of facets (safe_distances.hpp), 0: not known  [m]
 
     /// Particles.
     [[nodiscard]] std::size_t size() const { return x.size(); }

@@ -41,7 +41,7 @@ public:
     }
     void set_approach(std::size_t row, float approach) { approach_[row] = approach; }
 
-    /// What a distance has shrunk by at most, at an age and after these ways of triangles:
+    /// What a distance has shrunk by at most, at an age and after these displacements of triangles:
     ///     age · approach + displacement(first) + displacement(second)                                        [m]
     [[nodiscard]] double spent(std::size_t i, double age,
                                const std::vector<double>& displacement) const {

@@ -63,7 +63,7 @@ private:
     Points mean_, from_;  ///< velocity by patch: of its nodes in the mean; seen from       [m/s]
     double dt_ = 0.0;     ///< of the step ahead; 0: none has been looked at             [s]
     Points last_;         ///< positions, of bodies' patches, N × 3     [m]
-    Vec3 common_ = Vec3::Zero(), common_ahead_ = common_;  ///< way of all since the mark [m]
+    Vec3 common_ = Vec3::Zero(), common_ahead_ = common_;  ///< of all since the mark [m]
     Points marked_;  ///< positions at the mark, N × 3              [m]
 };
 

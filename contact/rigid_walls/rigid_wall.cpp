@@ -7,7 +7,7 @@
 namespace corpuscle::contact {
 namespace {
 
-constexpr double NEAR_STEPS = 4.0;  ///< ways of that many steps are near
+constexpr double NEAR_STEPS = 4.0;  ///< displacements of that many steps are near
 
 }  // namespace
 
@@ -76,7 +76,7 @@ void RigidWall::find_near(const Points& x, double dt, const Points& v) {
     });
 }
 
-/// Takes the place that the last step led to, and the velocity of the next one: exactly the way
+/// Takes the place that the last step led to, and the velocity of the next one: exactly the path
 /// that a curve gives for it.
 void RigidWall::set_out(double t, double dt) {
     shift_ = next_shift_;
@@ -123,7 +123,7 @@ bool RigidWall::passes(std::size_t i, const Vec3& at, double gap) {
     return is_behind_[i] != 0;
 }
 
-/// The plane that keeps the node out, if its way leads in.
+/// The plane that keeps the node out, if its path leads in.
 std::optional<RigidWall::Plane> RigidWall::plane_before(std::size_t i, const Vec3& at,
                                                         const Vec3& travel) {
     const Nearby now = nearest(card_.shape, at);

@@ -29,7 +29,7 @@ struct WallBodies {
 /// perfectly plastic: a node that would come in during the step ahead arrives at the wall and has
 /// the wall's normal velocity from then on.
 ///
-/// The way of a node in a step is straight; where it enters the shape first, at the share s, the
+/// The path of a node in a step is straight; where it enters the shape first, at the share s, the
 /// tangent plane n keeps it out, for a convex shape lies behind its tangent planes:
 ///
 ///     n·(v - w) >= s n·(v_0 - w),   friction impulse <= mu · normal impulse (FRIC = 1: sticks)

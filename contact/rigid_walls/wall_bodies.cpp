@@ -14,7 +14,7 @@ namespace {
 
 constexpr int SWEEPS = 50;        ///< a brick on its face settles to 1e-6 within some 20
 constexpr double SETTLED = 1e-6;  ///< change of a speed in a sweep, of the fastest node's [-]
-constexpr double REACH = 2.0;     ///< ways of a step within which a node may be turned to the wall
+constexpr double REACH = 2.0;
 
 }  // namespace
 

@@ -13,7 +13,7 @@ namespace corpuscle::contact {
 struct WallMotion {
     Vec3 direction = Vec3::Zero();  ///< unit; 0: the wall stands still
     Index curve = -1;               ///< curve row, over the time since birth; -1: none
-    bool is_displacement = false;   ///< the curve gives the way, else the speed      [m, m/s]
+    bool is_displacement = false;   ///< the curve gives a displacement, else a speed   [m, m/s]
     double speed = 0.0;             ///< V0, without a curve                          [m/s]
     double mass = 0.0;              ///< MASS, without a curve: 0 is not to be slowed down  [kg]
 };

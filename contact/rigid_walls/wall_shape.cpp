@@ -59,7 +59,7 @@ Nearby nearest_to(const Brick& s, const Vec3& at) {
     return {depth, towards[face] * s.axes.col(face)};
 }
 
-/// The stretch of a way, in shares of it, that lies inside something convex.
+/// The stretch of a path, in shares of it, that lies inside something convex.
 struct Stretch {
     double in = -INF, out = INF;
     Vec3 normal = Vec3::Zero();  ///< where it comes in

@@ -8,7 +8,7 @@
 #include "solver/base/vec.hpp"
 
 /// @file
-/// Convex shapes of rigid walls, in closed form: how far a point is, where a way leads in.
+/// Convex shapes of rigid walls, in closed form: how far a point is, where a path leads in.
 ///
 /// Ranges (low, high) may be endless; axes are unit vectors.
 
@@ -63,12 +63,12 @@ struct Nearby {
 /// Distance and normal at a place, in closed form.                                         [m]
 [[nodiscard]] Nearby nearest(const WallShape& shape, const Vec3& at);
 
-/// Where a straight way leads in: the share of the way, and the outward normal there.
+/// Where a straight path leads in: the share of the path, and the outward normal there.
 struct Entry {
     double share = 0.0;          ///< 0 to 1  [-]
     Vec3 normal = Vec3::Zero();  ///< outward, unit, at the entry
 };
-/// The first entry of the way from a place outside to another; none where it stays outside.
+/// The first entry of the path from a place outside to another; none where it stays outside.
 /// A plate is entered from its front only.
 [[nodiscard]] std::optional<Entry> entry(const WallShape& shape, const Vec3& from, const Vec3& to);
 

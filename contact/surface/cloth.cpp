@@ -111,7 +111,7 @@ void find_near_nodes(double reach, Cloth& cloth) {
     const auto length = [&](Index a, Index b) {
         return (cloth.reference_x[a] - cloth.reference_x[b]).norm();
     };
-    std::vector<std::pair<Index, double>> found;  // with the way to it
+    std::vector<std::pair<Index, double>> found;  // with the distance to it
     cloth.near_start.assign(1, 0);
     for (std::size_t i = 0; i < nodes; ++i) {
         const auto node = static_cast<Index>(i);

@@ -14,7 +14,7 @@ enum class CollisionModel {
     PAIRS,  ///< each particle collides with one other, drawn at random: the plain kinetic picture
     LIN,  ///< the group's stress is over-relaxed by one linear map: sharper waves (collide_lin.cpp)
     NTC,  ///< as many pairs, near ones, as molecules of a mean free path make (collide_ntc.cpp)
-    SPHERES,  ///< hard spheres that meet on their way, as in the notes (collide_spheres.cpp)
+    SPHERES,  ///< hard spheres that meet on their paths, as in the notes (collide_spheres.cpp)
 };
 
 /// Has the model a mean free path that may be chosen? The others' follows from cell and step.

@@ -11,14 +11,14 @@
 #include "gas/collisions/relax.hpp"
 
 /// Hard spheres as in the notes: the plain reference, simple and slow. Two spheres of diameter d
-/// whose straight ways of the coming step bring them together bounce along the line of centres that
+/// whose straight paths in the coming step meet bounce along the line of centres that
 /// they will then have,
 ///
 ///     |r + g t| = d,  0 <= t <= dt,  g·(r + g t) < 0        r = x_q - x_p, g = v_q - v_p
 ///
 /// the earliest contacts first, each sphere once a step. Places are left alone: a sphere that was
-/// set back onto its new way could land behind fabric. Pairs are those of one group, so spheres in
-/// two cells do not meet, and the mean free path comes out longer than asked for where a step's way
+/// set back onto its new path could land behind fabric. Pairs are those of one group, so spheres in
+/// two cells do not meet, and the mean free path comes out longer than asked for where a step's path
 /// is not short against a cell.
 namespace corpuscle::gas {
 

@@ -14,7 +14,7 @@ void build_over_bag(FacetLists& lists, double edge, double margin, double reach,
 /// The same over the bag at x, in cells that fit it: particles beyond the outermost belong to them.
 void build_fitted_to_bag(FacetLists& lists, double edge, double margin, const Points& x);
 
-/// The way from x_0 to x_1 as a multiple of the bag's size.
+/// The displacement from x_0 to x_1 as a multiple of the bag's size.
 [[nodiscard]] double displacement_over_size(const FacetLists& lists, const Points& x_0,
                                             const Points& x_1);
 

@@ -50,7 +50,7 @@ void meet(const FlightScene& scene, const Path& path, Index facet, double after,
     if (hit && (first.facet < 0 || hit->tau < first.where.tau)) first = {facet, *hit};
 }
 
-/// As first_meeting(), of all facets in the cells on the way.
+/// As first_meeting(), of all facets in the cells on the path.
 [[gnu::noinline]] Meeting first_of_all(const FlightScene& scene, const Path& path, const Vec3& from,
                                        double now, double after, const Meeting& last) {
     Meeting first;
@@ -68,7 +68,7 @@ Meeting first_meeting(const FlightScene& scene, const Path& path, const Vec3& fr
                       double after, const Meeting& last) {
     if (!scene.bounds) return first_of_all(scene, path, from, now, after, last);
     Meeting first;
-    // A meeting later than where the way leaves the cell may yet be preceded by another.
+    // A meeting later than where the path leaves the cell may yet be preceded by another.
     const auto is_settled = [&](double leaves) {
         return first.facet >= 0 && first.where.tau <= now + leaves * (1.0 - now);
     };
