@@ -18,7 +18,7 @@ public:
     static constexpr int HELD = 1000;  ///< 200 do as well as 3000 on crumpled films
 
     HeldStep() = default;
-    /// @param dt     holds until something else is taken                                       [s]
+    /// @param dt     the step held at first                                                   [s]
     /// @param shell  row of the shell that it is of, -1: of none
     HeldStep(double dt, Index shell) : dt_(dt), shell_(shell) {}
 

@@ -37,7 +37,7 @@ struct Particles {
         safe_distance.assign(x.size(), 0.0F);
     }
 
-    /// Makes it n particles: the last ones go, new ones are at rest at the origin, without energy.
+    /// Makes it n particles: the last ones go, or new ones come, whose x and v are not set.
     void resize(std::size_t n) {
         x.resize(n);
         v.resize(n);

@@ -90,7 +90,7 @@ struct FabricCard : FabricLiner, FabricCoat, FabricLeak {
     Vec3 a = Vec3::UnitX();       ///< A1-A3, for AOPT 2
     Vec3 v = Vec3::UnitZ();       ///< V1-V3, for AOPT 3
     double beta = 0.0;            ///< BETA, turns the axes about the normal                 [rad]
-    int form = 0;  ///< FORM: 4, 14 follow `curves`; any other is linear in Green strain
+    int form = 0;  ///< FORM: 14 has `curves` of engineering strain, any other of Green strain
     double reference_birth = 0.0;   ///< RGBRTH > 0: the reference shape counts from then on   [s]
     StrainRestoration restoration;  ///< TSRFAC: of strains at the start
     FabricCurves curves;            ///< instead of EA, EB, PRBA, GAB

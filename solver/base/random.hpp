@@ -30,7 +30,7 @@ class Random {
 public:
     /// @param seed  of the run
     /// @param step  of the run, 0 at the start
-    /// @param id    of what draws: particle, cell, triangle; each draws its own sequence
+    /// @param id    of what draws: a particle, a group; each draws its own sequence
     Random(std::uint64_t seed, Stream stream, std::uint64_t step, std::uint64_t id)
         : key_{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32) ^
                                                       (static_cast<std::uint32_t>(stream) << 24)}},
