@@ -26,6 +26,12 @@ Findings tennis_racket(const Runs&);
 Findings taut_string(const Runs&);
 Findings plane_wave(const Runs&);
 Findings damped_sheet(const Runs&);
+/// cases/contact.cpp
+Findings stack(const Runs&);
+Findings sliding_sheet(const Runs&);
+Findings rubbing_sheet(const Runs&);
+Findings rebound(const Runs&);
+Findings folded_bag(const Runs&);
 /// cases/flows.cpp
 Findings sod(const Runs&);
 Findings vacuum(const Runs&);
