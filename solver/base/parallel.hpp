@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <source_location>
 #include <utility>
 #include <vector>
 
+#include "solver/base/call_site.hpp"
 #include "solver/base/loop_observer.hpp"
 
 #ifdef _OPENMP
@@ -30,7 +30,7 @@ inline constexpr std::size_t WORTH_THREADS = 4096;
 /// How a loop is cut, whether threads are worth calling, and which loop it is. Chunks depend on the
 /// first alone.
 struct Cut {
-    using Where = std::source_location;
+    using Where = CallSite;
     std::size_t chunk = CHUNK;
     bool is_light = true;
     Where where;                                           ///< of the call
