@@ -24,10 +24,12 @@ void ParticleGas::collide(double dt, const Points& x) {
     if (!cells_.is_due(dt) || particles_.size() == 0) return;
     cells_.find_groups(x, bag_.openings.transmission(), collider_, particles_);
     std::vector<Heat> heat;
-    if (!bag_.air.empty()) exchange_heat_with_air(heat);
+    std::vector<double> after;  // energy of each room's particles, with that heat         [J]
+    if (!bag_.air.empty()) exchange_heat_with_air(heat, after);
     const CollisionReport report =
         collider_.collide(cells_.steps(), cells_.since(), heat, particles_);
     check_collided(report.thermal);
+    if (report.refused > 0.0) return_heat_to_air(after);
     unrelaxed_ += report.unrelaxed;
     cells_.finish(collider_.cells(), bag_.particle_mass, particles_);
 }
@@ -53,12 +55,14 @@ void ParticleGas::check_collided(double thermal) const {
 ///
 /// A group's mean motion is no heat, so N particles in G groups hold 3/2 (N - G) R T of
 /// translation.
-void ParticleGas::exchange_heat_with_air(std::vector<Heat>& heat) {
+void ParticleGas::exchange_heat_with_air(std::vector<Heat>& heat, std::vector<double>& after) {
     const std::size_t rooms = bag_.air.size(), kinds = bag_.particle_mass.size();
     std::vector<double> thermal(rooms, 0.0), groups(rooms, 0.0);
     collider_.thermal_energy(particles_, thermal, groups);
     const std::vector<Holding> holds = holdings();
     heat.assign(rooms, {});
+    after.assign(rooms, 0.0);
+    for (std::size_t k = 0; k < rooms * kinds; ++k) after[k / kinds] += holds[k].all();
     const double moles = bag_.inflators.moles_each();
     for (std::size_t r = 0; r < rooms; ++r) {
         if (!(thermal[r] > 0.0)) continue;
@@ -78,6 +82,19 @@ void ParticleGas::exchange_heat_with_air(std::vector<Heat>& heat) {
             std::clamp(wanted, -MOST_EXCHANGED * thermal[r], MOST_EXCHANGED * thermal[r]);
         heat[r] = given > 0.0 ? Heat{1.0, given / mass} : Heat{1.0 + given / thermal[r], 0.0};
         bag_.air[r].add(-given);
+        after[r] += given;
+    }
+}
+
+/// The air gives back what groups had not to give.
+/// @param expected  energy of each room's particles, had they given it                    [J]
+void ParticleGas::return_heat_to_air(std::span<const double> expected) {
+    const std::vector<Holding> holds = holdings();
+    const std::size_t kinds = bag_.particle_mass.size();
+    for (std::size_t r = 0; r < bag_.air.size(); ++r) {
+        double there = 0.0;
+        for (std::size_t s = 0; s < kinds; ++s) there += holds[r * kinds + s].all();
+        bag_.air[r].add(expected[r] - there);
     }
 }
 

@@ -77,7 +77,8 @@ public:
 private:
     void fill_with_air(const Points& x, std::uint64_t seed);
     void let_in(const Entry& entry, double t, double dt, const Points& x_0, const Points& x_1);
-    void exchange_heat_with_air(std::vector<Heat>& heat);
+    void exchange_heat_with_air(std::vector<Heat>& heat, std::vector<double>& after);
+    void return_heat_to_air(std::span<const double> expected);
     void check_collided(double thermal) const;
     void look_inside(const Points& x);
     void look_at_openings();

@@ -31,7 +31,8 @@ Weighed of_edges(const FourCorners& x) {
     Weighed out;
     out.places.weight = {1.0 - s, s, t - 1.0, -t};
     out.places.apart = r + s * d - t * e;
-    out.places.is_inside = bits_of((inner > 0.0) & (inner < 1.0) & (second > 0.0) & (second < 1.0));
+    const FourBits is_inside = (inner > 0.0) & (inner < 1.0) & (second > 0.0) & (second < 1.0);
+    out.places.is_inside = bits_of(is_inside);
     out.is_degenerate = ~(cross > PARALLEL * dd * ee);
     return out;
 }

@@ -161,6 +161,16 @@ void CellSample::add_internal(double energy) {
     for (std::size_t i = 0; i < n_; ++i) e[i] += energy * (m_[i] / mass);
 }
 
+void CellSample::heat_internal() {
+    if (heat >= 0.0) return add_internal(heat);
+    const double holds = internal();
+    if (!(holds + heat >= 0.0)) {
+        refused = -heat;
+        return;
+    }
+    for (double& ei : e) ei *= 1.0 + heat / holds;
+}
+
 void CellSample::transform(const Mat3& A) {
     double* const x = c.along[0].data();
     double* const y = c.along[1].data();

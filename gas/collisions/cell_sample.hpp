@@ -64,6 +64,9 @@ public:
 
     void scale(double factor);         ///< c *= factor
     void add_internal(double energy);  ///< e += energy m / mass
+    /// Gives `heat` to e alone, where it cannot be shared: by mass; what is taken, by a factor on e.
+    /// More than e holds is not taken but `refused`.
+    void heat_internal();
     void transform(const Mat3& A);     ///< c = A c
     void add_gradient(const Mat3& G);  ///< c += G dx
 
@@ -86,6 +89,7 @@ public:
     Vec3 U;                 ///< mean velocity, by mass                                   [m/s]
     double mass = 0.0;      ///< of all                                                   [kg]
     double heat = 0.0;      ///< that it gets at this step                                [J]
+    double refused = 0.0;   ///< of a heat below 0: what it has not given                 [J]
     Columns c;              ///< v - U, or less where a model takes out more              [m/s]
     Columns dx;             ///< place from the centre of mass                            [m]
     std::vector<double> e;  ///< [J]

@@ -14,7 +14,8 @@
 
 namespace corpuscle::gas {
 
-/// Heat that groups are given, or that is taken from them: E' = factor E + per_mass m.
+/// Heat that groups are given, or that is taken from them: E' = factor E + per_mass m. Nothing is
+/// taken from a group whose motion is all in common and whose e does not hold it.
 ///
 /// A factor above 1 drives accounts apart that nearly cancel, so gas is warmed per mass; one below
 /// 1 draws all of them together and leaves nobody with less than nothing, so gas is cooled by it.
@@ -47,8 +48,10 @@ struct CollisionReport {
     double thermal = 0.0;  ///< energy of all groups that heat has changed, before         [J]
     std::size_t unrelaxed =
         0;  ///< groups whose energy belongs to no temperature; it was left where it is
+    double refused = 0.0;  ///< heat that groups had not to give: they still hold it   [J]
     CollisionReport& operator+=(const CollisionReport& o) {
         thermal += o.thermal;
+        refused += o.refused;
         unrelaxed += o.unrelaxed;
         return *this;
     }

@@ -21,9 +21,11 @@ CollisionReport collide_one_group(const CollisionStep& step, std::size_t group,
     const double thermal = sample.translational() + sample.internal();
     const Heat heat = step.heat_of(rows, particles);
     sample.heat = (heat.factor - 1.0) * thermal + heat.per_mass * sample.mass;
+    sample.refused = 0.0;
     CollisionReport report{thermal};
     Random draw(step.seed, Stream::COLLISION, step.step, group);
     if (!collide_one(sample, draw, rows)) report.unrelaxed = 1;
+    report.refused = sample.refused;
     sample.scatter(rows, particles);
     return report;
 }

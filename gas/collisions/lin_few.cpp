@@ -22,7 +22,7 @@ Mat3 random_rotation(Random& draw) {
 }
 
 bool leave_unrelaxed(CellSample& sample) {
-    sample.add_internal(sample.heat);
+    sample.heat_internal();
     return false;
 }
 
@@ -35,7 +35,7 @@ bool collide_few(const CollisionStep& step, CellSample& sample, Random& draw) {
     const double freedom = 3.0 * (static_cast<double>(sample.size()) - 1.0) - spin.freedom();
     if (freedom < 1.0 || E_0 <= lin::FLATTEST * lin::FLATTEST * E_all) {
         sample.add_gradient(G);
-        sample.add_internal(sample.heat);
+        sample.heat_internal();
         return true;
     }
     const std::optional<double> E_1 =

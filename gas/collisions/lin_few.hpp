@@ -12,7 +12,7 @@ Mat3 random_rotation(Random& draw);
 
 /// A group whose energy, less that of its motion in common, belongs to no temperature (it has debts
 /// to pay): nothing changes but for its heat, which goes to the internal energy, so that angular
-/// momentum stays. False.
+/// momentum stays, or is refused. False.
 bool leave_unrelaxed(CellSample& sample);
 
 /// LIN for a group too small, or too flat, for a velocity gradient: c is turned round at random,

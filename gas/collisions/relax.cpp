@@ -61,7 +61,7 @@ std::optional<double> share(double energy, double freedom, const Mixture& mixtur
 bool relax(const Mixture& mixture, CellSample& sample, Random& draw) {
     const double translational = sample.translational();
     if (is_rigid(sample, translational)) {
-        sample.add_internal(sample.heat);
+        sample.heat_internal();
         return true;
     }
     const double energy = translational + sample.internal() + sample.heat;
@@ -70,7 +70,7 @@ bool relax(const Mixture& mixture, CellSample& sample, Random& draw) {
     if (left)
         sample.scale(std::sqrt(*left / translational));
     else
-        sample.add_internal(sample.heat);
+        sample.heat_internal();
     return left.has_value();
 }
 

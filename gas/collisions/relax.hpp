@@ -52,7 +52,7 @@ std::optional<double> share(double energy, double freedom, const Mixture& mixtur
                             CellSample& sample, Random& draw);
 
 /// Shares out a sample's thermal energy and its heat: one factor on c, a new e each. Exact in energy
-/// and momentum. The heat of a rigid sample goes to its internal energy, evenly by mass; so it does
+/// and momentum. The heat of a rigid sample goes to its internal energy (heat_internal()); so it does
 /// where no temperature holds the energy, and false is returned.
 bool relax(const Mixture& mixture, CellSample& sample, Random& draw);
 

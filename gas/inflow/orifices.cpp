@@ -55,8 +55,25 @@ Vec3 Orifices::place(std::size_t orifice, std::span<const Vec3> x) const {
         out += part;
     }
     if (card.offset != 0.0) return centre / area + card.offset * normal(orifice, x);
-    const Vec3 at = card.shell >= 0 ? Vec3(centre / area) : x[card.node];
-    return at - OFF_THE_WALL * std::sqrt(area) * out.normalized();
+    const Vec3 inward = -out.normalized();
+    const double off = OFF_THE_WALL * std::sqrt(area);
+    if (card.shell < 0) return x[card.node] + off * inward;
+    const double below = depth(orifice, centre / area, inward, x);
+    return centre / area + (below > 0.5 * off ? off + below : off) * inward;
+}
+
+/// How far `at` lies outside of the shell's facets, along `inward`: that of a quad whose diagonal
+/// bends inward has its middle there. Of a roof that is the lesser of both.                  [m]
+double Orifices::depth(std::size_t orifice, const Vec3& at, const Vec3& inward,
+                       std::span<const Vec3> x) const {
+    constexpr double STEEPEST = 0.1;  // a facet folded over says nothing
+    double least = INF;
+    for (const Facet& facet : on_[orifice]) {
+        const auto& [a, b, c] = facet.outward;
+        const Vec3 n = vector_area(x[a], x[b], x[c]).normalized();
+        least = std::min(least, n.dot(at - x[a]) / std::max(STEEPEST, -n.dot(inward)));
+    }
+    return least;
 }
 
 /// The way the gas of a shell's orifice flows, unit.

@@ -50,6 +50,8 @@ private:
     std::vector<OrificeCard> cards_;
     [[nodiscard]] Mat3 axes_of_frame(std::span<const Vec3> x) const;
     [[nodiscard]] Vec3 normal(std::size_t orifice, std::span<const Vec3> x) const;
+    [[nodiscard]] double depth(std::size_t orifice, const Vec3& at, const Vec3& inward,
+                               std::span<const Vec3> x) const;
 
     std::vector<std::vector<Facet>> on_;      ///< facets that an orifice lies on; empty: on none
     std::vector<std::vector<Index>> pushed_;  ///< node rows an orifice

@@ -81,14 +81,16 @@ inline Id make_groups_on_the_way() {
     return {list, H5Pclose};
 }
 
+/// No clean-up at exit: see ~Hdf5Writer. Before main(), for it counts only before the library's first
+/// call, and H5F_ACC_TRUNC is one.
+inline const herr_t NO_CLEAN_UP = H5dont_atexit();
+
 /// How files are opened.
 ///
 /// Without file locks: a file being written has a name that nobody else knows, a file being read is
 /// finished, and network file systems often have no locks to give. Without sieve and cached chunks:
 /// a write that fails fails at once. In the layout of HDF5 1.10, whose metadata have checksums.
-/// Without clean-up at exit: see ~Hdf5Writer.
 inline Id access() {
-    H5dont_atexit();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // complaints are thrown, not printed
     const hid_t list = H5Pcreate(H5P_FILE_ACCESS);
     H5Pset_file_locking(list, /*use=*/0, /*ignore_when_disabled=*/1);

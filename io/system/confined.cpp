@@ -68,6 +68,9 @@ void write_all(int to, const char* from, std::size_t size) {
     for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGINT, SIGTERM})
         std::signal(number, SIG_DFL);
     set_limit(RLIMIT_CORE, 0);
+    if (limits.is_mute)
+        if (const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0)
+            dup2(nowhere, STDERR_FILENO);
     std::signal(SIGXCPU, SIG_DFL);
     set_limit(RLIMIT_CPU, static_cast<rlim_t>(limits.seconds));
     if (CAN_LIMIT_MEMORY) set_limit(RLIMIT_AS, memory_now() + limits.memory);

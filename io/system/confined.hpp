@@ -14,6 +14,7 @@ namespace corpuscle::io {
 struct Limits {
     int seconds = 5;  ///< of a processor's time; WAIT times that by the wall's clock       [s]
     std::uint64_t memory = std::uint64_t{4} << 30;  ///< beyond what the program has now [byte]
+    bool is_mute = false;  ///< standard error says nothing: that of a library that crashes
 
     static constexpr int WAIT = 10;
 };

@@ -3,7 +3,8 @@
 #pragma once
 
 #include <chrono>
-#include <source_location>
+
+#include "solver/base/call_site.hpp"
 
 namespace corpuscle::parallel {
 
@@ -16,7 +17,7 @@ public:
     LoopObserver& operator=(const LoopObserver&) = delete;
 
     /// Before a loop, on the thread that calls it; of several side by side the first one's call.
-    virtual void begin(const std::source_location& where) = 0;
+    virtual void begin(const CallSite& where) = 0;
     /// After it, on the same thread, all chunks being done.
     virtual void end() = 0;
     /// After each of its chunks, on the thread that did it.
@@ -30,7 +31,7 @@ public:
 /// Wall time within loops that threads share.
 class LoopClock final : public LoopObserver {
 public:
-    void begin(const std::source_location& /*where*/) override { begin_ = Clock::now(); }
+    void begin(const CallSite& /*where*/) override { begin_ = Clock::now(); }
     /// Adds the time since begin().
     void end() override { inside_ += Clock::now() - begin_; }
     void end_chunk() override {}

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <source_location>
 #include <utility>
 #include <vector>
 
+#include "solver/base/call_site.hpp"
 #include "solver/base/loop_observer.hpp"
 
 #ifdef _OPENMP
@@ -30,10 +30,10 @@ inline constexpr std::size_t WORTH_THREADS = 4096;
 /// How a loop is cut, whether threads are worth calling, and which loop it is. Chunks depend on the
 /// first alone.
 struct Cut {
-    using Where = std::source_location;  ///< file and line, its name in traces
-    std::size_t chunk = CHUNK;           ///< items a chunk; the order of sums hangs on it alone
-    bool is_light = true;  ///< threads help from WORTH_THREADS items on, else from 2 chunks
-    Where where;           ///< of the call
+    using Where = CallSite;     ///< file and line, its name in traces
+    std::size_t chunk = CHUNK;  ///< items a chunk; the order of sums hangs on it alone
+    bool is_light = true;       ///< threads help from WORTH_THREADS items on, else from 2 chunks
+    Where where;                ///< of the call
     /// A light loop in chunks of CHUNK.
     Cut(Where call = Where::current()) : where(call) {}  // NOLINT: {} is a cut
     /// A heavy loop, worth threads from two chunks of `items` on.

@@ -34,6 +34,7 @@ Index GrowthMonitor::zigzag(const Points& f, const std::vector<double>& mass, do
 
 bool GrowthMonitor::gains(const Instant& now, const std::vector<double>& mass, const Points& v_0,
                           const Points& v_1) {
+    if (nodes_.empty()) return false;  // all held: what it has was given to it
     using Sums = Eigen::Vector4d;
     const Sums kinetic =  // before the kick, of both, after, of the fabric's own kick
         parallel::sum(nodes_.size(), Sums(Sums::Zero()), [&](std::size_t i) {

@@ -39,12 +39,12 @@ double dealt_out(const std::vector<double>& chunks, int cores, std::vector<doubl
 }
 
 /// file:line, the file from the project's folders on.
-std::string text_of(const std::source_location& where) {
-    std::string name = where.file_name();
+std::string text_of(const parallel::CallSite& where) {
+    std::string name = where.file;
     for (const char* folder : {"/contact/", "/gas/", "/fabric/", "/solver/", "/tests/"})
         if (const std::size_t at = name.rfind(folder); at != std::string::npos)
             name.erase(0, at + 1);
-    return name + ":" + std::to_string(where.line());
+    return name + ":" + std::to_string(where.line);
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ double LoopMeter::taken(Clock::time_point since, Now clock, double cost) const {
     return std::max(0.0, seconds_of(clock() - since) - cost);
 }
 
-void LoopMeter::begin(const std::source_location& where) {
+void LoopMeter::begin(const parallel::CallSite& where) {
     const double stretch = taken(busy_last_, busy_, cost_busy_);
     at_ = text_of(where);
     outside_ += stretch;

@@ -43,7 +43,7 @@ public:
     /// @param busy  likewise of this thread alone
     explicit LoopMeter(Now now = &Clock::now, Now busy = &thread_time);
 
-    void begin(const std::source_location& where) override;
+    void begin(const parallel::CallSite& where) override;
     void end_chunk() override;
     void end_stage() override;
     void end() override;

@@ -90,7 +90,7 @@ std::string mesh_of(Plan& plan, bool has_triangles) {
         if (axis == 0 && plan.has_chambers) box.face(axis, box.cells(0) / 2, false, true);
     }
     const std::string dofs = "*BOUNDARY_SPC_SET\n1, 0, 1, 1, 1, 1, 1, 1\n";
-    return box.text() + dofs;
+    return box.text() + (plan.is_free ? "" : dofs);
 }
 
 }  // namespace corpuscle::support

@@ -22,7 +22,9 @@ struct Plan {
     Vec3 side;                              ///< [m]
     std::array<int, 3> cells;               ///< along each axis
     double end;                             ///< [s]
+    double inflow_end;                      ///< of most inflows [s]
     std::array<std::vector<int>, 2> floor;  ///< shells at z = 0, by chamber
+    bool is_free = false;                   ///< nothing holds the bag
     int next_curve = 1;
     std::string curves;
 

@@ -12,6 +12,7 @@
 #include "solver/base/constants.hpp"
 #include "solver/base/vec.hpp"
 #include "tests/support/decks/random_plan.hpp"
+#include "tests/support/decks/random_surroundings.hpp"
 #include "tests/support/draw.hpp"
 
 namespace corpuscle::support {
@@ -53,7 +54,15 @@ Plan plan_of(Draw& draw) {
     plan.end = !plan.is_rigid          ? draw.in(3e-3, 10e-3)
                : plan.particles < 2000 ? draw.log_in(3e-3, 30e-3)
                                        : draw.in(1e-3, 4e-3);
+    plan.inflow_end = plan.end;
     return plan;
+}
+
+/// Nothing that holds the bag, no gas that leaves it, and none that comes after 0.4 of the time.
+void set_free(Plan& plan) {
+    plan.is_free = true;
+    plan.has_vent = plan.is_porous = plan.has_heat = plan.switches = false;
+    plan.inflow_end = 0.3 * plan.end;
 }
 
 /// Cards of *MAT_FABRIC: 470 to 940 dtex polyamide, with what it leaks.
@@ -127,8 +136,8 @@ std::string chambers(const Plan& plan) {
 
 /// Mass flow and temperature of a gas that brings `moles` in.
 std::string inflow(Draw& draw, Plan& plan, const Gas& gas, double moles, int inflator) {
-    const double begin = draw.chance(0.6) ? 0.0 : draw.in(0.0, 0.4) * plan.end;
-    const double span = draw.in(0.3, 1.2) * (plan.end - begin), mean = moles * gas.M / span;
+    const double begin = draw.chance(0.6) ? 0.0 : draw.in(0.0, 0.4) * plan.inflow_end;
+    const double span = draw.in(0.3, 1.2) * (plan.inflow_end - begin), mean = moles * gas.M / span;
     const double end = begin + span, peak = begin + draw.in(0.1, 0.6) * span;
     // Even; up and down; few particles for long
     const std::array courses{
@@ -183,8 +192,8 @@ std::string nozzles(Draw& draw, const Plan& plan, int inflators, std::string& no
                                  plan.side[1] * at[1], plan.side[2] * at[2]);
         }
         const double area = draw.in(0.5, 2.0), angle = draw.in(5.0, 80.0);
-        text += fmt::format("{}, {:.3g}, {}, {:.3g}, {}, 0, {}\n", place, area, vector, angle,
-                            inflator, draw.below(2));
+        text += fmt::format("{}, {:.3g}, {}, {:.3g}, {}, {}, {}\n", place, area, vector, angle,
+                            inflator, plan.is_free ? 1 : 0, draw.below(2));
     }
     nodes += "*DEFINE_VECTOR\n1, 0.0, 0.0, 0.0, 0.2, -0.1, 1.0\n";
     return text;
@@ -233,35 +242,11 @@ std::string airbag(Draw& draw, Plan& plan, RandomScene& scene) {
     return nodes + text + rows + jets;
 }
 
-/// What stands in the way of cloth that moves, and is drawn apart: a plane above the bag or beside
-/// it; some of its speed at the start.
-std::string surroundings(const Plan& plan, unsigned seed, std::string& words) {
-    Draw draw(seed + 0x5000'0000U);
-    std::string text;
-    if (plan.is_rigid) return text;
-    if (draw.chance(0.3)) {
-        const int axis = draw.below(2) == 0 ? 2 : 1;
-        Vec3 at = 0.5 * plan.side, to = at;
-        at[axis] = draw.in(1.02, 1.1) * plan.side[axis];
-        to[axis] = 0.0;
-        text += fmt::format(
-            "*RIGIDWALL_PLANAR\n0\n{:.6g}, {:.6g}, {:.6g}, {:.6g}, {:.6g}, {:.6g}, {:.3g}\n", at[0],
-            at[1], at[2], to[0], to[1], to[2], draw.in(0.0, 0.5));
-        words += ", a wall";
-    }
-    if (draw.chance(0.2)) {
-        text += fmt::format("*DEFINE_CURVE\n900\n0.0, {0:.4g}\n1.0, {0:.4g}\n*LOAD_BODY_Z\n900\n",
-                            draw.in(5.0, 50.0));
-        words += ", gravity";
-    }
-    return text;
-}
-
 }  // namespace
 
-RandomScene random_scene(unsigned seed) {
-    Draw draw(seed);
-    Plan plan = plan_of(draw);
+namespace {
+
+RandomScene scene_of(Draw& draw, Plan& plan, unsigned seed) {
     RandomScene scene{};
     scene.is_rigid = plan.is_rigid;
     scene.seed = 1 + static_cast<unsigned>(draw.below(1000));
@@ -271,14 +256,16 @@ RandomScene random_scene(unsigned seed) {
     if (plan.has_vent) words += ", vent";
     if (plan.is_porous) words += ", porous";
     if (plan.has_heat) words += ", HCONV";
+    if (plan.is_free) words += ", free";
     const std::string beside = surroundings(plan, seed, words);
     scene.summary = fmt::format("{}, {:.2g} l, ", words, 1e3 * plan.volume());
     scene.deck = "*KEYWORD\n*TITLE\nrandom scene\n";
     scene.deck += fmt::format("*CONTROL_TERMINATION\n{:.6g}\n", plan.end);
     scene.deck += fmt::format("*CONTROL_TIMESTEP\n0.0, {:.4g}\n", factor);
+    const double frames = plan.end / (plan.is_free ? 10.0 : 2.0);
     scene.deck += fmt::format(
         "*DATABASE_ABSTAT\n{0:.6g}\n*DATABASE_GLSTAT\n{0:.6g}\n*DATABASE_BINARY_D3PLOT\n{1:.6g}\n",
-        plan.end / 50.0, plan.end / 2.0);
+        plan.is_free ? frames : plan.end / 50.0, frames);
     scene.deck += mesh_of(plan, draw.chance(0.3));
     scene.deck += parts(draw, plan);
     scene.deck += chambers(plan);
@@ -288,6 +275,22 @@ RandomScene random_scene(unsigned seed) {
     scene.deck += plan.curves + "*END\n";
     scene.summary += fmt::format(", TSSFAC {:.2f}, seed {}", factor, scene.seed);
     return scene;
+}
+
+}  // namespace
+
+RandomScene random_scene(unsigned seed) {
+    Draw draw(seed);
+    Plan plan = plan_of(draw);
+    return scene_of(draw, plan, seed);
+}
+
+RandomScene free_scene(unsigned seed) {
+    Draw draw(seed);
+    Plan plan = plan_of(draw);
+    while (plan.is_rigid) plan = plan_of(draw);
+    set_free(plan);
+    return scene_of(draw, plan, seed);
 }
 
 }  // namespace corpuscle::support

@@ -36,6 +36,8 @@ public:
     double held = 0.0;            ///< by the gas at the start                               [J]
     int lost = -1;                ///< particles; -1: the log does not say
 
+    [[nodiscard]] std::filesystem::path results() const { return directory_ / "out/results.h5"; }
+
     /// What it has done wrong, in words; empty: nothing.
     /// @param residual  of the energy books, that may be                                    [J]
     [[nodiscard]] std::string fault(double residual) const;

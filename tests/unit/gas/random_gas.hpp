@@ -29,8 +29,9 @@ inline Particles random_gas(std::size_t n, const Vec3& size, const Mixture& mixt
         const auto s = static_cast<std::int32_t>(i % T.size());
         const double spread =
             std::sqrt(2.0 * mixture.half_heat() * T[s] / mixture.particle_mass(s));
-        const Vec3 at = size.cwiseProduct(Vec3(draw.uniform(), draw.uniform(), draw.uniform()));
-        const Vec3 v = spread * Vec3(draw.normal(), draw.normal(), draw.normal());
+        Vec3 at, v;  // drawn in the same order with every compiler
+        for (int k = 2; k >= 0; --k) at[k] = size[k] * draw.uniform();
+        for (int k = 2; k >= 0; --k) v[k] = spread * draw.normal();
         gas.add(at, v, mixture.particle_internal(s)(T[s]), s, static_cast<std::int32_t>(i));
     }
     return gas;

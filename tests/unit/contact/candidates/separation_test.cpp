@@ -19,9 +19,13 @@ struct MovingPair {
 
     explicit MovingPair(std::mt19937& random) {
         std::uniform_real_distribution<double> any(-0.5, 0.5);
+        const auto anywhere = [&] {  // in this order with every compiler
+            const double z = any(random), y = any(random), x = any(random);
+            return Vec3(x, y, z);
+        };
         for (int k = 0; k < 4; ++k) {
-            now[k] = Vec3(any(random), any(random), any(random));
-            late[k] = now[k] + 0.5 * Vec3(any(random), any(random), any(random));
+            now[k] = anywhere();
+            late[k] = now[k] + 0.5 * anywhere();
         }
     }
     [[nodiscard]] Corners at(double share) const {

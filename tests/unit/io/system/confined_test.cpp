@@ -38,7 +38,7 @@ TEST_CASE("whatever becomes of a confined reader, this process goes on and says 
                Contains("its reader crashed") && Contains("fault"));
     const auto begin = std::chrono::steady_clock::now();
     CHECK_THAT(failure([]() -> std::vector<char> {
-                   for (volatile int i = 0;; i = i + 1) {
+                   for (volatile unsigned i = 0;; i = i + 1) {
                    }
                }),
                Contains("took more than 1 s"));
@@ -49,7 +49,11 @@ TEST_CASE("whatever becomes of a confined reader, this process goes on and says 
     CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(60));
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef __has_feature
+#define __has_feature(what) 0
+#endif
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
+    !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer)
 TEST_CASE("a confined reader that asks for too much memory gets none", "[io]") {
     const io::Confined found = io::confined([] { return std::vector<char>(std::size_t{1} << 30); },
                                             {.seconds = 30, .memory = 1 << 28});

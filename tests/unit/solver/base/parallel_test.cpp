@@ -30,7 +30,7 @@ private:
 
 class Counter final : public parallel::LoopObserver {
 public:
-    void begin(const std::source_location& /*where*/) override { ++begun; }
+    void begin(const parallel::CallSite& /*where*/) override { ++begun; }
     void end() override { ++ended; }
     void end_chunk() override {}
     int begun = 0, ended = 0;

@@ -196,3 +196,11 @@ TEST_CASE("cloth that gas sets in motion beyond its limit is noticed within few 
     CHECK(stop.why.find("became unstable") != std::string::npos);
     CHECK(stop.steps < 20);
 }
+
+TEST_CASE("fabric that is all held has no energy from nowhere", "[solver][growth]") {
+    GrowthMonitor monitor({}, {0.1});
+    const std::vector<double> mass{1.0};
+    const Points v{Vec3::Zero()};
+    static_cast<void>(monitor.gains({0.0, 0.0, 0.0}, mass, v, v));
+    CHECK(!monitor.gains({1e3, 0.0, 0.0}, mass, v, v));
+}
