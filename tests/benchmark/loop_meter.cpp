@@ -38,13 +38,18 @@ double dealt_out(const std::vector<double>& chunks, int cores, std::vector<doubl
     return end;
 }
 
+LoopMeter::Call call_of(const std::source_location& where) {
+    return {where.file_name(), where.line()};
+}
+
 /// file:line, the file from the project's folders on.
-std::string text_of(const std::source_location& where) {
-    std::string name = where.file_name();
+std::string text_of(const LoopMeter::Call& call) {
+    std::string name = call.first;
+    if (name.empty()) return "start";
     for (const char* folder : {"/contact/", "/gas/", "/fabric/", "/solver/", "/tests/"})
         if (const std::size_t at = name.rfind(folder); at != std::string::npos)
             name.erase(0, at + 1);
-    return name + ":" + std::to_string(where.line());
+    return name + ":" + std::to_string(call.second);
 }
 
 }  // namespace
@@ -72,18 +77,20 @@ LoopMeter::LoopMeter(Now now, Now busy)
       last_(now()),
       busy_last_(busy()) {}
 
-double LoopMeter::taken(Clock::time_point since, Now clock, double cost) const {
-    return std::max(0.0, seconds_of(clock() - since) - cost);
+double LoopMeter::since_last() const {
+    const double all = seconds_of(now_() - last_) - cost_now_;
+    const double own = seconds_of(busy_() - busy_last_) - cost_busy_;
+    return std::max(0.0, std::min(all, own));
 }
 
 void LoopMeter::begin(const std::source_location& where) {
-    const double stretch = taken(busy_last_, busy_, cost_busy_);
-    at_ = text_of(where);
+    const double stretch = since_last();
+    at_ = where;
     outside_ += stretch;
     Site serial;
     serial.time = stretch;
     serial.dealt.fill(stretch);
-    sites_[before_ + " -> " + at_] += serial;
+    by_call_[{call_of(before_), call_of(at_)}] += serial;
     chunks_.clear();
     loop_ = {};
     busy_last_ = busy_();
@@ -100,8 +107,8 @@ void LoopMeter::end_chunk() {
 void LoopMeter::deal_stage() {
     if (chunks_.empty()) return;
     const double all = std::accumulate(chunks_.begin(), chunks_.end(), 0.0);
-    const double busy =
-        taken(busy_last_, busy_, cost_busy_) - cost_now_ * static_cast<double>(chunks_.size());
+    const double busy = seconds_of(busy_() - busy_last_) - cost_busy_ -
+                        cost_now_ * static_cast<double>(chunks_.size());
     const double lost = std::max(0.0, all - busy);
     for (double left = lost; left > 0.0;) {
         double& longest = *std::max_element(chunks_.begin(), chunks_.end());
@@ -127,13 +134,23 @@ void LoopMeter::end() {
     if (loop_.waits > 0) --loop_.waits;  // the last one is that of any loop
     loop_.calls = 1;
     loops_ += loop_;
-    sites_[at_] += loop_;
+    by_call_[{Call{}, call_of(at_)}] += loop_;
     before_ = at_;
     busy_last_ = busy_();  // the dealing is none of the run
+    last_ = now_();
 }
 
 double LoopMeter::outside() const {
-    return outside_ + taken(busy_last_, busy_, cost_busy_);
+    return outside_ + since_last();
+}
+
+std::map<std::string, LoopMeter::Site> LoopMeter::sites() const {
+    std::map<std::string, Site> sites;
+    for (const auto& [calls, site] : by_call_) {
+        const auto& [from, to] = calls;
+        sites[from == Call{} ? text_of(to) : text_of(from) + " -> " + text_of(to)] += site;
+    }
+    return sites;
 }
 
 double LoopMeter::wall(std::size_t k, double call) const {

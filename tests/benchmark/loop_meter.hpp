@@ -6,7 +6,9 @@
 #include <chrono>
 #include <cstddef>
 #include <map>
+#include <source_location>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solver/base/loop_observer.hpp"
@@ -55,20 +57,23 @@ public:
     /// @param call  what it costs to call the threads to a loop; half of it, to wait      [s]
     [[nodiscard]] double wall(std::size_t k, double call = 0.0) const;
     /// By call site, file:line, of the loop, or of both ends of a stretch.
-    [[nodiscard]] const std::map<std::string, Site>& sites() const { return sites_; }
+    [[nodiscard]] std::map<std::string, Site> sites() const;
+
+    using Call = std::pair<const char*, unsigned>;  ///< file, line
 
 private:
-    [[nodiscard]] double taken(Clock::time_point since, Now clock, double cost) const;
+    /// By either clock, whichever has less: one counts other programs in, the other is slow to read.
+    [[nodiscard]] double since_last() const;  ///< [s]
     void deal_stage();
 
     Now now_, busy_;
     double cost_now_, cost_busy_;  ///< of a reading                                           [s]
     Clock::time_point last_, busy_last_;
-    std::string at_, before_ = "start";     ///< call sites of this loop and the last
+    std::source_location at_, before_;      ///< calls of this loop and the last
     std::vector<double> chunks_, free_at_;  ///< of the loop that runs                         [s]
     Site loop_, loops_;                     ///< the one that runs; all
     double outside_ = 0.0;                  ///< up to the last loop                            [s]
-    std::map<std::string, Site> sites_;
+    std::map<std::pair<Call, Call>, Site> by_call_;  ///< stretches from the first, or loops
 };
 
 }  // namespace corpuscle::benchmark
