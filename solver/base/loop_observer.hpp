@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <source_location>
 
 namespace corpuscle::parallel {
@@ -20,6 +21,8 @@ public:
     virtual void end() = 0;
     /// After each of its chunks, on the thread that did it.
     virtual void end_chunk() = 0;
+    /// Before a chunk that waits for another, which is the so many-th that was begun in the loop.
+    virtual void waits_for(std::size_t /*chunk*/) {}
     /// After each of several loops in turn, on one thread.
     virtual void end_stage() {}
 
