@@ -13,7 +13,9 @@ namespace corpuscle::contact {
 namespace {
 
 /// In edge lengths: two edges that cross reach some 0.7 from their mean, half of this is allowed.
-constexpr double WIDTH = 2.2;
+/// Narrower: more columns at once, more contacts that stand alone. Cloth that is wider than all
+/// names has wider ones, lest columns share.
+constexpr double NARROWEST = 1.6, WIDEST = 2.2;
 constexpr double FARTHEST = 1e9;  ///< columns from the origin that have a name
 
 constexpr std::size_t CHUNKS = 4;                    ///< of contacts that are sorted together
@@ -22,7 +24,6 @@ constexpr std::size_t FEW_GROUPS = 8, COLUMNS = 16;  ///< of those; a chunk
 }  // namespace
 
 void ColumnColouring::lay(const Points& x) {
-    per_width_ = cloth_.mean_edge > 0.0 ? 1.0 / (WIDTH * cloth_.mean_edge) : 0.0;
     const Box all = parallel::fold(
         cloth_.nodes.size(), Box{},
         [&](Box& box, std::size_t i) { box.include(x[cloth_.nodes[i]]); },
@@ -30,6 +31,11 @@ void ColumnColouring::lay(const Points& x) {
     int thinnest = 0;
     (all.high - all.low).minCoeff(&thinnest);
     axis_ = {(thinnest + 1) % 3, (thinnest + 2) % 3};
+    for (std::size_t k = 0; k < 2; ++k) {
+        const double across = (all.high - all.low)[axis_[k]] / ACROSS, edge = cloth_.mean_edge;
+        per_width_[k] =
+            edge > 0.0 ? 1.0 / std::clamp(across, NARROWEST * edge, WIDEST * edge) : 0.0;
+    }
 }
 
 std::uint16_t ColumnColouring::of(const Contact& contact, const Points& x) const {
@@ -37,7 +43,7 @@ std::uint16_t ColumnColouring::of(const Contact& contact, const Points& x) const
     std::array<unsigned, 2> at{};
     for (std::size_t k = 0; k < 2; ++k) {
         std::array<double, 4> u;
-        for (std::size_t i = 0; i < 4; ++i) u[i] = per_width_ * x[contact.node[i]][axis_[k]];
+        for (std::size_t i = 0; i < 4; ++i) u[i] = per_width_[k] * x[contact.node[i]][axis_[k]];
         const double column = std::floor(0.25 * (u[0] + u[1] + u[2] + u[3]));
         const auto [least, most] = std::minmax_element(u.begin(), u.end());
         const bool is_within = *least >= column - 0.5 && *most < column + 1.5;

@@ -117,8 +117,8 @@ private:
     };
 
     const Cloth& cloth_;
-    std::array<int, 2> axis_{0, 1};  ///< across the columns
-    double per_width_ = 0.0;         ///< 1 / their width                                  [1/m]
+    std::array<int, 2> axis_{0, 1};      ///< across the columns
+    std::array<double, 2> per_width_{};  ///< 1 / their width along each                   [1/m]
     std::vector<Slot> order_;
     std::array<std::size_t, COUNT + 2> start_{};  ///< by column, and of those that stand alone
     std::array<std::uint16_t, COUNT> task_{};     ///< columns with contacts

@@ -34,7 +34,7 @@ struct Planes {
     float low = 0.0F, high = 0.0F;
 };
 
-/// The facets of 3 × 3 × 3 cells, sorted into them: what one thread does while lists are built.
+/// The facets of 3 × 3 × 3 cells (of a coarse grid: of one), sorted into them: what one thread does while lists are built.
 ///
 ///     block.begin(grid, row);
 ///     for (facets that may be in it) block.enter(facet, cells it overlaps);
@@ -47,10 +47,16 @@ public:
 
     /// A grid's blocks.
     static Grid blocks_of(const Grid& grid) {
+        const int edge = edge_of(grid);
         Grid blocks = grid;
-        blocks.set_edge(EDGE * grid.edge);
-        for (int& n : blocks.count) n = (n + EDGE - 1) / EDGE;
+        blocks.set_edge(edge * grid.edge);
+        for (int& n : blocks.count) n = (n + edge - 1) / edge;
         return blocks;
+    }
+    /// Edge of a grid's blocks.                                                           [cells]
+    static int edge_of(const Grid& grid) {
+        constexpr std::size_t COARSE = 1000;  // cells: what holds many facets is shared out
+        return grid.size() <= COARSE ? 1 : EDGE;
     }
 
     void begin(const Grid& grid, std::size_t block);
@@ -72,7 +78,7 @@ public:
     template <class Visit>
     void for_each_row(Visit&& visit) const {
         std::array<int, 3> end;
-        for (int a = 0; a < 3; ++a) end[a] = std::min(first_[a] + EDGE, grid_->count[a]);
+        for (int a = 0; a < 3; ++a) end[a] = std::min(first_[a] + edge_, grid_->count[a]);
         for (int k = first_[2]; k < end[2]; ++k)
             for (int j = first_[1]; j < end[1]; ++j)
                 for (int i = first_[0]; i < end[0]; ++i) visit(grid_->row(i, j, k));
@@ -107,6 +113,7 @@ private:
     };
 
     const Grid* grid_ = nullptr;
+    int edge_ = EDGE;             ///< cells
     std::array<int, 3> first_{};  ///< cell
     std::size_t entries_ = 0;
     std::array<Index, CELLS> last_eight_{}, eights_{};  ///< by cell: entered last; so far

@@ -73,8 +73,6 @@ public:
                   parallel::Cut::Where where = parallel::Cut::Where::current());
 
 private:
-    static constexpr std::size_t BLOCKS = 8;  ///< a chunk
-
     struct Chunk {
         std::vector<Block> blocks;
         std::vector<Index> facets;  ///< block after block
@@ -92,18 +90,17 @@ void FacetPatches::update(std::span<const Triangle> triangles, std::span<const V
     constexpr std::size_t PATCHES = 2;  // a chunk: some hundred facets
     around_ = around;
     box_.resize(patches_.size());
-    parallel::for_each(
-        patches_.size(),
-        [&](std::size_t p) {
-            contact::Box all;
-            for (const Index facet : patches_[p]) {
-                const contact::Box box = contact::triangle_box(triangles[facet], x_0, x_1, around);
-                visit(facet, box);
-                all.include(box);
-            }
-            box_[p] = all;
-        },
-        PATCHES);
+    const auto bound = [&](std::size_t p) {
+        contact::Box all;
+        for (const Index facet : patches_[p]) {
+            const contact::Box box = contact::triangle_box(triangles[facet], x_0, x_1, around);
+            visit(facet, box);
+            all.include(box);
+        }
+        box_[p] = all;
+    };
+    parallel::side_by_side(parallel::alone([&] { tree_.clear(); }),
+                           parallel::each(patches_.size(), bound, PATCHES));
     all_ = {};
     for (const contact::Box& box : box_) all_.include(box);
     tree_.update(box_);
@@ -113,13 +110,16 @@ template <class Visit>
 void FacetBlocks::find(const Grid& grid, const FacetPatches& facets, double around,
                        std::span<const CellRange> range, std::span<const Index> eight,
                        Visit&& visit, parallel::Cut::Where where) {
-    constexpr double ROUNDING = 1e-9;  // of the boxes
+    constexpr double ROUNDING = 1e-9;                           // of the boxes
+    constexpr std::size_t MOST_BLOCKS = 8, FEWEST_CHUNKS = 64;  // of a chunk; in a fine grid
     grid_ = grid;
     blocks_ = BlockOfCells::blocks_of(grid);
     const double more = std::max(0.0, around - facets.around()) + ROUNDING * blocks_.edge;
     contact::Box all = facets.all();
     all.inflate(more);
-    chunks_.resize(parallel::chunk_count(blocks_.size(), BLOCKS));
+    const std::size_t blocks_a_chunk =
+        std::clamp<std::size_t>(blocks_.size() / FEWEST_CHUNKS, 1, MOST_BLOCKS);
+    chunks_.resize(parallel::chunk_count(blocks_.size(), blocks_a_chunk));
     const auto over_chunk = [&](std::size_t begin, std::size_t end, std::size_t c) {
         thread_local BlockOfCells cells;
         thread_local std::vector<Index> found;
@@ -140,7 +140,7 @@ void FacetBlocks::find(const Grid& grid, const FacetPatches& facets, double arou
             chunk.blocks.push_back(block);
         }
     };
-    parallel::for_chunks(blocks_.size(), over_chunk, parallel::Cut(BLOCKS, where));
+    parallel::for_chunks(blocks_.size(), over_chunk, parallel::Cut(blocks_a_chunk, where));
 }
 
 template <class Visit>
