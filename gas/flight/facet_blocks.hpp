@@ -18,7 +18,11 @@ namespace corpuscle::gas {
 class FacetPatches {
 public:
     FacetPatches(std::span<const Triangle> triangles, std::span<const Vec3> x)
-        : patches_(contact::make_patches(x, triangles)) {}
+        : patches_(contact::make_patches(x, triangles)) {
+        for (std::size_t p = 0; p < patches_.size(); ++p)
+            first_group_.push_back(first_group_[p] + (patches_[p].size() + GROUP - 1) / GROUP);
+        group_box_.resize(first_group_.back());
+    }
 
     /// Boxes of facets that move from x_0 to x_1, `around` wider on each side.                  [m]
     /// visit(facet, box) on all threads
@@ -29,13 +33,27 @@ public:
     [[nodiscard]] const contact::Patches& patches() const { return patches_; }
     [[nodiscard]] contact::Patches& patches() { return patches_; }  ///< for who orders them
     [[nodiscard]] const contact::BroadPhase& tree() const { return tree_; }
+    /// visit(facet) for those of a patch that may overlap a box, and some others.
+    template <class Visit>
+    void for_some(std::size_t patch, const contact::Box& box, Visit&& visit) const {
+        const auto facets = patches_[patch];
+        for (std::size_t first = 0, g = first_group_[patch]; first < facets.size();
+             first += GROUP, ++g)
+            if (group_box_[g].overlaps(box))
+                for (const Index facet :
+                     facets.subspan(first, std::min(GROUP, facets.size() - first)))
+                    visit(facet);
+    }
     [[nodiscard]] const contact::Box& all() const { return all_; }  ///< boxes together       [m]
     [[nodiscard]] double around() const { return around_; }         ///< as last updated      [m]
 
 private:
+    static constexpr std::size_t GROUP = 8;  ///< facets of a patch, one after the other
+
     contact::Patches patches_;
     contact::BroadPhase tree_;
-    std::vector<contact::Box> box_;
+    std::vector<contact::Box> box_, group_box_;
+    std::vector<std::size_t> first_group_{0};  ///< of each patch
     contact::Box all_;
     double around_ = 0.0;
 };
@@ -92,9 +110,13 @@ void FacetPatches::update(std::span<const Triangle> triangles, std::span<const V
     box_.resize(patches_.size());
     const auto bound = [&](std::size_t p) {
         contact::Box all;
-        for (const Index facet : patches_[p]) {
-            const contact::Box box = contact::triangle_box(triangles[facet], x_0, x_1, around);
-            visit(facet, box);
+        const auto facets = patches_[p];
+        for (std::size_t k = 0; k < facets.size(); ++k) {
+            contact::Box& group = group_box_[first_group_[p] + k / GROUP];
+            const contact::Box box = contact::triangle_box(triangles[facets[k]], x_0, x_1, around);
+            visit(facets[k], box);
+            if (k % GROUP == 0) group = {};
+            group.include(box);
             all.include(box);
         }
         box_[p] = all;
@@ -127,11 +149,13 @@ void FacetBlocks::find(const Grid& grid, const FacetPatches& facets, double arou
         chunk.blocks.clear();
         chunk.facets.clear();
         for (std::size_t number = begin; number < end; ++number) {
-            facets.tree().overlapping(box(number, all, more), found);
+            const contact::Box here = box(number, all, more);
+            facets.tree().overlapping(here, found);
             cells.begin(grid_, number);
             for (const Index patch : found)
-                for (const Index facet : facets.patches()[static_cast<std::size_t>(patch)])
+                facets.for_some(static_cast<std::size_t>(patch), here, [&](Index facet) {
                     cells.enter(facet, range[facet], eight.empty() ? 0 : eight[facet]);
+                });
             Block block{number, chunk.facets.size(), cells.entered()};
             visit(block, cells);
             if (cells.entered() == 0) continue;
