@@ -89,8 +89,7 @@ void SurfaceContact::find(const Points& x, const Points& v, double t, double dt,
     State& s = *state_;
     const bool is_born = s.look_at_cards(t);
     if (!s.any_on()) {
-        s.contacts.clear(0);
-        return s.columns.sort(s.contacts);
+        return s.contacts.clear(0);
     }
     if (!s.is_started) {
         s.is_started = true;
@@ -106,7 +105,6 @@ void SurfaceContact::find(const Points& x, const Points& v, double t, double dt,
     } else {
         s.contacts.clear(0);
     }
-    s.columns.sort(s.contacts);
     s.count();
 }
 

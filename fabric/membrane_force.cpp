@@ -1,5 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -34,53 +35,48 @@ std::size_t Membranes::chunks_of(const Gather& gather) {
 Index Membranes::add_force(const Points& x, const Points& v, Points& f) {
     assert(x.size() == f.size() && v.size() == f.size());
     // 1. Every element writes the forces of its corners
-    parallel::for_chunks(
-        tasks_.size(),
-        [&](std::size_t i, std::size_t, std::size_t) {
-            const Task& task = tasks_[i];
-            const MembraneBlock::Result r = blocks_[task.block]->force(
-                task.begin, task.end, x, v, corner_force_.data() + block_start_[task.block],
-                corner_damping_.data() + damped_start_[task.block]);
-            found_[i] = {r.energy, r.rate, r.shell, r.lost, r.pull};
-        },
-        /*chunk=*/1);
-
-    // 2. Every node gathers them
-    parallel::for_chunks(
-        gather_.nodes.size(),
-        [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-            Vec3 total = Vec3::Zero();
-            for (std::size_t i = begin; i < end; ++i) {
-                const Vec3 sum = gathered(gather_.places, gather_.starts[i], gather_.starts[i + 1],
-                                          corner_force_.data());
-                f[static_cast<std::size_t>(gather_.nodes[i])] += sum;
-                total += sum;
-            }
-            gather_check_[chunk] = total.sum();
-        },
-        GATHER_NODES);
-    gather_damping(f);
+    const auto work = [&](std::size_t i) {
+        const Task& task = tasks_[i];
+        const MembraneBlock::Result r = blocks_[task.block]->force(
+            task.begin, task.end, x, v, corner_force_.data() + block_start_[task.block],
+            corner_damping_.data() + damped_start_[task.block]);
+        found_[i] = {r.energy, r.rate, r.shell, r.lost, r.pull};
+    };
+    // 2. Every node gathers them, then those that damp
+    const auto gather = [&](std::size_t chunk) { gather_forces(chunk, f); };
+    const auto damp = [&](std::size_t chunk) { gather_damping(chunk, f); };
+    parallel::in_turn(parallel::each(tasks_.size(), work, 1),
+                      parallel::each(chunks_of(gather_), gather, 1),
+                      parallel::each(chunks_of(damping_gather_), damp, 1));
     coat_.add_force(x, f);
     reduce();
     return all_finite() ? -1 : first_broken(x);
 }
 
-void Membranes::gather_damping(Points& f) {
-    parallel::for_chunks(
-        damping_gather_.nodes.size(),
-        [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-            double total = 0.0;
-            for (std::size_t i = begin; i < end; ++i) {
-                const auto node = static_cast<std::size_t>(damping_gather_.nodes[i]);
-                damping_force_[node] =
-                    gathered(damping_gather_.places, damping_gather_.starts[i],
-                             damping_gather_.starts[i + 1], corner_damping_.data());
-                f[node] += damping_force_[node];
-                total += damping_force_[node].sum();
-            }
-            damping_check_[chunk] = total;
-        },
-        GATHER_NODES);
+void Membranes::gather_forces(std::size_t chunk, Points& f) {
+    const std::size_t end = std::min(gather_.nodes.size(), (chunk + 1) * GATHER_NODES);
+    Vec3 total = Vec3::Zero();
+    for (std::size_t i = chunk * GATHER_NODES; i < end; ++i) {
+        const Vec3 sum = gathered(gather_.places, gather_.starts[i], gather_.starts[i + 1],
+                                  corner_force_.data());
+        f[static_cast<std::size_t>(gather_.nodes[i])] += sum;
+        total += sum;
+    }
+    gather_check_[chunk] = total.sum();
+}
+
+void Membranes::gather_damping(std::size_t chunk, Points& f) {
+    const Gather& from = damping_gather_;
+    const std::size_t end = std::min(from.nodes.size(), (chunk + 1) * GATHER_NODES);
+    double total = 0.0;
+    for (std::size_t i = chunk * GATHER_NODES; i < end; ++i) {
+        const auto node = static_cast<std::size_t>(from.nodes[i]);
+        damping_force_[node] =
+            gathered(from.places, from.starts[i], from.starts[i + 1], corner_damping_.data());
+        f[node] += damping_force_[node];
+        total += damping_force_[node].sum();
+    }
+    damping_check_[chunk] = total;
 }
 
 /// What the tasks found, in their order.

@@ -147,7 +147,8 @@ private:
     [[nodiscard]] static std::size_t chunks_of(const Gather& gather);
     void find_rest_rates(const std::vector<double>& mass);
     void find_rest_step();
-    void gather_damping(Points& f);
+    void gather_forces(std::size_t chunk, Points& f);
+    void gather_damping(std::size_t chunk, Points& f);
     void add_restoring(std::size_t block, const StrainRestoration& how,
                        std::span<const Curve> curves);
     void book_restored();

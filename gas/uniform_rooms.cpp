@@ -12,6 +12,7 @@ UniformRooms::UniformRooms(std::shared_ptr<const WettedSurface> surface,
                            std::vector<ControlVolume> rooms, std::size_t node_count)
     : surface_(std::move(surface)),
       rooms_(std::move(rooms)),
+      by_node_(*surface_, {}, node_count),
       area_(surface_->points(), Vec3::Zero()),
       force_(node_count, Vec3::Zero()) {}
 
@@ -20,15 +21,24 @@ bool UniformRooms::settle(std::span<const Vec3> x) {
     surface_->volumes(x, volume_);
     bool is_good = true;
     for (std::size_t r = 0; r < size(); ++r) is_good = rooms_[r].settle(volume_[r]) && is_good;
-    for (std::size_t p = 0; p < area_.size(); ++p) force_[surface_->node(p)].setZero();
-    for (std::size_t p = 0; p < area_.size(); ++p)
-        force_[surface_->node(p)] += rooms_[surface_->room_of_point(p)].pressure() * area_[p];
+    parallel::for_each(by_node_.nodes.size(),
+                       [&](std::size_t i) { force_[by_node_.nodes[i]] = force_on(i); });
     return is_good;
 }
 
 void UniformRooms::add_force(std::span<Vec3> f) const {
-    for (std::size_t p = 0; p < area_.size(); ++p)
-        f[surface_->node(p)] += rooms_[surface_->room_of_point(p)].pressure() * area_[p];
+    parallel::for_each(by_node_.nodes.size(),
+                       [&](std::size_t i) { f[by_node_.nodes[i]] += force_on(i); });
+}
+
+/// Of a row of by_node_.                                                                      [N]
+Vec3 UniformRooms::force_on(std::size_t row) const {
+    Vec3 force = Vec3::Zero();
+    for (Index k = by_node_.start[row]; k < by_node_.start[row + 1]; ++k) {
+        const Index p = by_node_.points[k];
+        force += rooms_[surface_->room_of_point(p)].pressure() * area_[p];
+    }
+    return force;
 }
 
 void UniformRooms::work(std::span<const Vec3> v_mid, double span) {

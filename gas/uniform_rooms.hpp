@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "gas/enclosure/node_points.hpp"
 #include "gas/enclosure/wetted_surface.hpp"
 #include "gas/thermo/control_volume.hpp"
 
@@ -47,8 +48,11 @@ public:
     }
 
 private:
+    [[nodiscard]] Vec3 force_on(std::size_t row) const;
+
     std::shared_ptr<const WettedSurface> surface_;
     std::vector<ControlVolume> rooms_;
+    NodePoints by_node_;
     Points area_;   ///< points × 3, at t                                                [m^2]
     Points force_;  ///< N × 3, at t                                                     [N]
     std::vector<double> volume_;

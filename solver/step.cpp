@@ -74,7 +74,7 @@ void Simulation::find_forces(double span, Stopwatch& lap) {
     const double t = scene_.clock.t;
     fabric::Nodes& nodes = scene_.nodes;
     SceneForces& forces = scene_.forces;
-    std::fill(nodes.f.begin(), nodes.f.end(), Vec3::Zero());
+    parallel::for_each(nodes.size(), [&](std::size_t n) { nodes.f[n].setZero(); });
     if (scene_.cloth.membranes) {
         scene_.cloth.membranes->restore_strains(t);
         const Index broken = scene_.cloth.membranes->add_force(nodes.x, nodes.v, nodes.f);

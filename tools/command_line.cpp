@@ -123,7 +123,11 @@ void add_study(CLI::App& app, StudyArguments& to) {
         "again, it makes only the runs that are missing");
     command.add_option("STUDY", to.file, "study in TOML")->required();
     command.add_option("-o,--output", to.folder, "folder; default: STUDY.study");
-    command.add_option("-w,--workers", to.workers, "runs at a time; default: as it says")
+    command
+        .add_option(
+            "-w,--workers", to.workers,
+            "runs at a time; default: as it says, else one a hardware thread, or fewer with "
+            "several threads each where there are fewer runs than cores")
         ->check(CLI::PositiveNumber);
     command.add_flag("--retry-failed", to.retry_failed, "make failed runs again");
     command.add_flag("--slurm", to.slurm, "an array of jobs by sbatch, and a table after it");

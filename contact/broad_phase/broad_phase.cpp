@@ -97,9 +97,9 @@ BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
 
 void BroadPhase::update(std::span<const Box> boxes) {
     check(boxes);
+    clear();
     Tree& tree = *tree_;
     tree.grow(boxes.size());
-    tree.in_use.clear();
     Box all;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         tree.object[i].set(boxes[i]);
@@ -109,10 +109,15 @@ void BroadPhase::update(std::span<const Box> boxes) {
     // Level 2 sorts by Morton codes, three times as fast as the top-down split of level 0, but
     // divides by the extent of the scene in each direction: a flat scene has none.
     const bool is_flat = !boxes.empty() && ((all.high - all.low).array() <= 0.0).any();
-    tree.manager.clear();
     tree.manager.tree_init_level = is_flat ? 0 : 2;
     tree.manager.registerObjects(tree.in_use);
     tree.manager.setup();
+}
+
+void BroadPhase::clear() {
+    if (tree_->in_use.empty()) return;
+    tree_->in_use.clear();
+    tree_->manager.clear();
 }
 
 void BroadPhase::self_pairs(Pairs& out) const {

@@ -31,6 +31,9 @@ public:
     ///         overlap everything
     void update(std::span<const Box> boxes);
 
+    /// Takes the boxes away; update() does so too. For who has threads beside that need none.
+    void clear();
+
     /// Overlapping pairs i < j among the boxes, sorted.
     void self_pairs(std::vector<std::pair<Index, Index>>& out) const;
 

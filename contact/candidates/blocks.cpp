@@ -5,12 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "solver/base/parallel.hpp"
-
 namespace corpuscle::contact {
 namespace {
-
-constexpr std::size_t BLOCK_PATCHES_A_CHUNK = 2;  ///< patches
 
 std::array<float, 3> single(const Vec3& p, const Vec3& origin) {
     return {static_cast<float>(p.x() - origin.x()), static_cast<float>(p.y() - origin.y()),
@@ -84,15 +80,12 @@ Blocks<CORNERS>::Blocks(const Cloth& cloth)
     }
     group_.resize(static_cast<std::size_t>(group_start_.back()));
     patches_.resize((cloth.patches.size() + EIGHT - 1) / EIGHT);
+    whole_.resize(cloth.patches.size());
 }
 
 template <int CORNERS>
-void Blocks<CORNERS>::move(std::span<const Index> patches, const Outline& outline) {
-    const auto place_all = [&](std::size_t i) {
-        for (Index b = start_[patches[i]]; b < start_[patches[i] + 1]; ++b)
-            place(block_[b], outline);
-    };
-    parallel::for_each(patches.size(), place_all, BLOCK_PATCHES_A_CHUNK);
+void Blocks<CORNERS>::move(Index patch, const Outline& outline) {
+    for (Index b = start_[patch]; b < start_[patch + 1]; ++b) place(block_[b], outline);
 }
 
 template <int CORNERS>
@@ -129,23 +122,22 @@ void Blocks<CORNERS>::bound(Index b, const Outline& outline) {
 }
 
 template <int CORNERS>
-void Blocks<CORNERS>::set_bounds(std::span<const Index> patches, const Outline& outline) {
-    std::fill(patches_.begin(), patches_.end(), EightBounds());
-    const auto bound_all = [&](std::size_t i) {
-        const Index p = patches[i];
-        for (Index b = start_[p]; b < start_[p + 1]; ++b) {
-            const Index at = b - start_[p];
-            bound(b, outline);
-            group_[group_start_[p] + at / EIGHT].set(at % EIGHT, block_[b].whole);
-        }
-    };
-    parallel::for_each(patches.size(), bound_all, BLOCK_PATCHES_A_CHUNK);
-    for (const Index p : patches) {
-        Bounds of_patch = EightBounds()[0];
-        for (Index g = group_start_[p]; g < group_start_[p + 1]; ++g)
-            of_patch.include(group_[g].all());
-        set_patch(p, of_patch);
+void Blocks<CORNERS>::set_bounds(Index patch, const Outline& outline) {
+    for (Index b = start_[patch]; b < start_[patch + 1]; ++b) {
+        const Index at = b - start_[patch];
+        bound(b, outline);
+        group_[group_start_[patch] + at / EIGHT].set(at % EIGHT, block_[b].whole);
     }
+    Bounds whole = EightBounds()[0];
+    for (Index g = group_start_[patch]; g < group_start_[patch + 1]; ++g)
+        whole.include(group_[g].all());
+    whole_[patch] = whole;
+}
+
+template <int CORNERS>
+void Blocks<CORNERS>::take_patches(std::span<const Index> patches) {
+    std::fill(patches_.begin(), patches_.end(), EightBounds());
+    for (const Index p : patches) set_patch(static_cast<std::size_t>(p), whole_[p]);
 }
 
 template <int CORNERS>

@@ -42,10 +42,13 @@ public:
 
     explicit Blocks(const Cloth& cloth);
 
-    /// Takes all places of some patches anew.
-    void move(std::span<const Index> patches, const Outline& outline);
-    /// Takes all their boxes anew; those of all other patches overlap with nothing.
-    void set_bounds(std::span<const Index> patches, const Outline& outline);
+    /// Takes all places of a patch anew.
+    void move(Index patch, const Outline& outline);
+    /// Takes all boxes of a patch anew, for take_patches().
+    void set_bounds(Index patch, const Outline& outline);
+    /// Takes the boxes of patches whose bounds were set; those of all other patches overlap with
+    /// nothing.
+    void take_patches(std::span<const Index> patches);
     /// Takes a block's box anew; those that hold it only grow.
     void renew_bounds(Index block, const Outline& outline);
 
@@ -88,6 +91,7 @@ private:
     std::vector<EightBounds> group_;    ///< boxes of eight blocks of a patch
     std::vector<Index> group_start_;    ///< of each patch's groups
     std::vector<EightBounds> patches_;  ///< boxes of the patches, eight by eight
+    std::vector<Bounds> whole_;         ///< of each patch, as set last
     std::vector<Index> patch_;          ///< by block
     std::vector<Lane> place_;           ///< by triangle and its three sides
 };

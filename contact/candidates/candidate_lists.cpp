@@ -86,18 +86,22 @@ void Candidates::build(const Points& x, const Points& v, double t, double dt) {
     }
     sort_memories();
     set_boxes(x);
-    find_late(x, budget_.life);
     search_.build(x, late_, node_box_, own_);
     list_pairs(x);
     forget_parted_pairs();
     if (!freed.empty()) give_gentle_gaps(freed, x, t);
 }
 
-/// Boxes of what nodes may reach; of two things that may come within reach they overlap.
+/// Boxes of what nodes may reach in the lists' life, and where they are predicted to be after it;
+/// of two things that may come within reach they overlap.
 void Candidates::set_boxes(const Points& x) {
+    late_.resize(x.size());
     const auto& nodes = patches_.pieces().nodes;
-    parallel::for_each(nodes.size(),
-                       [&](std::size_t i) { set_node_box(nodes[i], x[nodes[i]], budget_.life); });
+    parallel::for_each(nodes.size(), [&](std::size_t i) {
+        const Index n = nodes[i];
+        set_node_box(n, x[n], budget_.life);
+        late_[n] = x[n] + budget_.life * motion_.velocity(n);
+    });
 }
 
 /// @param time  for which the node is predicted [s]
@@ -108,18 +112,10 @@ void Candidates::set_node_box(Index node, const Vec3& from, double time) {
     node_box_[node].inflate(0.5 * reach_ * cloth_.node_thickness[node] + own_[node]);
 }
 
-/// Where nodes are predicted to be after so long.
-void Candidates::find_late(const Points& x, double time) {
-    late_.resize(x.size());
-    const auto& nodes = patches_.pieces().nodes;
-    parallel::for_each(nodes.size(), [&](std::size_t i) {
-        late_[nodes[i]] = x[nodes[i]] + time * motion_.velocity(nodes[i]);
-    });
-}
-
 void Candidates::list_pairs(const Points& x) {
     const auto pairs = patches_.pairs();
     chunks_.resize(std::max(chunks_.size(), ROUND));
+    found_.resize(chunks_.size());
     const Outlook ahead{x, budget_.life, true};
     std::size_t first = 0;
     const auto search = [&](std::size_t begin, std::size_t end, std::size_t c) {
@@ -131,6 +127,7 @@ void Candidates::list_pairs(const Points& x) {
                 pairs[first + i],
                 [&](Feature a, Feature b, Distances apart) { meet_edges(a, b, apart, ahead, out); },
                 [&](Feature n, Index t, Distances apart) { meet_node(n, t, apart, ahead, out); });
+        found_[c] = out.list.size();
     };
     std::size_t rows = 0;
     for (; first < pairs.size(); first += ROUND * PATCH_PAIRS_A_CHUNK) {
@@ -148,7 +145,7 @@ void Candidates::list_pairs(const Points& x) {
 /// @returns rows up to the last of it
 std::size_t Candidates::add_chunks(std::size_t rows, std::size_t count) {
     std::vector<std::size_t> start(count + 1, rows);
-    for (std::size_t c = 0; c < count; ++c) start[c + 1] = start[c] + chunks_[c].list.size();
+    for (std::size_t c = 0; c < count; ++c) start[c + 1] = start[c] + found_[c];
     if (start[count] > list_.size()) {
         list_.resize(start[count]);
         verlet_.resize(start[count]);

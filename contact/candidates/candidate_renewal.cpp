@@ -59,16 +59,19 @@ void Candidates::list_renewed_pairs(const Points& x) {
     const double rest_of_life = budget_.life - motion_.age();
     for (const Index n : renewal_.strayed) set_node_box(n, motion_.predicted(n), rest_of_life);
     renewal_.predicted.resize(x.size());
+    late_.resize(x.size());
     const auto& nodes = patches_.pieces().nodes;
     parallel::for_each(nodes.size(), [&](std::size_t i) {
-        renewal_.predicted[nodes[i]] = motion_.predicted(nodes[i]);
+        const Index n = nodes[i];
+        renewal_.predicted[n] = motion_.predicted(n);
+        late_[n] = renewal_.predicted[n] + rest_of_life * motion_.velocity(n);
     });
-    find_late(renewal_.predicted, rest_of_life);
     search_.renew(renewal_.renewed, renewal_.predicted, late_, node_box_, own_);
 
     const Outlook ahead{x, rest_of_life, false};
     const std::size_t count = parallel::chunk_count(renewal_.renewed.size(), TRIANGLES);
     chunks_.resize(std::max(chunks_.size(), count));
+    found_.resize(chunks_.size());
     const auto search = [&](std::size_t begin, std::size_t end, std::size_t c) {
         Chunk& out = chunks_[c];
         out.list.clear();
@@ -89,6 +92,7 @@ void Candidates::list_renewed_pairs(const Points& x) {
                         meet_node(n, t, apart, ahead, out);
                 });
         }
+        found_[c] = out.list.size();
     };
     parallel::for_chunks(renewal_.renewed.size(), search, TRIANGLES);
     const std::size_t first = list_.size();

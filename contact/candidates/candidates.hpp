@@ -125,6 +125,22 @@ public:
     [[nodiscard]] Index memory_row(std::size_t i) const { return list_[i].memory; }
     [[nodiscard]] PairMemory& memory_at(Index row) { return memories_[row]; }
     PairMemory& make_memory(std::size_t i);
+    /// Makes memories of pairs i_of(k), none of which has one, k in 0..n; theirs are the rows from
+    /// the one that is returned on.
+    template <class PairOf>
+    Index make_memories(std::size_t n, PairOf&& i_of) {
+        constexpr std::size_t A_CHUNK = 32;  // each is far from the one before
+        const std::size_t first = memories_.size();
+        memories_.resize(first + n);
+        parallel::for_each(
+            n,
+            [&](std::size_t k) {
+                list_[i_of(k)].memory = static_cast<Index>(first + k);
+                memories_[first + k] = {list_[i_of(k)].key};
+            },
+            A_CHUNK);
+        return static_cast<Index>(first);
+    }
 
     /// Triangles that crossed at the start and still do, rows i < j, sorted. Their pairs do not
     /// push.
@@ -193,7 +209,6 @@ private:
         return static_cast<std::uint64_t>(is_edges) << 63 |
                static_cast<std::uint64_t>(first) << 32 | static_cast<std::uint64_t>(second);
     }
-    void find_late(const Points& x, double time);
     void meet_edges(Feature a, Feature b, Distances apart, const Outlook& ahead, Chunk& out) const;
     void meet_node(Feature n, Index triangle, Distances apart, const Outlook& ahead,
                    Chunk& out) const;
@@ -251,6 +266,7 @@ private:
     std::vector<Candidate> list_;
     VerletList verlet_;
     std::vector<Chunk> chunks_;
+    std::vector<std::size_t> found_;  ///< by chunk: pairs
     std::vector<PairMemory> memories_;
     Merging merging_;
     std::size_t sorted_ = 0;             ///< memories that are in the order of their keys

@@ -53,18 +53,20 @@ void Motion::follow(const Points& x, double t, double dt) {
     if (pieces_.nodes.empty()) return;
     const Vec3 common = mean_over(pieces_.nodes, [&](Index n) -> Vec3 { return x[n] - last_[n]; });
     common_ += common;
-    parallel::for_each(pieces_.nodes.size(), [&](std::size_t i) {
+    const auto step = [&](std::size_t i) {
         const Index n = pieces_.nodes[i];
         node_stepped_[n] = (x[n] - last_[n] - common - since * velocity_[n]).norm();
         last_[n] = x[n];
-    });
-    parallel::for_each(pieces_.triangles.size(), [&](std::size_t i) {
+    };
+    const auto displace = [&](std::size_t i) {
         const Index triangle = pieces_.triangles[i];
         const Triangle& nodes = cloth_.triangles[triangle];
         displacement_[triangle] += greatest(node_stepped_, nodes);
         displacement_bound_[triangle] =
             displacement_[triangle] + dt * greatest(node_deviation_, nodes);
-    });
+    };
+    parallel::in_turn(parallel::each(pieces_.nodes.size(), step),
+                      parallel::each(pieces_.triangles.size(), displace));
 }
 
 void Motion::foresee(const Points& x, const Points& v, double dt) {
@@ -73,31 +75,36 @@ void Motion::foresee(const Points& x, const Points& v, double dt) {
     const Vec3 common = mean_over(pieces_.nodes, [&](Index n) -> Vec3 { return v[n]; });
     const Vec3 moved = common_ + dt * common;
     std::vector<double>& strays = chunk_stray_;
-    strays.assign(std::max<std::size_t>(1, parallel::chunk_count(pieces_.nodes.size())), 0.0);
-    parallel::for_chunks(
-        pieces_.nodes.size(), [&](std::size_t begin, std::size_t end, std::size_t c) {
-            for (std::size_t i = begin; i < end; ++i) {
-                const Index n = pieces_.nodes[i];
-                relative_[n] = v[n] - common;
-                node_speed_[n] = relative_[n].norm();
-                node_deviation_[n] = (relative_[n] - velocity_[n]).norm();
-                const Vec3 predicted = base_[n] + moved + (age_ + dt) * velocity_[n];
-                strays_[n] = (x[n] + dt * v[n] - predicted).norm();
-                strays[c] = std::max(strays[c], strays_[n] / slack_[n]);
-            }
-        });
-    stray_ = *std::max_element(strays.begin(), strays.end());
-    parallel::for_each(pieces_.triangles.size(), [&](std::size_t i) {
+    const std::size_t count = pieces_.nodes.size();
+    strays.assign(std::max<std::size_t>(1, parallel::chunk_count(count)), 0.0);
+    const auto stray = [&](std::size_t i) {
+        const Index n = pieces_.nodes[i];
+        relative_[n] = v[n] - common;
+        node_speed_[n] = relative_[n].norm();
+        node_deviation_[n] = (relative_[n] - velocity_[n]).norm();
+        const Vec3 predicted = base_[n] + moved + (age_ + dt) * velocity_[n];
+        strays_[n] = (x[n] + dt * v[n] - predicted).norm();
+        double& most = strays[i / parallel::CHUNK];
+        most = std::max(most, strays_[n] / slack_[n]);
+    };
+    const auto bound = [&](std::size_t i) {
         const Index triangle = pieces_.triangles[i];
         displacement_bound_[triangle] =
             displacement_[triangle] + dt * greatest(node_speed_, cloth_.triangles[triangle]);
-    });
+    };
+    parallel::in_turn(parallel::each(count, stray),
+                      parallel::each(pieces_.triangles.size(), bound));
+    stray_ = *std::max_element(strays.begin(), strays.end());
 }
 
 double Motion::fastest() const {
-    double square = 0.0;
-    for (const Index n : pieces_.nodes) square = std::max(square, velocity_[n].squaredNorm());
-    return std::sqrt(square);
+    const auto& nodes = pieces_.nodes;
+    return std::sqrt(parallel::fold(
+        nodes.size(), 0.0,
+        [&](double& most, std::size_t i) {
+            most = std::max(most, velocity_[nodes[i]].squaredNorm());
+        },
+        [](double& all, double most) { all = std::max(all, most); }));
 }
 
 void Motion::list_strayed(double budget, std::vector<Index>& out) const {
@@ -116,13 +123,14 @@ void Motion::renew(std::span<const Index> nodes, const Points& x) {
 
 void Motion::restart(const Points& x, const Points& v, double budget) {
     const Vec3 common = mean_over(pieces_.nodes, [&](Index n) -> Vec3 { return v[n]; });
-    for (const Index n : pieces_.nodes) {
+    parallel::for_each(pieces_.nodes.size(), [&](std::size_t i) {
+        const Index n = pieces_.nodes[i];
         slack_[n] = strays_[n] > USED * budget * slack_[n]
                         ? std::min(MOST_SLACK, MORE_SLACK * slack_[n])
                         : std::max(1.0, LESS_SLACK * slack_[n]);
         base_[n] = last_[n] = x[n];
         velocity_[n] = relative_[n] = v[n] - common;
-    }
+    });
     std::fill(strays_.begin(), strays_.end(), 0.0);
     common_.setZero();
     age_ = age_ahead_ = stray_ = 0.0;

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "contact/candidates/near_search.hpp"
 
+#include "solver/base/parallel.hpp"
+
 namespace corpuscle::contact {
 namespace {
 
 /// Bound of the rounding of a separation: some 2^-24 of coordinates, which are at most 1.
 constexpr double SINGLE = 2e-6;
+
+constexpr std::size_t SEARCHED_PATCHES_A_CHUNK = 2;
 
 }  // namespace
 
@@ -24,36 +28,49 @@ void NearSearch::build(const Points& x, const Points& late, std::span<const Box>
                        std::span<const double> own) {
     find_rounding(node_box);
     const Outline outline{x, late, node_box, margin_, own, origin_, rounding_};
-    const auto take = [&](auto& blocks) {
-        blocks.move(pieces_.patches, outline);
-        blocks.set_bounds(pieces_.patches, outline);
-    };
-    take(nodes_);
-    take(edges_);
-    take(triangles_);
-    knows_boxes_ = true;
+    move(outline, true);
 }
 
 void NearSearch::renew(std::span<const Index> triangles, const Points& x, const Points& late,
                        std::span<const Box> node_box, std::span<const double> own) {
     const Outline outline{x, late, node_box, margin_, own, origin_, rounding_};
+    const bool knew_boxes = knows_boxes_;
+    move(outline, !knew_boxes);
+    if (!knew_boxes) return;
     const auto take = [&](auto& blocks) {
-        blocks.move(pieces_.patches, outline);
-        if (!knows_boxes_) return blocks.set_bounds(pieces_.patches, outline);
         for (const Index t : triangles)
             for (Index side = 0; side < 3; ++side)
                 if (const Index block = blocks.place(t, side).block; block >= 0)
                     blocks.renew_bounds(block, outline);
     };
-    take(nodes_);
-    take(edges_);
-    take(triangles_);
+    parallel::side_by_side(parallel::alone([&] { take(nodes_); }),
+                           parallel::alone([&] { take(edges_); }),
+                           parallel::alone([&] { take(triangles_); }));
+}
+
+/// Takes all places anew, and all boxes.
+void NearSearch::move(const Outline& outline, bool boxes_too) {
+    const std::vector<Index>& patches = pieces_.patches;
+    const auto each_patch = [&](auto& blocks) {
+        const auto take = [&blocks, &patches, &outline, boxes_too](std::size_t i) {
+            blocks.move(patches[i], outline);
+            if (boxes_too) blocks.set_bounds(patches[i], outline);
+        };
+        return parallel::each(patches.size(), take, SEARCHED_PATCHES_A_CHUNK);
+    };
+    parallel::side_by_side(each_patch(edges_), each_patch(triangles_), each_patch(nodes_));
+    if (!boxes_too) return;
+    nodes_.take_patches(patches);
+    edges_.take_patches(patches);
+    triangles_.take_patches(patches);
     knows_boxes_ = true;
 }
 
 void NearSearch::find_rounding(std::span<const Box> node_box) {
-    Box all;
-    for (const Index node : pieces_.nodes) all.include(node_box[node]);
+    const Box all = parallel::fold(
+        pieces_.nodes.size(), Box{},
+        [&](Box& box, std::size_t i) { box.include(node_box[pieces_.nodes[i]]); },
+        [](Box& box, const Box& more) { box.include(more); });
     origin_ = 0.5 * (all.low + all.high);
     rounding_ = SINGLE * (all.high - all.low).maxCoeff();
 }

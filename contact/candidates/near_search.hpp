@@ -144,6 +144,7 @@ private:
     }
 
     void find_rounding(std::span<const Box> node_box);
+    void move(const Outline& outline, bool boxes_too);
 
     const Pieces& pieces_;
     std::vector<double> margin_;  ///< by triangle                                         [m]

@@ -38,7 +38,7 @@ void CcdLimiter::stop(double t, double dt, Candidates& pairs, StoppingImpulses& 
     for (int look = 0;; ++look) {
         motion.settle();
         pairs.foresee(motion.x(), motion.v(), t, dt);
-        list_dangers(t, pairs);
+        list_dangers(t, dt, pairs, motion);
         if (!stop_dangers(look < LOOKS ? ROUNDS : 0, dt, pairs, impulses, load, motion)) break;
     }
     for (const Index node : joined_) {
@@ -53,24 +53,29 @@ void CcdLimiter::stop(double t, double dt, Candidates& pairs, StoppingImpulses& 
 /// @returns whether there was anything to stop
 bool CcdLimiter::stop_dangers(int rounds, double dt, Candidates& pairs, StoppingImpulses& impulses,
                               FacetLoad& load, VelocityState& motion) {
-    checked_ = 0;
     int n = 0;
-    for (; find_impacts(dt, pairs, motion); ++n) {
+    for (; has_impacts(); ++n) {
         motion.begin();
         checked_ = ++round_;
         if (n < rounds && joined_.empty()) {
             stop_impacts(dt, pairs, impulses, load, motion);
         } else if (!join_zones(pairs, impulses, motion)) {
             // what hits a body in several places upsets each other: now it is one impact zone
-            if (!std::exchange(is_hub_, true)) continue;
-            for (const auto& some : found_) unstopped_ += some.size();
-            return false;
+            if (std::exchange(is_hub_, true)) {
+                for (const auto& some : found_) unstopped_ += some.size();
+                return false;
+            }
         }
+        const auto search = [&](std::size_t c) { find_impacts(c, dt, pairs, motion); };
+        parallel::for_each(near_.size(), search, 1);
     }
     return n > 0;
 }
 
-void CcdLimiter::list_dangers(double t, const Candidates& pairs) {
+/// Lists the pairs that may meet, and finds the first impacts among them.
+void CcdLimiter::list_dangers(double t, double dt, const Candidates& pairs,
+                              const VelocityState& motion) {
+    checked_ = 0;
     const std::size_t chunks = parallel::chunk_count(pairs.size(), CANDIDATES_A_CHUNK);
     near_.resize(std::max(near_.size(), chunks));
     found_.resize(near_.size());
@@ -83,28 +88,28 @@ void CcdLimiter::list_dangers(double t, const Candidates& pairs) {
         });
         std::erase_if(near_[c],
                       [&](std::size_t i) { return !cloth_.rules.is_on(pairs.card(i), t); });
+        find_impacts(c, dt, pairs, motion);
     };
     parallel::for_chunks(pairs.size(), search, CANDIDATES_A_CHUNK);
 }
 
-/// Finds impacts among the pairs that may meet, after the first round only where a velocity has
-/// changed since.
-/// @returns whether there are any
-bool CcdLimiter::find_impacts(double dt, const Candidates& pairs, const VelocityState& motion) {
-    const auto search = [&](std::size_t begin, std::size_t, std::size_t) {
-        found_[begin].clear();
-        for (const std::size_t i : near_[begin]) {
-            const Pair& pair = pairs[i];
-            if (checked_ > 0 && std::none_of(pair.node.begin(), pair.node.end(), [&](Index n) {
-                    return changed_[speaker(n)] == checked_;
-                }))
-                continue;
-            const double time = time_of_impact(pair, corners(pair, motion.x()),
-                                               moves(pair, dt, motion), cloth_.greatest_thickness);
-            if (time != NO_IMPACT) found_[begin].push_back({i, time});
-        }
-    };
-    parallel::for_chunks(near_.size(), search, 1);
+/// Finds impacts among a chunk's pairs that may meet, after the first round only where a velocity
+/// has changed since.
+void CcdLimiter::find_impacts(std::size_t chunk, double dt, const Candidates& pairs,
+                              const VelocityState& motion) {
+    found_[chunk].clear();
+    for (const std::size_t i : near_[chunk]) {
+        const Pair& pair = pairs[i];
+        if (checked_ > 0 && std::none_of(pair.node.begin(), pair.node.end(),
+                                         [&](Index n) { return changed_[speaker(n)] == checked_; }))
+            continue;
+        const double time = time_of_impact(pair, corners(pair, motion.x()), moves(pair, dt, motion),
+                                           cloth_.greatest_thickness);
+        if (time != NO_IMPACT) found_[chunk].push_back({i, time});
+    }
+}
+
+bool CcdLimiter::has_impacts() const {
     return std::any_of(found_.begin(), found_.end(),
                        [](const auto& some) { return !some.empty(); });
 }

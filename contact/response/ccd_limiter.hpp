@@ -47,8 +47,10 @@ private:
 
     bool stop_dangers(int rounds, double dt, Candidates& pairs, StoppingImpulses& impulses,
                       FacetLoad& load, VelocityState& motion);
-    void list_dangers(double t, const Candidates& pairs);
-    bool find_impacts(double dt, const Candidates& pairs, const VelocityState& motion);
+    void list_dangers(double t, double dt, const Candidates& pairs, const VelocityState& motion);
+    void find_impacts(std::size_t chunk, double dt, const Candidates& pairs,
+                      const VelocityState& motion);
+    [[nodiscard]] bool has_impacts() const;
     void stop_impacts(double dt, const Candidates& pairs, StoppingImpulses& impulses,
                       FacetLoad& load, VelocityState& motion);
     bool join_zones(const Candidates& pairs, StoppingImpulses& impulses, VelocityState& motion);

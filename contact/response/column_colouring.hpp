@@ -4,12 +4,11 @@
 
 #include <array>
 #include <cstdint>
-#include <numeric>
-#include <span>
 #include <vector>
 
 #include "contact/surface/cloth.hpp"
 #include "contact/surface/contact_list.hpp"
+#include "solver/base/tasks.hpp"
 
 namespace corpuscle::contact {
 
@@ -18,17 +17,16 @@ namespace corpuscle::contact {
 /// Space is cut into square columns, along the axis in which the cloth is thinnest. A contact is of
 /// the column that the mean of its nodes is in, if all of them lie within half a column's width of
 /// it. So two columns with another between them have no node in common, and there are four colours
-/// of columns each of which all threads work on at once, the fullest first. What reaches farther
-/// (large facets), and what touches a rigid body that may move, is worked on alone, after all
-/// others. The order does not depend on the number of threads.
+/// of columns, each of which waits only for those of the eight around it that have a colour before
+/// its own; of a colour the fullest first. What reaches farther (large facets), and what touches a
+/// rigid body that may move, is worked on alone, after all others. The order in which contacts with
+/// a node in common are worked on does not depend on the number of threads.
 class ColumnColouring {
 public:
     static constexpr std::size_t COUNT =
         Contact::ALONE;  ///< names of columns; those that are far apart share
 
-    explicit ColumnColouring(const Cloth& cloth) : cloth_(cloth) {
-        std::iota(by_size_.begin(), by_size_.end(), std::uint16_t{0});
-    }
+    explicit ColumnColouring(const Cloth& cloth) : cloth_(cloth) {}
 
     /// Lays the columns for cloth at x.
     void lay(const Points& x);
@@ -68,35 +66,50 @@ public:
     template <class Body>
     void for_each_column(Body&& body,
                          parallel::Cut::Where where = parallel::Cut::Where::current()) const {
-        const parallel::Cut cut(is_worth_threads() ? 1 : PER_COLOUR, where);
-        const auto of_colour = [&](std::size_t colour) {
-            const std::span<const std::uint16_t> columns = filled(colour);
-            return parallel::each(
-                columns.size(), [&body, columns](std::size_t i) { body(std::size_t{columns[i]}); },
-                cut);
+        const auto over_task = [&](std::size_t task) { body(std::size_t{task_[task]}); };
+        const auto before = [&](std::size_t task, auto&& visit) {
+            for_each_neighbour(task_[task], [&](std::size_t column) {
+                if (task_of_[column] < task) visit(std::size_t{task_of_[column]});
+            });
         };
-        parallel::in_turn(COLOURS, of_colour);
+        tasks_.run(filled_, before, over_task, is_worth_threads(), where);
         body(COUNT);
     }
     /// Likewise of one thread, for what those bodies have found.
     template <class Body>
     void for_each_in_turn(Body&& body) const {
-        for (std::size_t colour = 0; colour < COLOURS; ++colour)
-            for (const std::uint16_t column : filled(colour)) body(std::size_t{column});
+        for (std::size_t task = 0; task < filled_; ++task) body(std::size_t{task_[task]});
         body(COUNT);
     }
 
 private:
-    static constexpr std::size_t COLOURS = 4, PER_COLOUR = COUNT / COLOURS;
+    static constexpr std::uint16_t NONE = COUNT;
     [[nodiscard]] bool is_worth_threads() const {
         constexpr std::size_t FEW = 256;  // contacts that one thread is done with sooner
         return order_.size() > FEW;
     }
 
     void sort_by_size();
-    /// Columns of a colour that have contacts, the largest first.
-    [[nodiscard]] std::span<const std::uint16_t> filled(std::size_t colour) const {
-        return std::span(by_size_).subspan(colour * PER_COLOUR, filled_[colour]);
+    /// visit(column) for the eight around one.
+    template <class Visit>
+    static void for_each_neighbour(std::size_t column, Visit&& visit) {
+        const auto [i, j] = place(static_cast<unsigned>(column));
+        for (unsigned k = 0; k < 9; ++k)
+            if (k != 4) visit(std::size_t{name(i + k / 3 + ACROSS - 1, j + k % 3 + ACROSS - 1)});
+    }
+    static constexpr unsigned APART = 2;           ///< from a column to the next of its colour
+    static constexpr unsigned ACROSS = 8 * APART;  ///< names along each axis, then used again
+
+    /// Columns of one colour are next to each other.
+    [[nodiscard]] static std::uint16_t name(unsigned i, unsigned j) {
+        i %= ACROSS;
+        j %= ACROSS;
+        const unsigned colour = i % APART + APART * (j % APART);
+        return static_cast<std::uint16_t>(64 * colour + 8 * (i / APART) + j / APART);
+    }
+    [[nodiscard]] static std::array<unsigned, 2> place(unsigned column) {
+        const unsigned colour = column / 64, within = column % 64;
+        return {APART * (within / 8) + colour % APART, APART * (within % 8) + colour / APART};
     }
 
     struct Slot {
@@ -104,12 +117,14 @@ private:
     };
 
     const Cloth& cloth_;
-    std::array<int, 2> axis_{0, 1};  ///< across the columns
-    double per_width_ = 0.0;         ///< 1 / their width                                  [1/m]
+    std::array<int, 2> axis_{0, 1};      ///< across the columns
+    std::array<double, 2> per_width_{};  ///< 1 / their width along each                   [1/m]
     std::vector<Slot> order_;
     std::array<std::size_t, COUNT + 2> start_{};  ///< by column, and of those that stand alone
-    std::array<std::uint16_t, COUNT> by_size_;    ///< each colour's columns, the largest first
-    std::array<std::size_t, COLOURS> filled_{};   ///< of those have contacts
+    std::array<std::uint16_t, COUNT> task_{};     ///< columns with contacts
+    std::array<std::uint16_t, COUNT> task_of_{};  ///< by column; NONE: it has no contacts
+    std::size_t filled_ = 0;                      ///< columns with contacts
+    mutable parallel::Tasks tasks_;
     std::vector<std::array<std::uint32_t, COUNT + 1>> next_;  ///< by some chunks and column
 };
 

@@ -11,8 +11,6 @@ namespace {
 constexpr int LEAST_SWEEPS = 4, MOST_SWEEPS = 32;
 constexpr int WHOLE = 4;            ///< every so many sweeps go over all rows
 constexpr double CONVERGED = 4e-3;  ///< change by a sweep over all impulses
-constexpr std::size_t ROWS_A_CHUNK = 64;
-constexpr std::size_t CONTACT_CHUNKS = 1;  ///< chunks of contacts at once
 
 }  // namespace
 
@@ -29,7 +27,8 @@ void ImplicitResponse::apply(double span, double dt, ContactList& contacts,
                              const std::function<void(bool is_last)>& hold) {
     for (ImpulseBooks& book : books) book.given.setZero();
     ++step_;
-    if (take_up(dt, contacts, columns, pairs, motion)) columns.sort(contacts);
+    take_up(dt, contacts, columns, pairs, motion);
+    columns.sort(contacts);
     if (columns.size() == 0) return;
     motion.begin();
     set_rows(span, dt, contacts, columns, pairs, motion);
@@ -43,11 +42,9 @@ void ImplicitResponse::apply(double span, double dt, ContactList& contacts,
 
 /// Makes contacts of pairs that are near and whose nodes are so fast that they may come within
 /// rest.
-/// @returns whether there were any
-bool ImplicitResponse::take_up(double dt, ContactList& contacts, const ColumnColouring& columns,
+void ImplicitResponse::take_up(double dt, ContactList& contacts, const ColumnColouring& columns,
                                const Candidates& pairs, const VelocityState& motion) {
-    using Flag = std::uint8_t;
-    const auto take_up_chunk = [&](Flag& has_some, std::size_t chunk) {
+    contacts.for_each_chunk([&](std::size_t chunk) {
         for (const NearPair& near : contacts.near(chunk)) {
             const Pair& pair = near.nodes;
             Corners v;
@@ -63,12 +60,8 @@ bool ImplicitResponse::take_up(double dt, ContactList& contacts, const ColumnCol
             c.rest = near.rest;
             c.thickness = near.rest;
             c.modulus = pairs.modulus(near.pair);
-            has_some = 1;
         }
-    };
-    return parallel::fold(
-               contacts.chunks(), Flag{0}, take_up_chunk,
-               [](Flag& any, Flag has_some) { any |= has_some; }, CONTACT_CHUNKS) != 0;
+    });
 }
 
 double ImplicitResponse::solve_all(const ColumnColouring& columns, VelocityState& motion,
@@ -95,7 +88,8 @@ double ImplicitResponse::sweep(bool is_whole, const ColumnColouring& columns,
         const auto bring = [&](std::size_t i) {
             Row& row = rows_[i];
             if (row.mass == INF) return false;
-            const double change = is_alone ? solve_on_body(row, motion) : solve(row, motion);
+            const bool on_body = is_alone && row.contact->on_body;
+            const double change = on_body ? solve_on_body(row, motion) : solve(row, motion);
             share.changed += std::abs(change);
             share.all += row.impulse;
             return change != 0.0 || row.impulse > 0.0;
@@ -194,10 +188,14 @@ void ImplicitResponse::close(double span, const ColumnColouring& columns, Candid
             c.impulse = row.impulse;
             c.force = row.impulse / span;
             c.rubbed = row.rubbed;
+            PairMemory& memory = pairs.memory_at(c.memory);
+            memory.force = c.force;
+            memory.friction = row.rubbed / span;
+            memory.area = c.area;
+            memory.step = step_;
             const Vec3 whole = row.impulse * row.normal + row.rubbed;
             if (whole.isZero(0.0)) continue;
-            if (column != ColumnColouring::COUNT)
-                add_to_bodies(whole, row, motion, share.on_bodies);
+            if (!c.on_body) add_to_bodies(whole, row, motion, share.on_bodies);
             ImpulseBooks& book = share.books[static_cast<std::size_t>(c.card)];
             const Vec3 mean = 0.5 * (row.before + motion.relative(c));
             book.normal -= row.impulse * row.normal.dot(mean);
@@ -218,17 +216,6 @@ void ImplicitResponse::close(double span, const ColumnColouring& columns, Candid
         for (std::size_t b = 0; b < share.on_bodies.size(); ++b)
             motion.push_body(b, share.on_bodies[b]);
     });
-    parallel::for_each(
-        rows_.size(),
-        [&](std::size_t i) {
-            const Contact& c = *rows_[i].contact;
-            PairMemory& memory = pairs.memory_at(c.memory);
-            memory.force = c.force;
-            memory.friction = rows_[i].rubbed / span;
-            memory.area = c.area;
-            memory.step = step_;
-        },
-        ROWS_A_CHUNK);
 }
 
 }  // namespace corpuscle::contact

@@ -115,16 +115,16 @@ private:
         double changed = 0.0, all = 0.0;
         std::size_t active = 0;
     };
-    bool take_up(double dt, ContactList& contacts, const ColumnColouring& columns,
+    void take_up(double dt, ContactList& contacts, const ColumnColouring& columns,
                  const Candidates& pairs, const VelocityState& motion);
     void set_rows(double span, double dt, ContactList& contacts, const ColumnColouring& columns,
                   Candidates& pairs, VelocityState& motion);
-    void recall(ContactList& contacts, Candidates& pairs);
+    void recall(const Points& x, ContactList& contacts, Candidates& pairs);
     [[nodiscard]] const PairMemory* last(const Contact& contact, Candidates& pairs) const;
     [[nodiscard]] Row row_of(double span, double dt, Contact& contact,
                              const VelocityState& motion) const;
     static void warm(double span, const PairMemory& memory, Row& row);
-    void begin(Row& row, bool is_alone, VelocityState& motion);
+    void begin(Row& row, VelocityState& motion);
     /// Sweeps until little changes; returns what the last one did, over all impulses.
     double solve_all(const ColumnColouring& columns, VelocityState& motion,
                      const std::function<void(bool is_last)>& hold);

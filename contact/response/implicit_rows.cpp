@@ -23,13 +23,15 @@ const PairMemory* ImplicitResponse::last(const Contact& c, Candidates& pairs) co
     return memory.step + 1 == step_ ? &memory : nullptr;
 }
 
-/// Makes sure that each contact has a memory, and gives it the area of the step before.
-void ImplicitResponse::recall(ContactList& contacts, Candidates& pairs) {
+/// Makes sure that each contact has a memory, and gives it the area of the step before and its
+/// exposure.
+void ImplicitResponse::recall(const Points& x, ContactList& contacts, Candidates& pairs) {
     fresh_.clear();
     found_fresh_.find(
         contacts.chunks(), fresh_,
         [&](std::size_t chunk, auto&& take) {
             for (Contact& c : contacts.chunk(chunk)) {
+                c.exposure = exposure(cloth_, x, c);
                 if (c.memory < 0) {
                     take(&c);
                     continue;
@@ -39,17 +41,17 @@ void ImplicitResponse::recall(ContactList& contacts, Candidates& pairs) {
             }
         },
         NEW_CONTACT_CHUNKS);
-    for (Contact* const c : fresh_) {
-        pairs.make_memory(c->pair);
-        c->memory = pairs.memory_row(c->pair);
-    }
+    const Index first = pairs.make_memories(fresh_.size(), [&](std::size_t k) {
+        fresh_[k]->memory = static_cast<Index>(k);
+        return fresh_[k]->pair;
+    });
+    for (Contact* const c : fresh_) c->memory += first;
 }
 
 void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
                                 const ColumnColouring& columns, Candidates& pairs,
                                 VelocityState& motion) {
-    recall(contacts, pairs);
-    contacts.for_each_apart([&](Contact& c) { c.exposure = exposure(cloth_, motion.x(), c); });
+    recall(motion.x(), contacts, pairs);
     areas_.find(motion.x(), columns, contacts);
     rows_.resize(columns.size());
     parallel::for_each(
@@ -62,7 +64,7 @@ void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
         NEW_ROWS_A_CHUNK);
     columns.for_each_column([&](std::size_t column) {
         for (std::size_t i = columns.begin(column); i < columns.begin(column + 1); ++i)
-            begin(rows_[i], column == ColumnColouring::COUNT, motion);
+            begin(rows_[i], motion);
     });
 }
 
@@ -111,7 +113,7 @@ void ImplicitResponse::warm(double span, const PairMemory& memory, Row& row) {
 }
 
 /// Gives what a row starts with.
-void ImplicitResponse::begin(Row& row, bool is_alone, VelocityState& motion) {
+void ImplicitResponse::begin(Row& row, VelocityState& motion) {
     if (row.mass == INF) {
         row.impulse = 0.0;
         row.rubbed.setZero();
@@ -119,7 +121,7 @@ void ImplicitResponse::begin(Row& row, bool is_alone, VelocityState& motion) {
     }
     const Vec3 whole = row.impulse * row.normal + row.rubbed;
     if (whole.isZero(0.0)) return;
-    if (!is_alone) return give(whole, row, motion);
+    if (!row.contact->on_body) return give(whole, row, motion);
     for (int i = 0; i < 4; ++i) motion.push(row.node[i], row.weight[i] * whole);
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
+#include <type_traits>
 #include <utility>
 
 #include "solver/base/parallel.hpp"
@@ -40,11 +42,44 @@ void find_cells(const Grid& grid, std::span<const Vec3> x, Index* cell) {
 
 }  // namespace
 
+/// A number of each particle, so many bytes apart.
+struct CellSort::Number {
+    char* data;
+    std::size_t size, stride;
+
+    template <class T>
+    static Number of(T* data, std::size_t stride) {
+        return {reinterpret_cast<char*>(data), sizeof(T), stride * sizeof(T)};
+    }
+    /// Calls with a number of bytes that the compiler knows.
+    template <class Copy>
+    void by_size(Copy&& copy) const {
+        if (size == 8) return copy(std::integral_constant<std::size_t, 8>());
+        if (size == 4) return copy(std::integral_constant<std::size_t, 4>());
+        copy(std::integral_constant<std::size_t, 2>());
+    }
+    void gather(std::size_t begin, std::size_t end, std::span<const Index> order,
+                double* spare) const {
+        by_size([&](auto bytes) {
+            char* to = reinterpret_cast<char*>(spare) + bytes * begin;
+            for (std::size_t i = begin; i < end; ++i, to += bytes)
+                std::memcpy(to, data + stride * static_cast<std::size_t>(order[i]), bytes);
+        });
+    }
+    void write(std::size_t begin, std::size_t end, const double* spare) const {
+        by_size([&](auto bytes) {
+            const char* from = reinterpret_cast<const char*>(spare) + bytes * begin;
+            for (std::size_t i = begin; i < end; ++i, from += bytes)
+                std::memcpy(data + stride * i, from, bytes);
+        });
+    }
+};
+
 void CellSort::sort(const Grid& grid, Particles& particles, bool moves_rows) {
     const std::span<const Vec3> x = particles.x;
     cells_ = grid.size();
     cell_.reserve(particles.id.capacity());
-    spare_.reserve(particles.id.capacity());
+    for (auto& spare : spare_) spare.reserve(particles.id.capacity());
     cell_.resize(x.size());
     order_.reserve(particles.id.capacity());
     order_.resize(x.size());
@@ -55,35 +90,39 @@ void CellSort::sort(const Grid& grid, Particles& particles, bool moves_rows) {
     const std::size_t slices = parallel::chunk_count(x.size(), slice_length_);
     fill_.resize(slices * cells_);
 
-    parallel::for_each(
-        slices, [&](std::size_t s) { count(grid, x, s); }, 1);
-    find_starts(slices);
-    parallel::for_each(
-        slices, [&](std::size_t s) { place(s); }, 1);
+    std::vector<Index> sums(parallel::chunk_count(cells_, SORTED_CELLS_A_CHUNK));
+    parallel::in_turn(parallel::each(
+                          slices, [&](std::size_t s) { count(grid, x, s); }, 1),
+                      parallel::each(
+                          sums.size(), [&](std::size_t c) { sums[c] = sum(c, slices); }, 1),
+                      parallel::each(
+                          sums.size(), [&](std::size_t c) { share_out(c, sums, slices); }, 1),
+                      parallel::each(
+                          slices, [&](std::size_t s) { place(s); }, 1));
     if (moves_rows) move_rows(particles);
 }
 
-/// From the slices' counts: where each cell begins, and each slice's part of it.
-void CellSort::find_starts(std::size_t slices) {
-    std::vector<Index> before(parallel::chunk_count(cells_, SORTED_CELLS_A_CHUNK) + 1, 0);
-    const auto sum = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        Index all = 0;
-        for (std::size_t s = 0; s < slices; ++s)
-            for (std::size_t c = begin; c < end; ++c) all += fill_[s * cells_ + c];
-        before[chunk + 1] = all;
-    };
-    const auto share_out = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        Index next = before[chunk];
-        for (std::size_t c = begin; c < end; ++c) {
-            start_[c] = next;
-            for (std::size_t s = 0; s < slices; ++s)
-                next += std::exchange(fill_[s * cells_ + c], next);
-        }
-    };
-    parallel::for_chunks(cells_, sum, SORTED_CELLS_A_CHUNK);
-    for (std::size_t k = 1; k < before.size(); ++k) before[k] += before[k - 1];
-    parallel::for_chunks(cells_, share_out, SORTED_CELLS_A_CHUNK);
-    start_[cells_] = before.back();
+/// Particles in a chunk of cells, from the slices' counts.
+Index CellSort::sum(std::size_t chunk, std::size_t slices) const {
+    const std::size_t begin = chunk * SORTED_CELLS_A_CHUNK,
+                      end = std::min(cells_, begin + SORTED_CELLS_A_CHUNK);
+    Index all = 0;
+    for (std::size_t s = 0; s < slices; ++s)
+        for (std::size_t c = begin; c < end; ++c) all += fill_[s * cells_ + c];
+    return all;
+}
+
+/// Where each cell of a chunk begins, and each slice's part of it.
+void CellSort::share_out(std::size_t chunk, std::span<const Index> sums, std::size_t slices) {
+    const std::size_t begin = chunk * SORTED_CELLS_A_CHUNK,
+                      end = std::min(cells_, begin + SORTED_CELLS_A_CHUNK);
+    const auto before = sums.first(chunk);
+    Index next = std::accumulate(before.begin(), before.end(), Index{0});
+    for (std::size_t c = begin; c < end; ++c) {
+        start_[c] = next;
+        for (std::size_t s = 0; s < slices; ++s) next += std::exchange(fill_[s * cells_ + c], next);
+    }
+    if (end == cells_) start_[cells_] = next;
 }
 
 void CellSort::count(const Grid& grid, std::span<const Vec3> x, std::size_t slice) {
@@ -102,25 +141,35 @@ void CellSort::place(std::size_t slice) {
         order_[static_cast<std::size_t>(next[cell_[i]]++)] = static_cast<Index>(i);
 }
 
-/// Number by number, so that eight spare bytes a particle do for all.
+/// Number by number, so that sixteen spare bytes a particle do for all: while one number is written
+/// back, the next is gathered.
 void CellSort::move_rows(Particles& particles) {
     const std::size_t n = order_.size();
-    spare_.resize(n);
-    const auto move = [&]<class T>(T* numbers, std::size_t stride) {
-        T* const spare = reinterpret_cast<T*>(spare_.data());
-        parallel::for_each(n, [&](std::size_t i) {
-            spare[i] = numbers[stride * static_cast<std::size_t>(order_[i])];
-        });
-        parallel::for_each(n, [&](std::size_t i) { numbers[stride * i] = spare[i]; });
-    };
     if (n == 0) return;
+    for (auto& spare : spare_) spare.resize(n);
+    std::vector<Number> numbers;
     for (auto* column : {&particles.x, &particles.v})
-        for (int a = 0; a < 3; ++a) move((*column)[0].data() + a, 3);
-    move(particles.e.data(), 1);
-    for (auto* column : {&particles.species, &particles.id}) move(column->data(), 1);
-    move(particles.safe_distance.data(), 1);
-    if (!particles.room.empty()) move(particles.room.data(), 1);
-    parallel::for_each(n, [&](std::size_t i) { order_[i] = static_cast<Index>(i); });
+        for (int a = 0; a < 3; ++a) numbers.push_back(Number::of((*column)[0].data() + a, 3));
+    numbers.push_back(Number::of(particles.e.data(), 1));
+    for (auto* column : {&particles.species, &particles.id})
+        numbers.push_back(Number::of(column->data(), 1));
+    numbers.push_back(Number::of(particles.safe_distance.data(), 1));
+    if (!particles.room.empty()) numbers.push_back(Number::of(particles.room.data(), 1));
+    const auto move = [&](std::size_t stage) {
+        const auto chunk = [this, &numbers, stage](std::size_t begin, std::size_t end,
+                                                   std::size_t) {
+            if (stage > 0)
+                numbers[stage - 1].write(begin, end, spare_[(stage - 1) % SPARES].data());
+            if (stage < numbers.size())
+                numbers[stage].gather(begin, end, order_, spare_[stage % SPARES].data());
+            if (stage == numbers.size())
+                std::iota(order_.begin() + static_cast<std::ptrdiff_t>(begin),
+                          order_.begin() + static_cast<std::ptrdiff_t>(end),
+                          static_cast<Index>(begin));
+        };
+        return parallel::Loop<decltype(chunk)>{n, chunk, parallel::Cut()};
+    };
+    parallel::in_turn(numbers.size() + 1, move);
 }
 
 }  // namespace corpuscle::gas

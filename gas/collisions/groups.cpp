@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 #include "gas/collisions/visibility.hpp"
 #include "solver/base/parallel.hpp"
@@ -223,10 +224,12 @@ void Groups::find(CellSort& sorted, const FabricInCells& fabric, const Particles
         },
         CELLS_A_CHUNK);
     // Those that may take long first: every particle is held against every facet
-    const auto is_long = [&](std::size_t c) {
-        return size(c) * fabric.lists->in(c).size() > LONG_CELL;
-    };
-    std::partition(with_fabric_.begin(), with_fabric_.end(), is_long);
+    const auto work = [&](std::size_t c) { return size(c) * fabric.lists->in(c).size(); };
+    const auto is_long = [&](std::size_t c) { return work(c) > LONG_CELL; };
+    const auto end_of_long = std::partition(with_fabric_.begin(), with_fabric_.end(), is_long);
+    std::sort(with_fabric_.begin(), end_of_long, [&](std::size_t a, std::size_t b) {
+        return std::pair(work(b), a) < std::pair(work(a), b);
+    });
     const auto divided = [&](std::size_t i) {
         thread_local Divider divider;
         const std::size_t c = with_fabric_[i];

@@ -156,15 +156,17 @@ void Enclosure::node_areas(std::span<const Vec3> x, std::span<Vec3> area) const 
     thread_local Points kept;  // no memory is asked for in each step
     Points& facet_area = kept;
     facet_area.resize(triangles_.size());
-    parallel::for_each(triangles_.size(), [&](std::size_t t) {
+    const auto measure = [&](std::size_t t) {
         const Triangle& c = triangles_[t];
         facet_area[t] = vector_area(x[c[0]], x[c[1]], x[c[2]]);
-    });
-    parallel::for_each(nodes_.size(), [&](std::size_t n) {
+    };
+    const auto gather = [&](std::size_t n) {
         Vec3 sum = Vec3::Zero();
         for (Index i = start_[n]; i < start_[n + 1]; ++i) sum += facet_area[around_[i]];
         area[nodes_[n]] = sum / 3.0;
-    });
+    };
+    parallel::in_turn(parallel::each(triangles_.size(), measure),
+                      parallel::each(nodes_.size(), gather));
 }
 
 bool Enclosure::contains(const Vec3& point, std::span<const Vec3> x) const {

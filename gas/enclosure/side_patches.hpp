@@ -14,7 +14,9 @@ namespace corpuscle::gas {
 /// of a colour at once. From connectivity alone.
 class SidePatches {
 public:
-    explicit SidePatches(const WettedSurface& surface);
+    /// @param sides  of a patch. Fewer: finer shares of work; more particles hit several patches in
+    ///               a step
+    explicit SidePatches(const WettedSurface& surface, std::size_t sides = 16);
 
     [[nodiscard]] std::size_t size() const { return room_.size(); }
     [[nodiscard]] Index of(std::size_t side) const { return of_side_[side]; }
@@ -25,14 +27,24 @@ public:
         return std::span(by_colour_)
             .subspan(start_[colour], static_cast<std::size_t>(start_[colour + 1] - start_[colour]));
     }
+    /// Patches, colour by colour.
+    [[nodiscard]] std::span<const Index> by_colour() const { return by_colour_; }
+    /// Of the patch at a place there, the places of those before it that have points in common.
+    [[nodiscard]] std::span<const Index> before(std::size_t place) const {
+        return std::span(before_).subspan(
+            first_before_[place],
+            static_cast<std::size_t>(first_before_[place + 1] - first_before_[place]));
+    }
 
 private:
-    void cut(const WettedSurface& surface);
+    void cut(const WettedSurface& surface, std::size_t most);
     void colour(const WettedSurface& surface);
+    void list_before(const std::vector<std::vector<Index>>& neighbours);
 
-    std::vector<Index> of_side_;            ///< patch of each side
-    std::vector<Index> room_;               ///< of each patch
-    std::vector<Index> by_colour_, start_;  ///< patches, compressed rows
+    std::vector<Index> of_side_;                ///< patch of each side
+    std::vector<Index> room_;                   ///< of each patch
+    std::vector<Index> by_colour_, start_;      ///< patches, compressed rows
+    std::vector<Index> before_, first_before_;  ///< likewise places before, by place
 };
 
 }  // namespace corpuscle::gas

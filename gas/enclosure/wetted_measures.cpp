@@ -63,16 +63,9 @@ void WettedSurface::point_areas(std::span<const Vec3> x, std::span<Vec3> area) c
     thread_local Points kept;  // no memory is asked for in each step
     Points& of_facet = kept;
     of_facet.resize(triangles_.size());
-    parallel::for_each(triangles_.size(), [&](std::size_t t) {
-        const Triangle& c = triangles_[t];
-        of_facet[t] = vector_area(x[c[0]], x[c[1]], x[c[2]]);
-    });
-    parallel::for_each(points(), [&](std::size_t p) {
-        Vec3 sum = Vec3::Zero();
-        for (const Index s : around(p))
-            sum += sign(static_cast<std::size_t>(s)) * of_facet[facet_[s]];
-        area[p] = sum / 3.0;
-    });
+    parallel::in_turn(
+        parallel::each(triangles_.size(), [&](std::size_t t) { of_facet[t] = facet_area(t, x); }),
+        parallel::each(points(), [&](std::size_t p) { area[p] = point_area(p, of_facet); }));
 }
 
 }  // namespace corpuscle::gas

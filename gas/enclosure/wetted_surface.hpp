@@ -76,6 +76,17 @@ public:
                                               std::span<const Vec3> x) const;
     /// area[p]: the vector area that a point carries, out of the gas.          points × 3 [m^2]
     void point_areas(std::span<const Vec3> x, std::span<Vec3> area) const;
+    /// Its parts: the vector area of a facet, then that of a point, from all facets'.      [m^2]
+    [[nodiscard]] Vec3 facet_area(std::size_t facet, std::span<const Vec3> x) const {
+        const Triangle& c = triangles_[facet];
+        return vector_area(x[c[0]], x[c[1]], x[c[2]]);
+    }
+    [[nodiscard]] Vec3 point_area(std::size_t point, std::span<const Vec3> of_facet) const {
+        Vec3 sum = Vec3::Zero();
+        for (const Index s : around(point))
+            sum += sign(static_cast<std::size_t>(s)) * of_facet[facet_[s]];
+        return sum / 3.0;
+    }
 
 private:
     void join_sides(std::span<const Vec3> x);

@@ -25,8 +25,9 @@ void BlockOfCells::begin(const Grid& grid, std::size_t block) {
     grid_ = &grid;
     const Grid blocks = blocks_of(grid);
     const auto row = static_cast<int>(block);
-    first_ = {EDGE * (row % blocks.count[0]), EDGE * (row / blocks.count[0] % blocks.count[1]),
-              EDGE * (row / (blocks.count[0] * blocks.count[1]))};
+    edge_ = edge_of(grid);
+    first_ = {edge_ * (row % blocks.count[0]), edge_ * (row / blocks.count[0] % blocks.count[1]),
+              edge_ * (row / (blocks.count[0] * blocks.count[1]))};
     entries_ = 0;
     entered_.clear();
     start_.fill(0);
@@ -39,7 +40,7 @@ void BlockOfCells::enter(Index facet, const CellRange& range, Index eight) {
     Entered one{facet, {}};
     for (int a = 0; a < 3; ++a) {
         one.range.from[a] = std::max(range.from[a] - first_[a], 0);
-        one.range.to[a] = std::min(range.to[a] - first_[a], EDGE - 1);
+        one.range.to[a] = std::min(range.to[a] - first_[a], edge_ - 1);
         if (one.range.from[a] > one.range.to[a]) return;
     }
     entered_.push_back(one);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -33,7 +34,7 @@ struct Planes {
     float low = 0.0F, high = 0.0F;
 };
 
-/// The facets of 8 × 8 × 8 cells, sorted into them: what one thread does while lists are built.
+/// The facets of 3 × 3 × 3 cells (of a coarse grid: of one), sorted into them: what one thread does while lists are built.
 ///
 ///     block.begin(grid, row);
 ///     for (facets that may be in it) block.enter(facet, cells it overlaps);
@@ -41,15 +42,21 @@ struct Planes {
 ///     for (int c : block.cells()) ... block.row(c), block.in(c)
 class BlockOfCells {
 public:
-    static constexpr int EDGE = 8;  ///< cells; smaller: tighter pairs, more boxes for FCL
+    static constexpr int EDGE = 3;  ///< cells; smaller: tighter pairs, more questions to FCL
     static constexpr int CELLS = EDGE * EDGE * EDGE;
 
     /// A grid's blocks.
     static Grid blocks_of(const Grid& grid) {
+        const int edge = edge_of(grid);
         Grid blocks = grid;
-        blocks.set_edge(EDGE * grid.edge);
-        for (int& n : blocks.count) n = (n + EDGE - 1) / EDGE;
+        blocks.set_edge(edge * grid.edge);
+        for (int& n : blocks.count) n = (n + edge - 1) / edge;
         return blocks;
+    }
+    /// Edge of a grid's blocks.                                                           [cells]
+    static int edge_of(const Grid& grid) {
+        constexpr std::size_t COARSE = 1000;  // cells: what holds many facets is shared out
+        return grid.size() <= COARSE ? 1 : EDGE;
     }
 
     void begin(const Grid& grid, std::size_t block);
@@ -67,12 +74,22 @@ public:
         return grid_->row(first_[0] + cell % EDGE, first_[1] + cell / EDGE % EDGE,
                           first_[2] + cell / (EDGE * EDGE));
     }
+    /// visit(row) for each cell of the block that the grid has.
+    template <class Visit>
+    void for_each_row(Visit&& visit) const {
+        std::array<int, 3> end;
+        for (int a = 0; a < 3; ++a) end[a] = std::min(first_[a] + edge_, grid_->count[a]);
+        for (int k = first_[2]; k < end[2]; ++k)
+            for (int j = first_[1]; j < end[1]; ++j)
+                for (int i = first_[0]; i < end[0]; ++i) visit(grid_->row(i, j, k));
+    }
     /// Facets of a cell, by their places among those entered. After sort().
     [[nodiscard]] std::span<const std::int32_t> in(int cell) const {
         return {sorted_.data() + start_[cell],
                 static_cast<std::size_t>(start_[cell + 1] - start_[cell])};
     }
-    [[nodiscard]] Index facet(std::int32_t place) const { return entered_[place].facet; }
+    [[nodiscard]] Index facet(std::size_t place) const { return entered_[place].facet; }
+    [[nodiscard]] std::size_t entered() const { return entered_.size(); }  ///< facets
 
     /// Reads the entered facets' corners, at x_0 and x_1.
     void take_corners(std::span<const Triangle> triangles, std::span<const Vec3> x_0,
@@ -96,6 +113,7 @@ private:
     };
 
     const Grid* grid_ = nullptr;
+    int edge_ = EDGE;             ///< cells
     std::array<int, 3> first_{};  ///< cell
     std::size_t entries_ = 0;
     std::array<Index, CELLS> last_eight_{}, eights_{};  ///< by cell: entered last; so far

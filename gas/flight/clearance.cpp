@@ -6,8 +6,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "contact/surface/patches.hpp"
-#include "gas/flight/each_block.hpp"
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {
@@ -34,7 +32,7 @@ float sum_of_magnitudes(const std::array<float, 3>& a) {
 }  // namespace
 
 void Clearance::build(std::span<const Triangle> triangles, std::span<const Vec3> x,
-                      const Grid& within, double edge, double reach) {
+                      const FacetPatches& patches, const Grid& within, double edge, double reach) {
     row_.clear();
     if (!(reach > 0.0)) return;
     const Vec3 size = within.edge * Vec3(within.count[0], within.count[1], within.count[2]);
@@ -44,19 +42,25 @@ void Clearance::build(std::span<const Triangle> triangles, std::span<const Vec3>
         CLEARANCE_ROUNDING * grid_.edge * *std::max_element(grid_.count.begin(), grid_.count.end());
     reach_ = static_cast<float>(reach - rounding);
 
-    sort_by_block(triangles, x);
-    const std::size_t blocks = start_.size() - 1;
-    off_.assign(grid_.size(), FAR);
-    for_each_block(blocks, [&](std::size_t b, BlockOfCells& block) {
-        enter(b, block);
-        for (const int cell : block.cells()) off_[block.row(cell)] = 0;
-    });
+    const double around = reach_ * (1.0 + 1e-6) + ON_A_CELL_FACE * grid_.edge;
+    range_.resize(triangles.size());
+    parallel::for_each(
+        triangles.size(),
+        [&](std::size_t f) {
+            range_[f] = CellRange::of(grid_, contact::triangle_box(triangles[f], x, x, around));
+        },
+        parallel::CHUNK);
+    off_.resize(grid_.size());
+    blocks_.find(grid_, patches, around, range_, {},
+                 [&](const FacetBlocks::Block&, BlockOfCells& block) {
+                     block.for_each_row([&](std::size_t row) { off_[row] = FAR; });
+                     for (const int cell : block.cells()) off_[block.row(cell)] = 0;
+                 });
     number_cells();
     free_.clear();
     for (int k = 0; k < FAR; ++k)
         free_.push_back(reach_ + static_cast<float>((1.0 - ON_A_CELL_FACE) * k * grid_.edge));
-    for_each_block(blocks, [&](std::size_t b, BlockOfCells& block) {
-        enter(b, block);
+    blocks_.for_each(range_, [&](const FacetBlocks::Block&, BlockOfCells& block) {
         block.sort();
         block.take_corners(triangles, x, x);
         for (const int cell : block.cells()) {
@@ -66,43 +70,6 @@ void Clearance::build(std::span<const Triangle> triangles, std::span<const Vec3>
             slab.high += static_cast<float>(rounding);
         }
     });
-}
-
-/// Each facet into the blocks that its box overlaps, by `reach` larger. In the order of facets.
-void Clearance::sort_by_block(std::span<const Triangle> triangles, std::span<const Vec3> x) {
-    const double around = reach_ * (1.0 + 1e-6) + ON_A_CELL_FACE * grid_.edge;
-    range_.resize(triangles.size());
-    parallel::for_each(
-        triangles.size(),
-        [&](std::size_t f) {
-            range_[f] = CellRange::of(grid_, contact::triangle_box(triangles[f], x, x, around));
-        },
-        parallel::CHUNK);
-    const Grid blocks = BlockOfCells::blocks_of(grid_);
-    const auto for_each_block = [&](const CellRange& range, auto&& visit) {
-        constexpr int EDGE = BlockOfCells::EDGE;
-        for (int k = range.from[2] / EDGE; k <= range.to[2] / EDGE; ++k)
-            for (int j = range.from[1] / EDGE; j <= range.to[1] / EDGE; ++j)
-                for (int i = range.from[0] / EDGE; i <= range.to[0] / EDGE; ++i)
-                    visit(blocks.row(i, j, k));
-    };
-    // Counted one place too far on: while facets are written each start grows to where it belongs.
-    start_.assign(blocks.size() + 2, 0);
-    for (const CellRange& range : range_)
-        for_each_block(range, [&](std::size_t block) { ++start_[block + 2]; });
-    for (std::size_t b = 2; b < start_.size(); ++b) start_[b] += start_[b - 1];
-    facet_.resize(static_cast<std::size_t>(start_.back()));
-    for (std::size_t f = 0; f < range_.size(); ++f)
-        for_each_block(range_[f], [&](std::size_t block) {
-            facet_[start_[block + 1]++] = static_cast<Index>(f);
-        });
-    start_.pop_back();
-}
-
-void Clearance::enter(std::size_t block, BlockOfCells& cells) const {
-    cells.begin(grid_, block);
-    for (Index k = start_[block]; k < start_[block + 1]; ++k)
-        cells.enter(facet_[k], range_[facet_[k]]);
 }
 
 /// A cell whose nearest cell with facets is k cells off, counted along the axis where it is

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "gas/flight/block_of_cells.hpp"
+#include "gas/flight/facet_blocks.hpp"
 #include "gas/grid.hpp"
 #include "solver/base/surface.hpp"
 
@@ -27,8 +27,9 @@ namespace corpuscle::gas {
 class Clearance {
 public:
     /// From where the facets are, in cells of `edge`; none when `reach` is zero.
-    void build(std::span<const Triangle> triangles, std::span<const Vec3> x, const Grid& within,
-               double edge, double reach);
+    /// @param patches  of the facets, as they were last updated to x or farther
+    void build(std::span<const Triangle> triangles, std::span<const Vec3> x,
+               const FacetPatches& patches, const Grid& within, double edge, double reach);
     [[nodiscard]] bool is_empty() const { return row_.empty(); }
 
     /// The way that is free at a point, but for what facets have moved since build().       [m]
@@ -76,8 +77,6 @@ private:
         };
         return row_[grid_.row(along(0), along(1), along(2))];
     }
-    void sort_by_block(std::span<const Triangle> triangles, std::span<const Vec3> x);
-    void enter(std::size_t block, BlockOfCells& cells) const;
     void number_cells();
 
     Grid grid_;
@@ -87,7 +86,7 @@ private:
     std::vector<float> free_;     ///< by cells to the next with facets                       [m]
     std::vector<std::uint8_t> off_, off_before_;  ///< per cell
     std::vector<CellRange> range_;                ///< of the facets
-    std::vector<Index> start_, facet_;            ///< facets by block, compressed rows
+    FacetBlocks blocks_;
 };
 
 }  // namespace corpuscle::gas

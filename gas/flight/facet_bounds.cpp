@@ -89,21 +89,21 @@ void FacetBounds::update(const FacetLists& lists, std::span<const Vec3> x_0,
     size_ = REACH * static_cast<float>(half.maxCoeff());
     slack_ = BOUNDS_ROUNDING * size_;
     node_.resize(static_cast<std::size_t>(lists.nodes().back()) + 1);
-    parallel::for_each(lists.nodes().size(), [&](std::size_t i) {
+    prisms_.resize(lists.eights().size());
+    bound_.resize(lists.eights().size());
+    in_.resize(lists.eights_in().size());
+    const auto set_node = [&](std::size_t i) {
         const Index n = lists.nodes()[i];
         for (int a = 0; a < 3; ++a) {
             node_[n][0][a] = static_cast<float>(x_0[n][a] - origin_[a]);
             node_[n][1][a] = static_cast<float>(x_1[n][a] - origin_[a]);
         }
-    });
-    prisms_.resize(lists.eights().size());
-    bound_.resize(lists.eights().size());
-    parallel::for_each(
-        lists.eights().size(), [&](std::size_t e) { set_prisms(lists, e); }, EIGHTS_A_CHUNK);
-    in_.resize(lists.eights_in().size());
-    parallel::for_each(
-        in_.size(), [&](std::size_t k) { in_[k] = bounds_of(lists.eights_in()[k]); },
-        EIGHTS_A_CHUNK);
+    };
+    const auto set_eight = [&](std::size_t e) { set_prisms(lists, e); };
+    const auto set_in = [&](std::size_t k) { in_[k] = bounds_of(lists.eights_in()[k]); };
+    parallel::in_turn(parallel::each(lists.nodes().size(), set_node),
+                      parallel::each(lists.eights().size(), set_eight, EIGHTS_A_CHUNK),
+                      parallel::each(in_.size(), set_in, EIGHTS_A_CHUNK));
 }
 
 EightsBounds FacetBounds::bounds_of(const FacetLists::EightEights& eights) const {

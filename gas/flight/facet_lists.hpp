@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "contact/broad_phase/broad_phase.hpp"
 #include "gas/flight/block_of_cells.hpp"
 #include "gas/flight/clearance.hpp"
+#include "gas/flight/facet_blocks.hpp"
 #include "gas/flight/facet_eights.hpp"
 #include "gas/grid.hpp"
 #include "solver/base/surface.hpp"
@@ -38,8 +38,8 @@ struct Slab {
 
 /// Which facets a particle may meet in each grid cell.
 ///
-/// Patches of facets and blocks of 8 × 8 × 8 cells are paired by FCL; facets are then entered into
-/// the cells that their boxes overlap. Boxes are inflated by `margin`, so the lists serve until a
+/// FCL finds the patches of facets near each block of some cells (facet_blocks.hpp); facets are then
+/// entered into the cells that their boxes overlap. Boxes are inflated by `margin`, so the lists serve until a
 /// node has moved that far: a rebuild every ten steps or so, whatever the number of particles. With
 /// a `reach` there is a table of safe distances, too, up to some cells and that (clearance.hpp).
 class FacetLists {
@@ -182,18 +182,15 @@ private:
         return false;
     }
 
-    void pair_blocks_with_patches(std::span<const Vec3> x_0, std::span<const Vec3> x_1);
-    void fill(std::size_t number, std::span<const Vec3> x_0, std::span<const Vec3> x_1,
+    void fill(const FacetBlocks::Block& at, std::span<const Vec3> x_0, std::span<const Vec3> x_1,
               BlockOfCells& block);
-    void enter(std::size_t number, BlockOfCells& block) const;
     std::size_t list_eights(int cell, const BlockOfCells& block, std::size_t to);
 
     std::vector<Triangle> triangles_;
     std::vector<Index> nodes_;  ///< rows of the facets' nodes, ascending
-    contact::Patches patches_;
+    FacetPatches patches_;
     FacetEights eights_;
     Of of_;
-    contact::BroadPhase patch_tree_, block_tree_;
 
     Grid grid_;
     double margin_ = -1.0;  ///< negative: never built
@@ -203,13 +200,7 @@ private:
     double moved_between_builds_ = INF;  ///< [m]
     Points built_at_;                    ///< x_1 of the build, for nodes_
     std::vector<CellRange> range_;       ///< of the facets
-    std::vector<contact::Box> box_;
-    std::vector<std::pair<Index, Index>> pairs_;  ///< block, patch
-    /// A block's first pair; its first entry of its lists and of slab_.
-    struct CellBlock {
-        std::size_t pair, entry, slab;
-    };
-    std::vector<CellBlock> block_;        ///< those with patches, and one more for where they end
+    FacetBlocks blocks_;
     std::vector<Index> facet_;            ///< cell after cell, block after block
     std::vector<EightEights> eights_in_;  ///< likewise
     std::vector<Slab> slab_;              ///< first that of all empty cells, then one a cell

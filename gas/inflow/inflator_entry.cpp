@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "gas/inflow/inflator.hpp"
+#include "solver/base/parallel.hpp"
 #include "solver/base/random.hpp"
 
 namespace corpuscle::gas {
@@ -77,8 +78,16 @@ void Inflators::entering(double t_1, std::span<const Vec3> axis, std::vector<Ent
     }
     std::stable_sort(due_.begin(), due_.end(),
                      [](const Due& p, const Due& q) { return p.time < q.time; });
-    for (const Due& due : due_)
-        out.push_back(make(due, axis[due.orifice], static_cast<std::int32_t>(born++)));
+    constexpr std::size_t A_CHUNK = 16;  // each draws random numbers
+    const std::size_t first = out.size();
+    out.resize(first + due_.size());
+    parallel::for_each(
+        due_.size(),
+        [&](std::size_t k) {
+            out[first + k] = make(due_[k], axis[due_[k].orifice],
+                                  static_cast<std::int32_t>(born + static_cast<std::int64_t>(k)));
+        },
+        A_CHUNK);
     due_.clear();
     if (due_.capacity() > MOST_KEPT) due_.shrink_to_fit();
 }

@@ -13,7 +13,7 @@ namespace {
 /// edges, one standard deviation).
 constexpr std::size_t PASSES = 9;
 
-constexpr std::size_t FEW_POINTS = 512;  ///< that one thread is done with sooner
+constexpr std::size_t FEW_POINTS = 128;  ///< that one thread is done with sooner
 constexpr std::size_t POINTS_A_CHUNK = 32;
 
 /// Cosines of the angle between two points' normals at which a gate begins to open, and is open.

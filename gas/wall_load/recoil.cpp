@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "solver/base/parallel.hpp"
-
 namespace corpuscle::gas {
 namespace {
 
@@ -31,11 +29,6 @@ struct Search {
 };
 
 }  // namespace
-
-void Recoil::weigh(const WettedSurface& surface, std::span<const double> node_mass) {
-    mass_.resize(surface.points());
-    parallel::for_each(mass_.size(), [&](std::size_t p) { mass_[p] = node_mass[surface.node(p)]; });
-}
 
 double Recoil::share(const WettedSurface& surface, std::size_t side,
                      const std::array<double, 3>& at, double m,

@@ -34,8 +34,9 @@ public:
     /// @param held  by wall point: 1 where supports, motions or bodies carry it
     explicit Recoil(std::span<const std::uint8_t> held) : held_(held.begin(), held.end()) {}
 
-    /// Takes over the masses of the nodes [kg].
-    void weigh(const WettedSurface& surface, std::span<const double> node_mass);
+    /// Takes over the masses of the points' nodes [kg].
+    void set_points(std::size_t count) { mass_.resize(count); }
+    void weigh(std::size_t point, double node_mass) { mass_[point] = node_mass; }
 
     /// f of a particle of mass m [kg] that hits a side at barycentric coordinates `at`; 1 where m is
     /// below LIGHT of what each of the side's nodes weighs, or before weigh().

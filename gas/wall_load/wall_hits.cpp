@@ -46,14 +46,27 @@ std::size_t WallHits::side_of(const Hit& hit, std::span<const Vec3> x_0,
     return surface_.side(facet, hit.impulse.dot(vector_area(x[0], x[1], x[2])) < 0.0);
 }
 
+/// Row of start_ of a particle's hits.
+Index WallHits::patch_of(std::span<const Index> sides) const {
+    const auto common = [&](const SidePatches& patches) {
+        const Index patch = patches.of(static_cast<std::size_t>(sides[0]));
+        return std::all_of(
+                   sides.begin() + 1, sides.end(),
+                   [&](Index side) { return patches.of(static_cast<std::size_t>(side)) == patch; })
+                   ? patch
+                   : -1;
+    };
+    const auto scattered = static_cast<Index>(patches_.size());
+    if (const Index patch = common(patches_); patch >= 0) return patch;
+    if (const Index patch = common(wide_); patch >= 0) return scattered + patch;
+    return scattered + static_cast<Index>(wide_.size());
+}
+
 /// @param first  of the list, among all
 void WallHits::find_patches(const std::vector<Hit>& hits, std::size_t first) {
-    const auto scattered = static_cast<Index>(patches_.size());
     for (std::size_t begin = 0, end = 0; begin < hits.size(); begin = end) {
-        Index patch = patches_.of(static_cast<std::size_t>(sides_[first + begin]));
-        for (end = begin; end < hits.size() && hits[end].who == hits[begin].who; ++end)
-            if (patches_.of(static_cast<std::size_t>(sides_[first + end])) != patch)
-                patch = scattered;
+        while (end < hits.size() && hits[end].who == hits[begin].who) ++end;
+        const Index patch = patch_of(std::span(sides_).subspan(first + begin, end - begin));
         std::fill(patch_.begin() + static_cast<std::ptrdiff_t>(first + begin),
                   patch_.begin() + static_cast<std::ptrdiff_t>(first + end), patch);
     }
@@ -61,7 +74,7 @@ void WallHits::find_patches(const std::vector<Hit>& hits, std::size_t first) {
 
 /// By counting.
 void WallHits::sort(FlightResult& flight) {
-    start_.assign(patches_.size() + 3, 0);
+    start_.assign(patches_.size() + wide_.size() + 3, 0);
     for (const Index patch : patch_) ++start_[patch + 2];
     for (std::size_t p = 2; p < start_.size(); ++p) start_[p] += start_[p - 1];
     by_patch_.resize(patch_.size());

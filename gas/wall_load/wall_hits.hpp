@@ -21,7 +21,8 @@ public:
         Index side;
     };
 
-    explicit WallHits(const WettedSurface& surface) : surface_(surface), patches_(surface) {}
+    explicit WallHits(const WettedSurface& surface)
+        : surface_(surface), patches_(surface), wide_(surface, WIDE) {}
 
     /// Lists the hits of a flight, which is to outlive this.
     void list(FlightResult& flight, std::span<const Vec3> x_0, std::span<const Vec3> x_1);
@@ -32,20 +33,34 @@ public:
         return std::span(sides_).subspan(first_[list], first_[list + 1] - first_[list]);
     }
     [[nodiscard]] const SidePatches& patches() const { return patches_; }
+    /// Likewise larger ones, of hits that are scattered over those.
+    [[nodiscard]] const SidePatches& wide_patches() const { return wide_; }
     /// Hits of a patch, in their order; those that are scattered, as if of one more.
     [[nodiscard]] std::span<const Met> of(std::size_t patch) const {
-        return std::span(by_patch_).subspan(start_[patch], start_[patch + 1] - start_[patch]);
+        const std::size_t end = patch < patches_.size() ? start_[patch + 1] : by_patch_.size();
+        return std::span(by_patch_).subspan(start_[patch], end - start_[patch]);
     }
-    [[nodiscard]] std::span<const Met> scattered() const { return of(patches_.size()); }
+    /// Of those that are scattered: within a wide patch, and over several of them too.
+    [[nodiscard]] std::span<const Met> of_wide(std::size_t patch) const {
+        return row(patches_.size() + patch);
+    }
+    [[nodiscard]] std::span<const Met> scattered() const {
+        return row(patches_.size() + wide_.size());
+    }
 
 private:
+    static constexpr std::size_t WIDE = 256;  ///< sides of a wide patch
+    [[nodiscard]] std::span<const Met> row(std::size_t k) const {
+        return std::span(by_patch_).subspan(start_[k], start_[k + 1] - start_[k]);
+    }
+    [[nodiscard]] Index patch_of(std::span<const Index> sides) const;
     [[nodiscard]] std::size_t side_of(const Hit& hit, std::span<const Vec3> x_0,
                                       std::span<const Vec3> x_1) const;
     void find_patches(const std::vector<Hit>& hits, std::size_t first);
     void sort(FlightResult& flight);
 
     const WettedSurface& surface_;
-    SidePatches patches_;
+    SidePatches patches_, wide_;
     std::vector<std::size_t> first_;  ///< hit of each list
     std::vector<Index> sides_;        ///< of hits, list by list
     std::vector<Index> patch_;        ///< likewise

@@ -23,8 +23,8 @@ constexpr double MOST_PAID = 0.25;
 /// that was to pay for it, the wall takes the debt back, too, as far as it took motion.
 constexpr double MOST_DEBT = 0.1;
 
-constexpr std::size_t LISTS_A_CHUNK = 8, PATCHES_A_CHUNK = 2;
-constexpr std::size_t FEW_HITS = 256;  ///< that one thread is done with sooner
+constexpr std::size_t LISTS_A_CHUNK = 8;
+constexpr std::size_t FEW_HITS = 128;  ///< that one thread is done with sooner
 
 /// By wall point: is its node held?
 std::vector<std::uint8_t> held_at(const WettedSurface& surface,
@@ -35,23 +35,6 @@ std::vector<std::uint8_t> held_at(const WettedSurface& surface,
 }
 
 }  // namespace
-
-NodePoints::NodePoints(const WettedSurface& surface, std::span<const Index> jet_nodes,
-                       std::size_t count) {
-    place.assign(count, -1);
-    for (std::size_t p = 0; p < surface.points(); ++p) nodes.push_back(surface.node(p));
-    nodes.insert(nodes.end(), jet_nodes.begin(), jet_nodes.end());
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    for (std::size_t i = 0; i < nodes.size(); ++i) place[nodes[i]] = static_cast<Index>(i);
-    start.assign(nodes.size() + 1, 0);
-    for (std::size_t p = 0; p < surface.points(); ++p) ++start[place[surface.node(p)] + 1];
-    for (std::size_t i = 0; i < nodes.size(); ++i) start[i + 1] += start[i];
-    points.resize(surface.points());
-    std::vector<Index> fill(start.begin(), start.end() - 1);
-    for (std::size_t p = 0; p < surface.points(); ++p)
-        points[fill[place[surface.node(p)]]++] = static_cast<Index>(p);
-}
 
 WallLoad::WallLoad(std::shared_ptr<const WettedSurface> surface, std::span<const std::uint8_t> held,
                    std::span<const Index> jet_nodes, double time, double extra_damping)
@@ -84,29 +67,38 @@ WallLoad::WallLoad(std::shared_ptr<const WettedSurface> surface, std::span<const
 
 void WallLoad::receive(FlightResult& flight, std::span<const double> mass, Particles& particles) {
     set_right(flight, mass, particles);
-    const SidePatches& patches = hits_.patches();
-    tally_.resize(patches.size());
-    const std::size_t chunk = hits_.size() > FEW_HITS ? PATCHES_A_CHUNK : patches.size();
-    const parallel::Cut cut(chunk);
-    parallel::in_turn(patches.colours(), [&](std::size_t colour) {
-        const std::span<const Index> some = patches.of_colour(colour);
-        return parallel::each(
-            some.size(),
-            [this, some, mass, &particles](std::size_t i) {
-                const auto patch = static_cast<std::size_t>(some[i]);
-                if (!hits_.of(patch).empty()) tally_[patch] = {};
-                for (const WallHits::Met& met : hits_.of(patch))
-                    take_in(met, mass, particles, tally_[patch]);
-            },
-            cut);
-    });
-    for (std::size_t p = 0; p < patches.size(); ++p)
-        if (!hits_.of(p).empty()) add(tally_[p], patches.room(p));
+    const SidePatches &patches = hits_.patches(), &wide = hits_.wide_patches();
+    receive(
+        patches, [&](std::size_t patch) { return hits_.of(patch); }, mass, particles);
+    receive(
+        wide, [&](std::size_t patch) { return hits_.of_wide(patch); }, mass, particles);
     for (const WallHits::Met& met : hits_.scattered()) {
         Tally tally;
         take_in(met, mass, particles, tally);
         add(tally, surface_->room(static_cast<std::size_t>(met.side)));
     }
+}
+
+/// Hits of patches, of which those with points in common are not worked on at once.
+template <class HitsOf>
+void WallLoad::receive(const SidePatches& patches, HitsOf&& hits_of, std::span<const double> mass,
+                       Particles& particles) {
+    tally_.resize(std::max(tally_.size(), patches.size()));
+    const auto receive_patch = [&](std::size_t place) {
+        const auto patch = static_cast<std::size_t>(patches.by_colour()[place]);
+        if (hits_of(patch).empty()) return;
+        tally_[patch] = {};
+        for (const WallHits::Met& met : hits_of(patch))
+            take_in(met, mass, particles, tally_[patch]);
+    };
+    const auto before = [&](std::size_t place, auto&& visit) {
+        for (const Index other : patches.before(place)) visit(static_cast<std::size_t>(other));
+    };
+    std::size_t count = 0;
+    for (std::size_t p = 0; p < patches.size(); ++p) count += hits_of(p).size();
+    tasks_.run(patches.size(), before, receive_patch, count > FEW_HITS, parallel::Cut().where);
+    for (std::size_t p = 0; p < patches.size(); ++p)
+        if (!hits_of(p).empty()) add(tally_[p], patches.room(p));
 }
 
 void WallLoad::add(const Tally& tally, Index room) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "gas/enclosure/node_points.hpp"
 #include "gas/enclosure/wetted_surface.hpp"
 #include "gas/flight/flight.hpp"
 #include "gas/particles.hpp"
@@ -14,6 +15,7 @@
 #include "gas/wall_load/recoil.hpp"
 #include "gas/wall_load/wall_hits.hpp"
 #include "gas/wall_load/wrench.hpp"
+#include "solver/base/tasks.hpp"
 
 namespace corpuscle::gas {
 
@@ -29,16 +31,6 @@ struct DeferredImpulse {
     void visit_state(Archive& archive) {
         archive(normal, answered, along, mass, age);
     }
-};
-
-/// Wall points of each node that has any, or that a jet pushes.
-struct NodePoints {
-    std::vector<Index> nodes;          ///< rows of x, once each
-    std::vector<Index> start, points;  ///< of `nodes`, compressed rows
-    std::vector<Index> place;          ///< N: in `nodes`, -1: not there
-
-    NodePoints() = default;
-    NodePoints(const WettedSurface& surface, std::span<const Index> jet_nodes, std::size_t count);
 };
 
 /// What jets have pushed nodes with.                                               by node
@@ -174,8 +166,13 @@ private:
     void set_right(FlightResult& flight, std::span<const double> mass, Particles& particles) const;
     void take_in(const WallHits::Met& met, std::span<const double> mass, Particles& particles,
                  Tally& tally);
+    template <class HitsOf>
+    void receive(const SidePatches& patches, HitsOf&& hits_of, std::span<const double> mass,
+                 Particles& particles);
     void add(const Tally& tally, Index room);
     void measure(std::span<const Vec3> x);
+    void find_brought(double span, std::span<const Vec3> x, std::span<const Vec3> v,
+                      std::span<const double> mass);
     void release_points(double share, double span, std::span<const Vec3> v,
                         std::span<const double> mass);
     void release_jets(double share, double span, std::span<const Vec3> x);
@@ -207,7 +204,8 @@ private:
     Wrench held_owed_;          ///< of held points: given at the next release
     WallHits hits_;
     std::vector<Tally> tally_;  ///< by patch
-    double taken_ = 0.0;        ///< [J]
+    parallel::Tasks tasks_;
+    double taken_ = 0.0;  ///< [J]
     bool hits_are_over_ = false;
 };
 

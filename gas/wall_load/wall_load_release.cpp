@@ -46,10 +46,46 @@ void WallLoad::measure(std::span<const Vec3> x) {
 
 void WallLoad::release(double span, std::span<const Vec3> x, std::span<const Vec3> v,
                        std::span<const double> mass, std::span<Vec3> f) {
-    measure(x);
-    recoil_.weigh(*surface_, mass);
-    const std::size_t points = size_.size();
-    parallel::for_each(points, [&](std::size_t p) {
+    find_brought(span, x, v, mass);
+    smoother_.prepare(*surface_, area_, size_, takes_part_);
+    smoother_.spread(*surface_, brought_);
+    released_.wrench = owed();
+    // F = Q / time, with what has come in this step: late by `time` on average in steps of any
+    // length up to that.
+    const double share = std::min(1.0, span / time_);
+    release_points(share, span, v, mass);
+    release_jets(share, span, x);
+    balance_momentum(share, span, x);
+    held_owed_ = {};
+    released_.wrench -= owed();
+    const bool has_jets = !jets_.nodes.empty();
+    parallel::for_each(by_node_.nodes.size(), [&](std::size_t i) {
+        Vec3 sum = Vec3::Zero();
+        for (Index k = by_node_.start[i]; k < by_node_.start[i + 1]; ++k)
+            sum += released_.force[by_node_.points[k]];
+        released_.on_node[by_node_.nodes[i]] = sum;
+        if (!has_jets) f[by_node_.nodes[i]] += sum;
+    });
+    if (!has_jets) return;
+    for (std::size_t j = 0; j < jets_.nodes.size(); ++j)
+        released_.on_node[jets_.nodes[j]] += jets_.force[j];
+    parallel::for_each(by_node_.nodes.size(), [&](std::size_t i) {
+        f[by_node_.nodes[i]] += released_.on_node[by_node_.nodes[i]];
+    });
+}
+
+/// Areas of points, and what hits have brought each.
+void WallLoad::find_brought(double span, std::span<const Vec3> x, std::span<const Vec3> v,
+                            std::span<const double> mass) {
+    thread_local Points kept;  // no memory is asked for in each step
+    Points& of_facet = kept;
+    of_facet.resize(surface_->triangles().size());
+    recoil_.set_points(size_.size());
+    const auto measure_facet = [&](std::size_t t) { of_facet[t] = surface_->facet_area(t, x); };
+    const auto bring = [&](std::size_t p) {
+        area_[p] = surface_->point_area(p, of_facet);
+        size_[p] = area_[p].norm();
+        recoil_.weigh(p, mass[surface_->node(p)]);
         if (!hits_are_over_)
             deferred_.age[p] = arrived_mass_[p] > 0.0 ? 0.0 : deferred_.age[p] + span;
         takes_part_[p] = held_[p] == 0 && is_wet(p) && size_[p] > 0.0;
@@ -62,29 +98,9 @@ void WallLoad::release(double span, std::span<const Vec3> x, std::span<const Vec
         deferred_.normal[p] += along;
         deferred_.along[p] += beside;
         deferred_.mass[p] += arrived_mass_[p];
-    });
-    smoother_.prepare(*surface_, area_, size_, takes_part_);
-    smoother_.spread(*surface_, brought_);
-    released_.wrench = owed();
-    // F = Q / time, with what has come in this step: late by `time` on average in steps of any
-    // length up to that.
-    const double share = std::min(1.0, span / time_);
-    release_points(share, span, v, mass);
-    release_jets(share, span, x);
-    balance_momentum(share, span, x);
-    held_owed_ = {};
-    released_.wrench -= owed();
-    parallel::for_each(by_node_.nodes.size(), [&](std::size_t i) {
-        Vec3 sum = Vec3::Zero();
-        for (Index k = by_node_.start[i]; k < by_node_.start[i + 1]; ++k)
-            sum += released_.force[by_node_.points[k]];
-        released_.on_node[by_node_.nodes[i]] = sum;
-    });
-    for (std::size_t j = 0; j < jets_.nodes.size(); ++j)
-        released_.on_node[jets_.nodes[j]] += jets_.force[j];
-    parallel::for_each(by_node_.nodes.size(), [&](std::size_t i) {
-        f[by_node_.nodes[i]] += released_.on_node[by_node_.nodes[i]];
-    });
+    };
+    parallel::in_turn(parallel::each(of_facet.size(), measure_facet),
+                      parallel::each(size_.size(), bring));
 }
 
 /// Force of each point: what is kept is released, and the gas answers to flutter at once.

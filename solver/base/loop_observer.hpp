@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 
 #include "solver/base/call_site.hpp"
 
@@ -22,6 +23,8 @@ public:
     virtual void end() = 0;
     /// After each of its chunks, on the thread that did it.
     virtual void end_chunk() = 0;
+    /// Before a chunk that waits for another, which is the so many-th that was begun in the loop.
+    virtual void waits_for(std::size_t /*chunk*/) {}
     /// After each of several loops in turn, on one thread.
     virtual void end_stage() {}
 

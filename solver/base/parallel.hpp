@@ -79,11 +79,12 @@ inline void set_threads([[maybe_unused]] int n) {
     return (n + chunk - 1) / chunk;
 }
 
-/// Chunks that a thread takes at once: some sixteen times each, for taking them costs as well.
+/// Chunks that a thread takes at once: some sixteen times each, for taking them costs as well; one
+/// thread takes them all.
 [[nodiscard]] inline std::ptrdiff_t taken_at_once(std::ptrdiff_t chunks) {
     constexpr std::ptrdiff_t TIMES = 16;
     const std::ptrdiff_t n = threads();
-    return n > 1 ? std::max<std::ptrdiff_t>(1, chunks / (TIMES * n)) : 1;
+    return std::max<std::ptrdiff_t>(1, n > 1 ? chunks / (TIMES * n) : chunks);
 }
 
 /// A loop that runs with others: what for_chunks() takes.
@@ -171,14 +172,15 @@ void side_by_side(const Loop<Bodies>&... loops) {
 template <class Body>
 void share(const Loop<Body>& loop, LoopObserver* observer) {
     const auto chunks = static_cast<std::ptrdiff_t>(loop.chunks());
+    const bool is_shared = loop.is_worth_threads();
     [[maybe_unused]] const std::ptrdiff_t at_once =
-        loop.is_worth_threads() ? taken_at_once(chunks) : std::max<std::ptrdiff_t>(1, chunks);
+        is_shared ? taken_at_once(chunks) : std::max<std::ptrdiff_t>(1, chunks);
 #ifdef _OPENMP
 #pragma omp for schedule(dynamic, at_once)
 #endif
     for (std::ptrdiff_t c = 0; c < chunks; ++c) {
         loop.run(static_cast<std::size_t>(c));
-        if (observer != nullptr) observer->end_chunk();
+        if (observer != nullptr && (is_shared || c + 1 == chunks)) observer->end_chunk();
     }
 #ifdef _OPENMP
 #pragma omp master
@@ -198,6 +200,22 @@ void in_turn(std::size_t loops, LoopOf&& loop_of) {
 #pragma omp parallel if (is_worth_it)
 #endif
     for (std::size_t k = 0; k < loops; ++k) share(loop_of(k), observer);
+    if (observer != nullptr) observer->end();
+}
+
+/// Likewise of loops whose lengths are known ahead.
+template <class First, class... More>
+void in_turn(const Loop<First>& first, const Loop<More>&... more) {
+    const bool is_worth_it = first.is_worth_threads() || (more.is_worth_threads() || ...);
+    LoopObserver* const observer = is_worth_it ? observer_here() : nullptr;
+    if (observer != nullptr) observer->begin(first.cut.where);
+#ifdef _OPENMP
+#pragma omp parallel if (is_worth_it)
+#endif
+    {
+        share(first, observer);
+        (share(more, observer), ...);
+    }
     if (observer != nullptr) observer->end();
 }
 

@@ -6,6 +6,7 @@
 #include <ctime>
 #include <functional>
 #include <numeric>
+#include <span>
 
 namespace corpuscle::benchmark {
 namespace {
@@ -24,27 +25,52 @@ double cost_of(LoopMeter::Now clock) {
     return seconds_of(least);
 }
 
-/// Time until the last of the chunks is done on so many cores.
-/// @param free_at  by core: when it is free; a heap, the least in front
-double dealt_out(const std::vector<double>& chunks, int cores, std::vector<double>& free_at) {
-    free_at.assign(static_cast<std::size_t>(cores), 0.0);
-    double end = 0.0;
-    for (const double chunk : chunks) {
-        std::pop_heap(free_at.begin(), free_at.end(), std::greater<>());
-        free_at.back() += chunk;
-        end = std::max(end, free_at.back());
-        std::push_heap(free_at.begin(), free_at.end(), std::greater<>());
+/// Chunks of a loop, and what each of them waits for, in compressed rows.
+struct Chunks {
+    std::span<const double> time;  ///< [s]
+    std::span<const std::size_t> first, before;
+
+    /// When the last that a chunk waits for is done.                                          [s]
+    [[nodiscard]] double is_free(std::size_t chunk, std::span<const double> done) const {
+        double at = 0.0;
+        for (std::size_t k = first[chunk]; k < first[chunk + 1]; ++k)
+            at = std::max(at, done[before[k]]);
+        return at;
     }
-    return end;
+};
+
+/// Time until the last of the chunks is done on so many cores, each of which takes the next one
+/// when it has done its last, and waits until that may begin.
+/// @param free_at  by core: when it is free; a heap, the least in front; then by chunk: its end
+double dealt_out(const Chunks& chunks, int cores, std::vector<double>& free_at) {
+    const auto n = static_cast<std::ptrdiff_t>(cores);
+    free_at.assign(static_cast<std::size_t>(cores) + chunks.time.size(), 0.0);
+    const auto begin = free_at.begin(), end = begin + n;
+    const auto done = std::span(free_at).subspan(static_cast<std::size_t>(cores));
+    double last = 0.0;
+    for (std::size_t c = 0; c < chunks.time.size(); ++c) {
+        std::pop_heap(begin, end, std::greater<>());
+        double& core = *(end - 1);
+        core = std::max(core, chunks.is_free(c, done)) + chunks.time[c];
+        done[c] = core;
+        last = std::max(last, core);
+        std::push_heap(begin, end, std::greater<>());
+    }
+    return last;
+}
+
+LoopMeter::Call call_of(const parallel::CallSite& where) {
+    return {where.file, where.line};
 }
 
 /// file:line, the file from the project's folders on.
-std::string text_of(const parallel::CallSite& where) {
-    std::string name = where.file;
+std::string text_of(const LoopMeter::Call& call) {
+    std::string name = call.first;
+    if (name.empty()) return "start";
     for (const char* folder : {"/contact/", "/gas/", "/fabric/", "/solver/", "/tests/"})
         if (const std::size_t at = name.rfind(folder); at != std::string::npos)
             name.erase(0, at + 1);
-    return name + ":" + std::to_string(where.line);
+    return name + ":" + std::to_string(call.second);
 }
 
 }  // namespace
@@ -72,27 +98,40 @@ LoopMeter::LoopMeter(Now now, Now busy)
       last_(now()),
       busy_last_(busy()) {}
 
-double LoopMeter::taken(Clock::time_point since, Now clock, double cost) const {
-    return std::max(0.0, seconds_of(clock() - since) - cost);
+double LoopMeter::since_last() const {
+    const double all = seconds_of(now_() - last_) - cost_now_;
+    const double own = seconds_of(busy_() - busy_last_) - cost_busy_;
+    return std::max(0.0, std::min(all, own));
 }
 
 void LoopMeter::begin(const parallel::CallSite& where) {
-    const double stretch = taken(busy_last_, busy_, cost_busy_);
-    at_ = text_of(where);
+    const double stretch = since_last();
+    at_ = where;
     outside_ += stretch;
     Site serial;
     serial.time = stretch;
     serial.dealt.fill(stretch);
-    sites_[before_ + " -> " + at_] += serial;
-    chunks_.clear();
+    by_call_[{call_of(before_), call_of(at_)}] += serial;
+    clear_chunks();
     loop_ = {};
     busy_last_ = busy_();
     last_ = now_();
 }
 
+void LoopMeter::clear_chunks() {
+    chunks_.clear();
+    before_chunk_.clear();
+    first_before_.assign(1, 0);
+}
+
+void LoopMeter::waits_for(std::size_t chunk) {
+    before_chunk_.push_back(chunk);
+}
+
 void LoopMeter::end_chunk() {
     const Clock::time_point now = now_();
     chunks_.push_back(std::max(0.0, seconds_of(now - last_) - cost_now_));
+    first_before_.push_back(before_chunk_.size());
     last_ = now;
 }
 
@@ -100,8 +139,8 @@ void LoopMeter::end_chunk() {
 void LoopMeter::deal_stage() {
     if (chunks_.empty()) return;
     const double all = std::accumulate(chunks_.begin(), chunks_.end(), 0.0);
-    const double busy =
-        taken(busy_last_, busy_, cost_busy_) - cost_now_ * static_cast<double>(chunks_.size());
+    const double busy = seconds_of(busy_() - busy_last_) - cost_busy_ -
+                        cost_now_ * static_cast<double>(chunks_.size());
     const double lost = std::max(0.0, all - busy);
     for (double left = lost; left > 0.0;) {
         double& longest = *std::max_element(chunks_.begin(), chunks_.end());
@@ -111,8 +150,8 @@ void LoopMeter::deal_stage() {
     }
     loop_.time += all - lost;
     for (std::size_t k = 0; k < CORES.size(); ++k)
-        loop_.dealt[k] += dealt_out(chunks_, CORES[k], free_at_);
-    chunks_.clear();
+        loop_.dealt[k] += dealt_out({chunks_, first_before_, before_chunk_}, CORES[k], free_at_);
+    clear_chunks();
 }
 
 void LoopMeter::end_stage() {
@@ -127,13 +166,23 @@ void LoopMeter::end() {
     if (loop_.waits > 0) --loop_.waits;  // the last one is that of any loop
     loop_.calls = 1;
     loops_ += loop_;
-    sites_[at_] += loop_;
+    by_call_[{Call{}, call_of(at_)}] += loop_;
     before_ = at_;
     busy_last_ = busy_();  // the dealing is none of the run
+    last_ = now_();
 }
 
 double LoopMeter::outside() const {
-    return outside_ + taken(busy_last_, busy_, cost_busy_);
+    return outside_ + since_last();
+}
+
+std::map<std::string, LoopMeter::Site> LoopMeter::sites() const {
+    std::map<std::string, Site> sites;
+    for (const auto& [calls, site] : by_call_) {
+        const auto& [from, to] = calls;
+        sites[from == Call{} ? text_of(to) : text_of(from) + " -> " + text_of(to)] += site;
+    }
+    return sites;
 }
 
 double LoopMeter::wall(std::size_t k, double call) const {

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solver/base/loop_observer.hpp"
@@ -15,8 +16,8 @@ namespace corpuscle::benchmark {
 
 /// How a run would gain from more cores, from one run on one thread: each chunk of each loop that
 /// threads would share is timed, then the loop's chunks are dealt out in their order to P ideal
-/// cores, each to the first that is free [list scheduling, Graham 1969]. What lies outside of such
-/// loops stays as it is. Ideal: caches and memory are shared without a loss.
+/// cores, each to the first that is free [list scheduling, Graham 1969]; that core waits for what
+/// the chunk waits for. What lies outside of such loops stays as it is. Ideal: caches and memory are shared without a loss.
 ///
 /// Of a loop that other programs interrupt, what they took is taken off its longest chunks.
 class LoopMeter final : public parallel::LoopObserver {
@@ -44,6 +45,7 @@ public:
     explicit LoopMeter(Now now = &Clock::now, Now busy = &thread_time);
 
     void begin(const parallel::CallSite& where) override;
+    void waits_for(std::size_t chunk) override;
     void end_chunk() override;
     void end_stage() override;
     void end() override;
@@ -55,20 +57,26 @@ public:
     /// @param call  what it costs to call the threads to a loop; half of it, to wait      [s]
     [[nodiscard]] double wall(std::size_t k, double call = 0.0) const;
     /// By call site, file:line, of the loop, or of both ends of a stretch.
-    [[nodiscard]] const std::map<std::string, Site>& sites() const { return sites_; }
+    [[nodiscard]] std::map<std::string, Site> sites() const;
+
+    using Call = std::pair<const char*, unsigned>;  ///< file, line
 
 private:
-    [[nodiscard]] double taken(Clock::time_point since, Now clock, double cost) const;
+    /// By either clock, whichever has less: one counts other programs in, the other is slow to read.
+    [[nodiscard]] double since_last() const;  ///< [s]
     void deal_stage();
+    void clear_chunks();
 
     Now now_, busy_;
     double cost_now_, cost_busy_;  ///< of a reading                                           [s]
     Clock::time_point last_, busy_last_;
-    std::string at_, before_ = "start";     ///< call sites of this loop and the last
-    std::vector<double> chunks_, free_at_;  ///< of the loop that runs                         [s]
-    Site loop_, loops_;                     ///< the one that runs; all
-    double outside_ = 0.0;                  ///< up to the last loop                            [s]
-    std::map<std::string, Site> sites_;
+    parallel::CallSite at_, before_;         ///< calls of this loop and the last
+    std::vector<double> chunks_, free_at_;   ///< of the loop that runs                         [s]
+    std::vector<std::size_t> before_chunk_;  ///< those that its chunks wait for, chunk by chunk
+    std::vector<std::size_t> first_before_;  ///< by chunk: where its own begin
+    Site loop_, loops_;                      ///< the one that runs; all
+    double outside_ = 0.0;                   ///< up to the last loop                            [s]
+    std::map<std::pair<Call, Call>, Site> by_call_;  ///< stretches from the first, or loops
 };
 
 }  // namespace corpuscle::benchmark

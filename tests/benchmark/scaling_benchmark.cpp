@@ -4,7 +4,7 @@
 // How runs would gain from more cores, predicted on one (loop_meter.hpp):
 //
 //     benchmark_scaling                      a folded bag, an open bag, a tank
-//     benchmark_scaling DECK [--until T] [NAME=VALUE ...]
+//     benchmark_scaling DECK [--until T] [--sites N] [NAME=VALUE ...]
 //
 // Below it, where sixteen cores would lose most: loops by their call sites, and what lies between
 // two of them.
@@ -29,14 +29,14 @@ namespace {
 
 using benchmark::LoopMeter;
 
-constexpr double CALL = 2e-6;      ///< of all threads to a loop  [s]
-constexpr std::size_t MANY = 4;    ///< CORES of them: 16
-constexpr std::size_t WORST = 40;  ///< call sites that are told
+constexpr double CALL = 2e-6;    ///< of all threads to a loop  [s]
+constexpr std::size_t MANY = 4;  ///< CORES of them: 16
 
 struct Run {
     std::string deck;
     std::vector<std::pair<std::string, std::string>> definitions;
-    double until = INF;  ///< [s]
+    double until = INF;      ///< [s]
+    std::size_t sites = 40;  ///< that are told
 };
 
 double calls_of(const LoopMeter::Site& site) {
@@ -44,7 +44,7 @@ double calls_of(const LoopMeter::Site& site) {
 }
 
 /// Where the most is lost on many cores.
-void print_losses(const LoopMeter& meter) {
+void print_losses(const LoopMeter& meter, std::size_t most) {
     struct Row {
         std::string at;
         LoopMeter::Site site;
@@ -54,11 +54,12 @@ void print_losses(const LoopMeter& meter) {
     for (const auto& [at, site] : meter.sites()) rows.push_back({at, site});
     std::sort(rows.begin(), rows.end(),
               [](const Row& a, const Row& b) { return a.lost() > b.lost(); });
-    fmt::print("  lost on {} cores     [s]: of time  uneven   calls\n", LoopMeter::CORES[MANY]);
-    for (std::size_t r = 0; r < std::min(WORST, rows.size()); ++r) {
+    fmt::print("  lost on {} cores     [s]: of time  uneven   calls  of them    waits\n",
+               LoopMeter::CORES[MANY]);
+    for (std::size_t r = 0; r < std::min(most, rows.size()); ++r) {
         const auto& [at, site] = rows[r];
-        fmt::print("  {:26.3f} {:8.2f} {:7.3f} {:7.3f}  {}\n", rows[r].lost(), site.time,
-                   site.lost(MANY), calls_of(site), at);
+        fmt::print("  {:26.3f} {:8.2f} {:7.3f} {:7.3f} {:8} {:8}  {}\n", rows[r].lost(), site.time,
+                   site.lost(MANY), calls_of(site), site.calls, site.waits, at);
     }
 }
 
@@ -80,7 +81,7 @@ void measure(const Run& run) {
     for (std::size_t k = 0; k < LoopMeter::CORES.size(); ++k)
         fmt::print("  {:5}  {:6.2f}  {:6.2f}\n", LoopMeter::CORES[k], all / meter.wall(k),
                    all / meter.wall(k, CALL));
-    print_losses(meter);
+    print_losses(meter, run.sites);
 }
 
 }  // namespace
@@ -97,6 +98,10 @@ int main(int argc, char** argv) try {
             const std::string text = argv[i];
             if (text == "--until" && i + 1 < argc) {
                 runs[0].until = std::stod(argv[++i]);
+                continue;
+            }
+            if (text == "--sites" && i + 1 < argc) {
+                runs[0].sites = std::stoul(argv[++i]);
                 continue;
             }
             const std::size_t equals = text.find('=');

@@ -9,8 +9,10 @@
 
 #include "io/text/progress.hpp"
 #include "io/text/text.hpp"
+#include "solver/base/cores.hpp"
 #include "solver/base/error.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/study/machine_share.hpp"
 #include "tools/study/slurm.hpp"
 #include "tools/study/table.hpp"
 #include "tools/study/workers.hpp"
@@ -81,7 +83,10 @@ int tell(const study::Study& study) {
 int study(const StudyArguments& arguments) {
     study::Study study = study::read_study(arguments.file);
     if (!arguments.folder.empty()) study.folder = arguments.folder;
-    if (arguments.workers > 0) study.workers = arguments.workers;
+    if (arguments.workers > 0) {
+        study.workers = arguments.workers;
+        study.says_workers = true;
+    }
     std::filesystem::create_directories(study.folder);
     if (arguments.only_table) return tell(study);
     const study::Share share = share_of(arguments.share);
@@ -92,11 +97,14 @@ int study(const StudyArguments& arguments) {
         return 0;
     }
     const bool is_all = arguments.share.empty();
-    if (is_all)
-        fmt::print(stderr, "{} runs, {} to make, {} at a time\n", study::rows(study).size(),
-                   rows.size(), study.workers);
-    else
+    if (is_all) {
+        study::share_machine(study, rows.size(), {parallel::cores(), parallel::processors()});
+        fmt::print(stderr, "{} runs, {} to make, {} at a time, {} thread{} each\n",
+                   study::rows(study).size(), rows.size(), study.workers, study.threads,
+                   study.threads == 1 ? "" : "s");
+    } else {
         study.workers = 1;  // Slurm's array is what works in parallel
+    }
     make(study, rows, is_all);
     return is_all ? tell(study) : 0;
 }

@@ -179,6 +179,8 @@ Study read_study(const fs::path& file) {
     }
     s.repeats = top.whole_or("repeats", 1, 1, MOST_RUNS);
     s.first_seed = static_cast<std::uint64_t>(top.whole_or("first_seed", 1, 0, 2147483647));
+    s.says_threads = top.has("threads");
+    s.says_workers = top.has("workers");
     s.threads = top.whole_or("threads", 1, 1, 1024);
     // (A run of one thread gains more from a processor of its own than another from a second one.)
     s.workers = top.whole_or("workers", std::max(1, parallel::processors() / s.threads), 1, 1024);

@@ -29,8 +29,10 @@ struct Study {
     std::uint64_t plan_seed = 1;  ///< of a Latin hypercube
     int repeats = 1;              ///< runs a point, with seeds first_seed, first_seed + 1, ...
     std::uint64_t first_seed = 1;
-    int workers = 1;  ///< runs at a time
-    int threads = 1;  ///< of each
+    int workers = 1;            ///< runs at a time
+    int threads = 1;            ///< of each
+    bool says_workers = false;  ///< or they are a default
+    bool says_threads = false;  ///< likewise
     std::optional<double> until;
     std::vector<std::string> responses;
     std::vector<std::pair<std::string, double>> fixed;

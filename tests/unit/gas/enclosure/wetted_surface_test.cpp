@@ -181,4 +181,16 @@ TEST_CASE("patches of one colour have no wall point in common, none reaches into
     }
     CHECK(count == patches.size());
     CHECK(patches.size() > 20);
+    // Whoever comes later in by_colour() and has a point in common waits
+    const auto meets = [&](std::size_t a, std::size_t b) {
+        const auto &of_a = points[static_cast<std::size_t>(patches.by_colour()[a])],
+                   &of_b = points[static_cast<std::size_t>(patches.by_colour()[b])];
+        return std::any_of(of_a.begin(), of_a.end(), [&](Index p) { return of_b.count(p) > 0; });
+    };
+    for (std::size_t later = 0; later < patches.size(); ++later) {
+        const auto before = patches.before(later);
+        for (std::size_t first = 0; first < later; ++first)
+            REQUIRE(meets(first, later) == (std::find(before.begin(), before.end(),
+                                                      static_cast<Index>(first)) != before.end()));
+    }
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "solver/base/cores.hpp"
+#include "solver/base/tasks.hpp"
 #include "tests/benchmark/loop_meter.hpp"
 
 using namespace corpuscle;
@@ -102,6 +103,52 @@ TEST_CASE("of loops in turn each finds what the one before has done", "[base]") 
     }
 }
 
+TEST_CASE("loops of different kinds in turn wait for each other", "[base]") {
+    for (const int n : {1, 2, 5}) {
+        const Threads threads(n);
+        std::vector<std::size_t> value(10000, 0), next(20000, 0);
+        std::size_t sum = 0;
+        parallel::in_turn(
+            parallel::each(value.size(), [&](std::size_t i) { value[i] = i; }),
+            parallel::each(
+                next.size(), [&](std::size_t i) { next[i] = value[9999 - i / 2]; }, 7),
+            parallel::alone([&] {
+                for (const std::size_t v : next) sum += v;
+            }));
+        CHECK(sum == 2 * 49995000);
+    }
+}
+
+TEST_CASE("tasks begin when those that they wait for are done", "[base]") {
+    constexpr std::size_t COUNT = 3000;
+    parallel::Tasks tasks;
+    for (const int n : {1, 2, 5}) {
+        const Threads threads(n);
+        for (const bool is_worth_it : {true, false}) {
+            // Of a binary tree from its root: each adds to what its parent has found
+            std::vector<std::size_t> depth(COUNT, 0), count(COUNT, 0);
+            tasks.run(
+                COUNT,
+                [](std::size_t task, auto&& visit) {
+                    if (task > 0) visit((task - 1) / 2);
+                },
+                [&](std::size_t task) {
+                    depth[task] = task == 0 ? 1 : depth[(task - 1) / 2] + 1;
+                    ++count[task];
+                },
+                is_worth_it, parallel::Cut().where);
+            CHECK(count == std::vector<std::size_t>(COUNT, 1));
+            for (std::size_t task = 0; task < COUNT; ++task) {
+                std::size_t levels = 0;
+                for (std::size_t k = task + 1; k > 0; k /= 2) ++levels;
+                REQUIRE(depth[task] == levels);
+            }
+        }
+    }
+    tasks.run(
+        0, [](std::size_t, auto&&) {}, [](std::size_t) { FAIL(); }, true, parallel::Cut().where);
+}
+
 TEST_CASE("an observer sees loops that threads share, not those within them", "[base]") {
     const Threads threads(2);
     Counter counter;
@@ -130,10 +177,10 @@ TEST_CASE("chunks of 30, 10, 10 and 10 ms take 60, 30 and 30 ms on 1, 2 and 4 co
     CHECK(meter.wall(2) == Approx(0.050));       // 4 cores: the longest chunk
     CHECK(meter.wall(1, 1.0) == Approx(1.050));  // a call of the threads a loop
     CHECK(meter.wall(0, 1.0) == Approx(0.080));
-    REQUIRE(meter.sites().size() == 2);  // the loop, and what came before it
-    const auto& site = meter.sites().begin()->first.find("->") == std::string::npos
-                           ? *meter.sites().begin()
-                           : *meter.sites().rbegin();
+    const auto sites = meter.sites();
+    REQUIRE(sites.size() == 2);  // the loop, and what came before it
+    const auto& site =
+        sites.begin()->first.find("->") == std::string::npos ? *sites.begin() : *sites.rbegin();
     CHECK(site.first.find("parallel_test.cpp:") != std::string::npos);
     CHECK(site.second.time == Approx(0.060));
     CHECK(site.second.lost(2) == Approx(0.015));  // 30 ms instead of a quarter of 60
@@ -151,6 +198,23 @@ TEST_CASE("loops in turn wait for each other: 30 and 10, then 10 and 30 ms", "[b
     CHECK(meter.wall(0) == Approx(0.080));
     CHECK(meter.wall(1) == Approx(0.060));       // not 40: 30 each
     CHECK(meter.wall(1, 1.0) == Approx(1.560));  // a call, and a wait that costs half of one
+}
+
+TEST_CASE("tasks of 30 and 10 ms, then 20 that wait for the first alone, and 10", "[base]") {
+    const Threads threads(1);
+    benchmark::LoopMeter meter(&HandClock::now, &HandClock::busy);
+    const std::vector<int> time{30, 10, 20, 10};
+    parallel::Tasks tasks;
+    tasks.run(
+        time.size(),
+        [](std::size_t task, auto&& visit) {
+            if (task == 2) visit(std::size_t{0});
+        },
+        [&](std::size_t task) { HandClock::pass(time[task]); }, true, parallel::Cut().where);
+    CHECK(meter.wall(0) == Approx(0.070));
+    // The second core has done its first at 10 ms, and waits until 30 for the first core
+    CHECK(meter.wall(1) == Approx(0.050));
+    CHECK(meter.wall(1, 1.0) == Approx(1.050));  // one call, no wait of all for all
 }
 
 TEST_CASE("what another program takes is none of a loop's time", "[base]") {
