@@ -114,12 +114,12 @@ void Candidates::set_node_box(Index node, const Vec3& from, double time) {
 
 void Candidates::list_pairs(const Points& x) {
     const auto pairs = patches_.pairs();
-    chunks_.resize(std::max(chunks_.size(), ROUND));
-    found_.resize(chunks_.size());
+    chunks_.of.resize(std::max(chunks_.of.size(), ROUND));
+    chunks_.pairs.resize(chunks_.of.size());
     const Outlook ahead{x, budget_.life, true};
     std::size_t first = 0;
     const auto search = [&](std::size_t begin, std::size_t end, std::size_t c) {
-        Chunk& out = chunks_[c];
+        Chunk& out = chunks_.of[c];
         out.list.clear();
         out.watch.clear();
         for (std::size_t i = begin; i < end; ++i)
@@ -127,7 +127,7 @@ void Candidates::list_pairs(const Points& x) {
                 pairs[first + i],
                 [&](Feature a, Feature b, Distances apart) { meet_edges(a, b, apart, ahead, out); },
                 [&](Feature n, Index t, Distances apart) { meet_node(n, t, apart, ahead, out); });
-        found_[c] = out.list.size();
+        chunks_.pairs[c] = out.list.size();
     };
     std::size_t rows = 0;
     for (; first < pairs.size(); first += ROUND * PATCH_PAIRS_A_CHUNK) {
@@ -145,16 +145,16 @@ void Candidates::list_pairs(const Points& x) {
 /// @returns rows up to the last of it
 std::size_t Candidates::add_chunks(std::size_t rows, std::size_t count) {
     std::vector<std::size_t> start(count + 1, rows);
-    for (std::size_t c = 0; c < count; ++c) start[c + 1] = start[c] + found_[c];
+    for (std::size_t c = 0; c < count; ++c) start[c + 1] = start[c] + chunks_.pairs[c];
     if (start[count] > list_.size()) {
         list_.resize(start[count]);
         verlet_.resize(start[count]);
     }
     const auto copy = [&](std::size_t c) {
         const auto to = static_cast<std::ptrdiff_t>(start[c]);
-        std::copy(chunks_[c].list.begin(), chunks_[c].list.end(), list_.begin() + to);
-        for (std::size_t k = 0; k < chunks_[c].watch.size(); ++k)
-            verlet_.put(start[c] + k, chunks_[c].watch[k]);
+        std::copy(chunks_.of[c].list.begin(), chunks_.of[c].list.end(), list_.begin() + to);
+        for (std::size_t k = 0; k < chunks_.of[c].watch.size(); ++k)
+            verlet_.put(start[c] + k, chunks_.of[c].watch[k]);
     };
     parallel::for_each(count, copy, PATCH_PAIRS_A_CHUNK);
     return start[count];

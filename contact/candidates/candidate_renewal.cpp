@@ -70,10 +70,10 @@ void Candidates::list_renewed_pairs(const Points& x) {
 
     const Outlook ahead{x, rest_of_life, false};
     const std::size_t count = parallel::chunk_count(renewal_.renewed.size(), TRIANGLES);
-    chunks_.resize(std::max(chunks_.size(), count));
-    found_.resize(chunks_.size());
+    chunks_.of.resize(std::max(chunks_.of.size(), count));
+    chunks_.pairs.resize(chunks_.of.size());
     const auto search = [&](std::size_t begin, std::size_t end, std::size_t c) {
-        Chunk& out = chunks_[c];
+        Chunk& out = chunks_.of[c];
         out.list.clear();
         out.watch.clear();
         for (std::size_t i = begin; i < end; ++i) {
@@ -92,7 +92,7 @@ void Candidates::list_renewed_pairs(const Points& x) {
                         meet_node(n, t, apart, ahead, out);
                 });
         }
-        found_[c] = out.list.size();
+        chunks_.pairs[c] = out.list.size();
     };
     parallel::for_chunks(renewal_.renewed.size(), search, TRIANGLES);
     const std::size_t first = list_.size();

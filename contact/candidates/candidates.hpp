@@ -265,8 +265,10 @@ private:
     Points late_;                ///< N × 3                                                [m]
     std::vector<Candidate> list_;
     VerletList verlet_;
-    std::vector<Chunk> chunks_;
-    std::vector<std::size_t> found_;  ///< by chunk: pairs
+    struct {
+        std::vector<Chunk> of;
+        std::vector<std::size_t> pairs;  ///< how many each has
+    } chunks_;
     std::vector<PairMemory> memories_;
     Merging merging_;
     std::size_t sorted_ = 0;             ///< memories that are in the order of their keys

@@ -83,22 +83,23 @@ void WallLoad::receive(FlightResult& flight, std::span<const double> mass, Parti
 template <class HitsOf>
 void WallLoad::receive(const SidePatches& patches, HitsOf&& hits_of, std::span<const double> mass,
                        Particles& particles) {
-    tally_.resize(std::max(tally_.size(), patches.size()));
+    receiving_.tally.resize(std::max(receiving_.tally.size(), patches.size()));
     const auto receive_patch = [&](std::size_t place) {
         const auto patch = static_cast<std::size_t>(patches.by_colour()[place]);
         if (hits_of(patch).empty()) return;
-        tally_[patch] = {};
+        receiving_.tally[patch] = {};
         for (const WallHits::Met& met : hits_of(patch))
-            take_in(met, mass, particles, tally_[patch]);
+            take_in(met, mass, particles, receiving_.tally[patch]);
     };
     const auto before = [&](std::size_t place, auto&& visit) {
         for (const Index other : patches.before(place)) visit(static_cast<std::size_t>(other));
     };
     std::size_t count = 0;
     for (std::size_t p = 0; p < patches.size(); ++p) count += hits_of(p).size();
-    tasks_.run(patches.size(), before, receive_patch, count > FEW_HITS, parallel::Cut().where);
+    receiving_.tasks.run(patches.size(), before, receive_patch, count > FEW_HITS,
+                         parallel::Cut().where);
     for (std::size_t p = 0; p < patches.size(); ++p)
-        if (!hits_of(p).empty()) add(tally_[p], patches.room(p));
+        if (!hits_of(p).empty()) add(receiving_.tally[p], patches.room(p));
 }
 
 void WallLoad::add(const Tally& tally, Index room) {

@@ -203,8 +203,10 @@ private:
     std::vector<Wrench> owed_;  ///< by room; without held points
     Wrench held_owed_;          ///< of held points: given at the next release
     WallHits hits_;
-    std::vector<Tally> tally_;  ///< by patch
-    parallel::Tasks tasks_;
+    struct {
+        std::vector<Tally> tally;  ///< by patch
+        parallel::Tasks tasks;
+    } receiving_;
     double taken_ = 0.0;  ///< [J]
     bool hits_are_over_ = false;
 };

@@ -9,10 +9,7 @@
 
 #include "solver/base/call_site.hpp"
 #include "solver/base/loop_observer.hpp"
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
+#include "solver/base/threads.hpp"
 
 /// The only place that knows about threads.
 ///
@@ -40,31 +37,6 @@ struct Cut {
     Cut(std::size_t items, Where call = Where::current())  // NOLINT: a number is a cut
         : chunk(items), is_light(false), where(call) {}
 };
-
-/// Threads of all loops from now on, n >= 1; without OpenMP there is one.
-inline void set_threads([[maybe_unused]] int n) {
-#ifdef _OPENMP
-    omp_set_num_threads(n);
-#endif
-}
-
-/// Threads that the next loop may use.
-[[nodiscard]] inline int threads() {
-#ifdef _OPENMP
-    return omp_get_max_threads();
-#else
-    return 1;
-#endif
-}
-
-/// Hardware threads that this program may use.
-[[nodiscard]] inline int processors() {
-#ifdef _OPENMP
-    return omp_get_num_procs();
-#else
-    return 1;
-#endif
-}
 
 /// Who watches the loops of this run; nobody within a loop that threads share already.
 [[nodiscard]] inline LoopObserver* observer_here() {
