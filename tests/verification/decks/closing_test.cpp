@@ -150,7 +150,8 @@ TEST_CASE("a small hole gets a lid without mass, a large one is described", "[cl
     large.uniform_bags[0].shells = std::vector<Index>(large.shells.size());
     for (std::size_t s = 0; s < large.shells.size(); ++s)
         large.uniform_bags[0].shells[s] = static_cast<Index>(s);
-    CHECK_THAT(only_fault(large), Contains("of area 0.01") && Contains("share of the bag's area = "));
+    CHECK_THAT(only_fault(large),
+               Contains("of area 0.01") && Contains("share of the bag's area = "));
     large.lid_share = 0.25;
     CHECK_THAT(only_mending(large), Contains("lid without mass"));
 }
