@@ -34,7 +34,8 @@ struct Planes {
     float low = 0.0F, high = 0.0F;
 };
 
-/// The facets of 3 × 3 × 3 cells (of a coarse grid: of one), sorted into them: what one thread does while lists are built.
+/// The facets of 3 × 3 × 3 cells (of a coarse grid: of one), sorted into them: what one thread does
+/// while lists are built.
 ///
 ///     block.begin(grid, row);
 ///     for (facets that may be in it) block.enter(facet, cells it overlaps);

@@ -39,9 +39,10 @@ struct Slab {
 /// Which facets a particle may meet in each grid cell.
 ///
 /// FCL finds the patches of facets near each block of some cells (facet_blocks.hpp); facets are then
-/// entered into the cells that their boxes overlap. Boxes are inflated by `margin`, so the lists serve until a
-/// node has moved that far: a rebuild every ten steps or so, whatever the number of particles. With
-/// a `reach` there is a table of safe distances, too, up to some cells and that (clearance.hpp).
+/// entered into the cells that their boxes overlap. Boxes are inflated by `margin`, so the lists
+/// serve until a node has moved that far: a rebuild every ten steps or so, whatever the number of
+/// particles. With a `reach` there is a table of safe distances, too, up to some cells and that
+/// (clearance.hpp).
 class FacetLists {
 public:
     /// A cell's list is one of its facets, or of the eights that have facets in it.

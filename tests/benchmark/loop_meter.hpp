@@ -17,7 +17,8 @@ namespace corpuscle::benchmark {
 /// How a run would gain from more cores, from one run on one thread: each chunk of each loop that
 /// threads would share is timed, then the loop's chunks are dealt out in their order to P ideal
 /// cores, each to the first that is free [list scheduling, Graham 1969]; that core waits for what
-/// the chunk waits for. What lies outside of such loops stays as it is. Ideal: caches and memory are shared without a loss.
+/// the chunk waits for. What lies outside of such loops stays as it is. Ideal: caches and memory are
+/// shared without a loss.
 ///
 /// Of a loop that other programs interrupt, what they took is taken off its longest chunks.
 class LoopMeter final : public parallel::LoopObserver {

@@ -105,8 +105,6 @@ TEST_CASE("mirrored and renumbered random scenes give the same answer", "[scenes
 }
 
 TEST_CASE("many mirrored and renumbered random scenes give the same answer", "[.full][scenes]") {
-    int first = 1, last = 100;
-    if (const char* asked = std::getenv("CORPUSCLE_SCENES"))
-        REQUIRE(std::sscanf(asked, "%d-%d", &first, &last) == 2);
+    const auto [first, last] = test::SceneRange::asked();
     run_mirrored(first, last);
 }

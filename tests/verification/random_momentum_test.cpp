@@ -96,8 +96,6 @@ TEST_CASE("free random scenes keep their momentum", "[scenes]") {
 }
 
 TEST_CASE("many free random scenes keep their momentum", "[.full][scenes]") {
-    int first = 1, last = 100;
-    if (const char* asked = std::getenv("CORPUSCLE_SCENES"))
-        REQUIRE(std::sscanf(asked, "%d-%d", &first, &last) == 2);
+    const auto [first, last] = test::SceneRange::asked();
     run_free_scenes(first, last);
 }

@@ -164,8 +164,6 @@ TEST_CASE("scenes of a few heavy particles run to their end", "[scenes]") {
 }
 
 TEST_CASE("a hundred random scenes run to their end", "[.full][scenes]") {
-    int first = 1, last = 100;
-    if (const char* asked = std::getenv("CORPUSCLE_SCENES"))
-        if (std::sscanf(asked, "%d-%d", &first, &last) != 2) last = std::exchange(first, 1);
+    const auto [first, last] = test::SceneRange::asked();
     run_scenes(first, last);
 }

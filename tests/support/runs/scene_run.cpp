@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
@@ -72,6 +73,15 @@ bool ends_with(const std::string& text, const std::string& end) {
 }
 
 }  // namespace
+
+SceneRange SceneRange::asked() {
+    SceneRange range;
+    const char* text = std::getenv("CORPUSCLE_SCENES");
+    if (text == nullptr) return range;
+    const int read = std::sscanf(text, "%d-%d", &range.first, &range.last);
+    if (read < 1) throw std::runtime_error("CORPUSCLE_SCENES: expected 31-93 or 500");
+    return read == 2 ? range : SceneRange{1, range.first};
+}
 
 SceneRun::SceneRun(const std::string& name, const std::string& deck, const std::string& options,
                    How how) {

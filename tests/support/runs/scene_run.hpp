@@ -8,6 +8,15 @@
 
 namespace corpuscle::test {
 
+/// Seeds of scenes, first and last.
+struct SceneRange {
+    int first = 1, last = 100;
+
+    /// Of CORPUSCLE_SCENES in the environment, "31-93", or "500" for 1 to 500; 1 to 100 without it.
+    /// @throws std::runtime_error where it is neither
+    [[nodiscard]] static SceneRange asked();
+};
+
 /// One run of the program on a deck, in a directory of its own that goes when this does, unless
 /// KEEP names a folder that they shall stay in.
 class SceneRun {
