@@ -97,10 +97,10 @@ Meeting first_meeting(const FlightScene& scene, const Path& path, const Vec3& fr
 /// Flies a particle to the end of the step; or until it is caught between facets, or gone through a
 /// gate: then x is where it was at first.
 End fly_one(const FlightScene& scene, double born, Flyer& who) {
-    if (!is_finite(who)) return End::BROKEN;
     Vec3 from = who.x;
     double now = born;
     Path path{from - now * scene.dt * who.v, from + (1.0 - now) * scene.dt * who.v};
+    if (!(path.at_1.squaredNorm() < INF)) return End::BROKEN;  // its place or its velocity is so
     double after = born > 0.0 ? born : -1.0;  // a full step counts every crossing, exactly
     Meeting last;
     for (int hit = 0; hit < MOST_HITS; ++hit) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace corpuscle::io {
@@ -25,6 +26,14 @@ void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& che
 /// The checkpoint of a folder, or none. @throws SystemError for one that is damaged or of another
 /// version of the program
 [[nodiscard]] std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& folder);
+
+/// FNV-1a [Fowler, Noll, Vo 1991] by words of eight bytes, each turned by 29 bits:
+///
+///     h' = rotl(h ^ w, 29) · P
+///
+/// The last word has the bytes that are left, and their number. Bijective in each word: a change
+/// within one is always seen.
+[[nodiscard]] std::uint64_t checkpoint_checksum(std::span<const char> bytes);
 
 /// Should there be one; without it a restart begins at the start.
 void remove_checkpoint(const std::filesystem::path& folder);
