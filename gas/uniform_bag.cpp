@@ -67,7 +67,14 @@ UniformBag::UniformBag(const UniformBagCard& card, BagWalls walls, std::span<con
         fill(V);
     for (const UniformGasCard& gas : gases_) {
         inflow_.emplace_back();
-        if (gas.mass_rate >= 0) inflow_.back().emplace(curves[gas.mass_rate], INF);
+        if (gas.mass_rate < 0) continue;
+        const Curve& rate = curves[gas.mass_rate];
+        if (const double least = *std::min_element(rate.y.begin(), rate.y.end()); !(least >= 0.0))
+            throw InputError(
+                Fault{.of = name_of(card),
+                      .why = fmt::format("mass-flow curve {} falls to {:g}, expected >= 0", rate.id,
+                                         least)});
+        inflow_.back().emplace(rate, INF);
     }
     measure_exits(x);
     first_leak_area_ = leak_area_;

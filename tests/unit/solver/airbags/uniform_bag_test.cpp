@@ -224,3 +224,11 @@ TEST_CASE("a bag of uniform pressure without volume at the start is refused", "[
     model.uniform_bags[0].volume_taken = 2e-3;
     CHECK_THROWS_AS(Simulation(model), InputError);
 }
+
+TEST_CASE("a mass flow below zero is refused by its curve", "[solver][gas]") {
+    Model model = rigid_box();
+    model.uniform_bags[0].mass_rate = add_curve(model, {0.0, 1.0}, {0.0, -1e30});
+    model.uniform_bags[0].temperature.value = 500.0;
+    CHECK_THROWS_WITH(Simulation(model), Catch::Contains("*AIRBAG_SIMPLE_AIRBAG_MODEL 1") &&
+                                             Catch::Contains("mass-flow curve 1 falls to -1e+30"));
+}
