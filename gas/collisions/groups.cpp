@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "gas/collisions/visibility.hpp"
+#include "gas/collisions/screens.hpp"
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {
@@ -33,6 +33,7 @@ public:
     std::size_t divide(std::size_t cell, std::span<Index> rows, std::uint8_t* begins) {
         begins[0] = 1;
         if (rows.size() < 2 || !reaches_fabric(cell, rows) || !find_screens(cell, rows)) return 1;
+        order_by_id(rows);
         find_classes();
         const std::size_t groups = join_classes();
         if (groups > 1) write(groups, rows, begins);
@@ -57,20 +58,16 @@ private:
         return low <= slab.high && high >= slab.low;
     }
 
-    /// Keeps the facets that have particles on both sides, and who is where. False when there are
-    /// none.
+    /// Keeps the facets that have particles on both sides. False when there are none.
     bool find_screens(std::size_t cell, std::span<const Index> rows) {
-        screens_.clear();
-        side_.clear();
-        n_ = rows.size();
+        x_.resize(rows.size());
         Vec3 low = Vec3::Constant(INF), high = Vec3::Constant(-INF);
-        x_.resize(n_);
-        for (std::size_t i = 0; i < n_; ++i) {
+        for (std::size_t i = 0; i < x_.size(); ++i) {
             x_[i] = particles_->x[rows[i]];
             low = low.cwiseMin(x_[i]);
             high = high.cwiseMax(x_[i]);
         }
-        bool is_ordered = false;
+        screens_.begin(x_, reach_);
         for (const Index f : fabric_->lists->in(cell)) {
             if (!fabric_->is_open.empty() && fabric_->is_open[f] != 0) continue;
             const auto& [i, j, k] = fabric_->lists->triangles()[f];
@@ -78,52 +75,29 @@ private:
             if ((a.cwiseMin(b).cwiseMin(c).array() > high.array()).any() ||
                 (a.cwiseMax(b).cwiseMax(c).array() < low.array()).any())
                 continue;
-            const Screen screen(a, b, c, reach_);
-            if (!divides(screen)) continue;
-            if (!is_ordered) order_by_id(rows);
-            is_ordered = true;
-            screens_.push_back(screen);
-            for (const Vec3& x : x_) side_.push_back(static_cast<std::int8_t>(screen.side(x)));
+            screens_.add(a, b, c);
         }
         return !screens_.empty();
     }
 
-    [[nodiscard]] bool divides(const Screen& screen) const {
-        const int first = screen.side(x_[0]);
-        return first == 0 || std::any_of(x_.begin() + 1, x_.end(),
-                                         [&](const Vec3& x) { return screen.side(x) != first; });
-    }
-
-    /// From here on particles are numbered by id, so that nothing depends on the order of rows.
+    /// From here on particles are taken by id, so that nothing depends on the order of rows.
     void order_by_id(std::span<const Index> rows) {
-        place_.resize(n_);
-        for (std::size_t i = 0; i < n_; ++i) place_[i] = static_cast<Index>(i);
-        std::sort(place_.begin(), place_.end(), [&](Index p, Index q) {
-            return particles_->id[rows[p]] < particles_->id[rows[q]];
-        });
-        for (std::size_t i = 0; i < n_; ++i) x_[i] = particles_->x[rows[place_[i]]];
+        by_id_.clear();
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            by_id_.emplace_back(particles_->id[rows[i]], static_cast<Index>(i));
+        std::sort(by_id_.begin(), by_id_.end());
     }
 
     /// A class: particles strictly on the same side of every screen. Who touches a plane is alone.
     void find_classes() {
-        class_.assign(n_, 0);
-        std::size_t classes = 1;
-        for (std::size_t s = 0; s < screens_.size(); ++s) {
-            split_.assign(2 * classes, -1);
-            classes = 0;
-            for (std::size_t i = 0; i < n_; ++i) {
-                const int side = side_[s * n_ + i];
-                int& found = split_[2 * class_[i] + (side > 0)];
-                if (side == 0)
-                    class_[i] = static_cast<int>(classes++);
-                else if (found < 0)
-                    class_[i] = found = static_cast<int>(classes++);
-                else
-                    class_[i] = found;
-            }
+        class_.resize(by_id_.size());
+        member_.clear();
+        for (const auto& [id, i] : by_id_) {
+            std::size_t found = screens_.touches(i) ? member_.size() : 0;
+            while (found < member_.size() && !screens_.are_alike(i, member_[found])) ++found;
+            if (found == member_.size()) member_.push_back(i);
+            class_[i] = static_cast<int>(found);
         }
-        member_.assign(classes, -1);
-        for (std::size_t i = n_; i-- > 0;) member_[class_[i]] = static_cast<int>(i);
     }
 
     /// Joins classes that see each other; group_[class] in the order of their first particles.
@@ -164,17 +138,9 @@ private:
     }
 
     [[nodiscard]] bool sees(int k, const Group& group) const {
-        return std::any_of(group.witness.begin(), group.witness.begin() + group.witnesses,
-                           [&](int witness) { return is_free(member_[k], member_[witness]); });
-    }
-
-    [[nodiscard]] bool is_free(int i, int j) const {
-        for (std::size_t s = 0; s < screens_.size(); ++s) {
-            const int side = side_[s * n_ + i];
-            const bool is_same_side = side != 0 && side == side_[s * n_ + j];
-            if (!is_same_side && screens_[s].blocks(x_[i], x_[j])) return false;
-        }
-        return true;
+        return std::any_of(
+            group.witness.begin(), group.witness.begin() + group.witnesses,
+            [&](int witness) { return screens_.is_free(member_[k], member_[witness]); });
     }
 
     /// Rows by group; within a group they keep their order.
@@ -186,21 +152,18 @@ private:
             next_[g + 1] += next_[g];
         }
         old_.assign(rows.begin(), rows.end());
-        of_row_.resize(n_);
-        for (std::size_t i = 0; i < n_; ++i) of_row_[place_[i]] = group_[class_[i]];
-        for (std::size_t i = 0; i < n_; ++i) rows[next_[of_row_[i]]++] = old_[i];
+        for (std::size_t i = 0; i < old_.size(); ++i) rows[next_[group_[class_[i]]]++] = old_[i];
     }
 
     const FabricInCells* fabric_ = nullptr;
     const Particles* particles_ = nullptr;
     double reach_ = 0.0;
 
-    std::size_t n_ = 0;
-    std::vector<Vec3> x_;             ///< by id
-    std::vector<Index> place_, old_;  ///< place_: where in rows is the i-th by id
-    std::vector<Screen> screens_;
-    std::vector<std::int8_t> side_;  ///< screens × particles
-    std::vector<int> class_, split_, member_, group_, next_, of_row_;
+    std::vector<Vec3> x_;  ///< by row
+    Screens screens_;
+    std::vector<std::pair<int, Index>> by_id_;  ///< id, row
+    std::vector<Index> member_, old_;           ///< the first of each class; rows as they were
+    std::vector<int> class_, group_, next_;     ///< by row; by class; places of groups
     std::vector<Group> groups_;
 };
 

@@ -110,7 +110,7 @@ public:
     /// As if a gas had long been there: its pressure, and the mass that hits per area and time.
     void begin_with(double pressure, double mass_flux, std::span<const Vec3> x);
     /// No more hits will come: uniform pressures (a row a room) take the place of what hits gave on
-    /// average; what they brought beyond is still released.
+    /// average; what they brought beyond is still released, until that is next to nothing.
     void end_of_hits(std::span<const double> pressure, std::span<const Vec3> x);
 
     /// f += force over `span` at t.  v: N × 3 at the last half step [m/s], mass: N [kg]
@@ -151,12 +151,16 @@ public:
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(deferred_, released_, jets_, account_, fresh_, arrived_, arrived_mass_, owed_,
-                held_owed_, taken_, hits_are_over_);
+                held_owed_, taken_, hits_are_over_, since_hits_);
     }
 
 private:
     /// Times of release after the last hit from which a point counts as one that gas has not reached.
     static constexpr double DRY_AFTER = 4.0;
+    /// Times of release after the last hit from which nothing is released: exp(-40) is less than the
+    /// rounding of what it was.
+    static constexpr double AT_REST_AFTER = 40.0;
+    [[nodiscard]] bool is_at_rest() const { return since_hits_ > AT_REST_AFTER * time_; }
 
     /// What hits of one patch bring to its room.
     struct alignas(64) Tally {
@@ -176,6 +180,10 @@ private:
     void release_points(double share, double span, std::span<const Vec3> v,
                         std::span<const double> mass);
     void release_jets(double share, double span, std::span<const Vec3> x);
+    void release_hits(double share, double span, std::span<const Vec3> x, std::span<const Vec3> v,
+                      std::span<const double> mass, std::span<Vec3> f);
+    void come_to_rest();
+    double book_hits(std::span<const Vec3> v_mid, double span);
     void pass_on_accounts();
     void balance_momentum(double share, double span, std::span<const Vec3> x);
     [[nodiscard]] Vec3 normal(std::size_t p) const {
@@ -209,6 +217,7 @@ private:
     } receiving_;
     double taken_ = 0.0;  ///< [J]
     bool hits_are_over_ = false;
+    double since_hits_ = 0.0;  ///< that were the last [s]
 };
 
 }  // namespace corpuscle::gas

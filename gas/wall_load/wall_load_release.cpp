@@ -46,32 +46,48 @@ void WallLoad::measure(std::span<const Vec3> x) {
 
 void WallLoad::release(double span, std::span<const Vec3> x, std::span<const Vec3> v,
                        std::span<const double> mass, std::span<Vec3> f) {
-    find_brought(span, x, v, mass);
-    smoother_.prepare(*surface_, area_, size_, takes_part_);
-    smoother_.spread(*surface_, brought_);
+    const bool was_at_rest = is_at_rest();
+    if (hits_are_over_) since_hits_ += span;
+    if (is_at_rest() && !was_at_rest) come_to_rest();
     released_.wrench = owed();
     // F = Q / time, with what has come in this step: late by `time` on average in steps of any
     // length up to that.
     const double share = std::min(1.0, span / time_);
-    release_points(share, span, v, mass);
+    if (!is_at_rest()) release_hits(share, span, x, v, mass, f);
     release_jets(share, span, x);
-    balance_momentum(share, span, x);
     held_owed_ = {};
     released_.wrench -= owed();
-    const bool has_jets = !jets_.nodes.empty();
+    if (is_at_rest())
+        for (const Index node : jets_.nodes) released_.on_node[node].setZero();
+    for (std::size_t j = 0; j < jets_.nodes.size(); ++j) {
+        released_.on_node[jets_.nodes[j]] += jets_.force[j];
+        f[jets_.nodes[j]] += jets_.force[j];
+    }
+}
+
+void WallLoad::release_hits(double share, double span, std::span<const Vec3> x,
+                            std::span<const Vec3> v, std::span<const double> mass,
+                            std::span<Vec3> f) {
+    find_brought(span, x, v, mass);
+    smoother_.prepare(*surface_, area_, size_, takes_part_);
+    smoother_.spread(*surface_, brought_);
+    release_points(share, span, v, mass);
+    balance_momentum(share, span, x);
     parallel::for_each(by_node_.nodes.size(), [&](std::size_t i) {
         Vec3 sum = Vec3::Zero();
         for (Index k = by_node_.start[i]; k < by_node_.start[i + 1]; ++k)
             sum += released_.force[by_node_.points[k]];
         released_.on_node[by_node_.nodes[i]] = sum;
-        if (!has_jets) f[by_node_.nodes[i]] += sum;
+        f[by_node_.nodes[i]] += sum;
     });
-    if (!has_jets) return;
-    for (std::size_t j = 0; j < jets_.nodes.size(); ++j)
-        released_.on_node[jets_.nodes[j]] += jets_.force[j];
-    parallel::for_each(by_node_.nodes.size(), [&](std::size_t i) {
-        f[by_node_.nodes[i]] += released_.on_node[by_node_.nodes[i]];
-    });
+}
+
+/// What is left to release is given up to the books, which have it as owed.
+void WallLoad::come_to_rest() {
+    for (Points* all : {&released_.force, &released_.on_node, &deferred_.along})
+        std::fill(all->begin(), all->end(), Vec3::Zero());
+    for (auto* all : {&released_.pressure, &deferred_.normal, &deferred_.answered})
+        std::fill(all->begin(), all->end(), 0.0);
 }
 
 /// Areas of points, and what hits have brought each.
@@ -211,19 +227,23 @@ void WallLoad::balance_momentum(double share, double span, std::span<const Vec3>
 }
 
 double WallLoad::book(std::span<const Vec3> v_mid, double span) {
-    double work = span * parallel::sum(size_.size(), 0.0, [&](std::size_t p) {
-                      const double own = released_.force[p].dot(v_mid[surface_->node(p)]);
-                      account_[p] += fresh_[p] - span * own;
-                      fresh_[p] = 0.0;
-                      return own;
-                  });
+    double work = is_at_rest() ? 0.0 : book_hits(v_mid, span);
     for (std::size_t j = 0; j < jets_.nodes.size(); ++j) {
         const double own = span * jets_.force[j].dot(v_mid[jets_.nodes[j]]);
         jets_.account -= own;
         work += own;
     }
-    pass_on_accounts();
+    if (!hits_are_over_) pass_on_accounts();
     return work;
+}
+
+double WallLoad::book_hits(std::span<const Vec3> v_mid, double span) {
+    return span * parallel::sum(size_.size(), 0.0, [&](std::size_t p) {
+               const double own = released_.force[p].dot(v_mid[surface_->node(p)]);
+               account_[p] += fresh_[p] - span * own;
+               fresh_[p] = 0.0;
+               return own;
+           });
 }
 
 /// Accounts of points that gas has left go to those of their room where it is, by area: a few
