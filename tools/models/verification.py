@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 """Writes the meshes of models/verification: discs, squares, a tube and a sphere of cloth, strips.
 
-A mesh of n cells is mesh_n.k of its case; case_n.k is the deck: mesh_n.k and the case's scene.k."""
+A mesh of n cells is mesh_n.k of its case; case_n.k, the deck, includes it and the case's scene.k."""
 
 from math import atan, cos, pi, sin, sqrt
 from random import Random
@@ -157,31 +157,19 @@ def write(case, n, mesh, what):
                [what, "Written by tools/models/verification.py: change it there."])
 
 
-def deck(case, n, mesh_of=None):
-    folder = f"../{mesh_of}/" if mesh_of else ""
-    (CASES / case / f"case_{n}.k").write_text(
-        "\n".join(["*KEYWORD", "*INCLUDE", f"{folder}mesh_{n}.k", "*INCLUDE", "scene.k", "*END"])
-        + "\n", newline="\n")
-
-
 def main():
     for n in (5, 10, 20):
         what = f"A quarter of a disc of 0.1 m, 3 x {n} x {n} "
         write("hencky", n, quarter_disc(n, 0.1, False), what + "quads; lengths in m.")
         write("hencky_triangles", n, quarter_disc(n, 0.1, True), what + "cells of two triangles; lengths in m.")
-        deck("hencky", n)
-        deck("mylar", n, "hencky")
     for n in (8, 16, 32):
         write("square_bag", n, quarter_square(n, 0.42425),
               f"A quarter of a square of 0.8485 m, {n} x {n} quads; lengths in m.")
-        deck("square_bag", n)
     for n in (12, 24, 48):
         write("tube_vessel", n, ring(n, 0.1), f"Two cells of a tube of radius 0.1 m, {n} around; lengths in m.")
-        deck("tube_vessel", n)
     for level in (2, 3, 4):
         write("sphere_vessel", level, sphere(level, 0.1),
               f"A sphere of radius 0.1 m, 20 x 4^{level} triangles; lengths in m.")
-        deck("sphere_vessel", level)
     mesh = patch(4, 0.1)
     write("patch_warp", 4, mesh, "A square of 0.1 m, 4 x 4 irregular quads; lengths in m.")
     lines = ["$ The places of mesh_4.k, where the cloth is without stress.",
@@ -191,7 +179,6 @@ def main():
     for n in (8, 16, 32):
         mesh = strip(n, 1.0, 0.1)
         write("shear_wave", n, mesh, f"A strip of 1 x 0.1 m, {n} quads along; lengths in m.")
-        deck("shear_wave", n)
         lines = ["$ v = 1 mm/s sin(pi x / 1 m) across the strip.",
                  "$ Written by tools/models/verification.py: change it there.", "*INITIAL_VELOCITY_NODE"]
         lines += [f"{k}, 0.0, {1e-3 * sin(pi * x):.10g}, 0.0" for k, (x, _, _) in mesh.nodes.items()]

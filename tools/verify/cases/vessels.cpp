@@ -64,9 +64,8 @@ Findings mylar(const Runs& runs) {
 /// Half the height of the middle, and the volume.
 Findings square_bag(const Runs& runs) {
     return by_run(runs, [&](const MeasuredRun& run) {
-        return std::map<std::string, double>{
-            {"height", height_of_middle(run) / 0.2165 - 1.0},
-            {"volume", 8.0 * volume_inside(run) / 0.1249 - 1.0}};
+        return std::map<std::string, double>{{"height", height_of_middle(run) / 0.2165 - 1.0},
+                                             {"volume", 8.0 * volume_inside(run) / 0.1249 - 1.0}};
     });
 }
 
@@ -87,9 +86,8 @@ Findings tube_vessel(const Runs& runs) {
                 middles += 1.0;
             }
         }
-        return std::map<std::string, double>{
-            {"radius", radius / middles / (RADIUS * around) - 1.0},
-            {"length", height / tops / (top * along) - 1.0}};
+        return std::map<std::string, double>{{"radius", radius / middles / (RADIUS * around) - 1.0},
+                                             {"length", height / tops / (top * along) - 1.0}};
     });
 }
 
@@ -108,8 +106,8 @@ Findings patch(const Runs& runs) {
     constexpr double VOLUME = 0.1 * 0.1 * 0.3e-3, G = 4e6;
     const oracle::ClothModuli D = oracle::cloth_moduli(400e6, 300e6, 0.1125);
     return by_run(runs, [&](const MeasuredRun& run) {
-        const double sx = run.parameter("SX"), sy = run.parameter("SY"),
-                     wx = run.parameter("WX"), wy = run.parameter("WY");
+        const double sx = run.parameter("SX"), sy = run.parameter("SY"), wx = run.parameter("WX"),
+                     wy = run.parameter("WY");
         const double l = std::hypot(wx, wy), c = wx / l, s = wy / l;
         const double ex = 0.5 * (sx * sx - 1.0), ey = 0.5 * (sy * sy - 1.0);
         const double warp = c * c * ex + s * s * ey, weft = s * s * ex + c * c * ey,

@@ -47,7 +47,8 @@ private:
         const double e = 0.5 * nu_ * (across * across - 1.0);
         double l = 1.1;
         for (int i = 0; i < 20; ++i)
-            l -= (Dh_ * l * (0.5 * (l * l - 1.0) + e) - P) / (Dh_ * (0.5 * (3.0 * l * l - 1.0) + e));
+            l -=
+                (Dh_ * l * (0.5 * (l * l - 1.0) + e) - P) / (Dh_ * (0.5 * (3.0 * l * l - 1.0) + e));
         return l;
     }
     [[nodiscard]] State rate(double R, const State& s) const {
