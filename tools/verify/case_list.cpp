@@ -36,6 +36,13 @@ Method method_of(const Card& card) {
         {"vacuum", vacuum},
         {"vent_by_chamber", vent_by_chamber},
         {"vented_tank", vented_tank},
+        {"hencky", hencky},
+        {"mylar", mylar},
+        {"square_bag", square_bag},
+        {"tube_vessel", tube_vessel},
+        {"sphere_vessel", sphere_vessel},
+        {"patch", patch},
+        {"shear_wave", shear_wave},
     };
     const auto found = ALL.find(card.method);
     if (found == ALL.end())

@@ -25,6 +25,7 @@ Findings tennis_racket(const Runs&);
 /// cases/cloth.cpp
 Findings taut_string(const Runs&);
 Findings plane_wave(const Runs&);
+Findings shear_wave(const Runs&);
 Findings damped_sheet(const Runs&);
 /// cases/contact.cpp
 Findings stack(const Runs&);
@@ -43,5 +44,13 @@ Findings effusion(const Runs&);
 Findings porous_tank(const Runs&);
 Findings vent_by_chamber(const Runs&);
 Findings far_vent(const Runs&);
+
+/// cases/vessels.cpp
+Findings hencky(const Runs&);
+Findings mylar(const Runs&);
+Findings square_bag(const Runs&);
+Findings tube_vessel(const Runs&);
+Findings sphere_vessel(const Runs&);
+Findings patch(const Runs&);
 
 }  // namespace corpuscle::verify

@@ -46,6 +46,12 @@ Findings plane_wave(const Runs& runs) {
     return against(runs, 0, std::sqrt(E / DENSITY));
 }
 
+/// Warp and weft are moved across each other: c² = G / rho.
+Findings shear_wave(const Runs& runs) {
+    constexpr double G = 4e6;
+    return against(runs, 1, std::sqrt(G / DENSITY));
+}
+
 /// 10 m/s along each axis, d = 50 / s.
 Findings damped_sheet(const Runs& runs) {
     constexpr double MASS = DENSITY * 0.3e-3 * 0.1 * 0.1, DAMPING = 50.0;
