@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "gas/collisions/screens.hpp"
+#include "gas/flight/screens.hpp"
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {

@@ -196,6 +196,11 @@ double WallLoad::pay_jets() {
     return std::exchange(jets_.account, 0.0);
 }
 
+void WallLoad::measure(std::span<const Vec3> x) {
+    surface_->point_areas(x, area_);
+    parallel::for_each(size_.size(), [&](std::size_t p) { size_[p] = area_[p].norm(); });
+}
+
 void WallLoad::begin_with(double pressure, double mass_flux, std::span<const Vec3> x) {
     measure(x);
     for (std::size_t p = 0; p < size_.size(); ++p) {
@@ -210,7 +215,7 @@ void WallLoad::begin_with(double pressure, double mass_flux, std::span<const Vec
 
 void WallLoad::end_of_hits(std::span<const double> pressure, std::span<const Vec3> x) {
     measure(x);
-    hits_are_over_ = true;
+    since_hits_ = 0.0;
     for (std::size_t p = 0; p < size_.size(); ++p) {
         deferred_.mass[p] = 0.0;
         deferred_.age[p] = 0.0;  // all that is owed goes to all of the wall

@@ -151,7 +151,7 @@ public:
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(deferred_, released_, jets_, account_, fresh_, arrived_, arrived_mass_, owed_,
-                held_owed_, taken_, hits_are_over_, since_hits_);
+                held_owed_, taken_, since_hits_);
     }
 
 private:
@@ -160,6 +160,7 @@ private:
     /// Times of release after the last hit from which nothing is released: exp(-40) is less than the
     /// rounding of what it was.
     static constexpr double AT_REST_AFTER = 40.0;
+    [[nodiscard]] bool hits_are_over() const { return since_hits_ >= 0.0; }
     [[nodiscard]] bool is_at_rest() const { return since_hits_ > AT_REST_AFTER * time_; }
 
     /// What hits of one patch bring to its room.
@@ -215,9 +216,8 @@ private:
         std::vector<Tally> tally;  ///< by patch
         parallel::Tasks tasks;
     } receiving_;
-    double taken_ = 0.0;  ///< [J]
-    bool hits_are_over_ = false;
-    double since_hits_ = 0.0;  ///< that were the last [s]
+    double taken_ = 0.0;        ///< [J]
+    double since_hits_ = -1.0;  ///< that were the last; below 0: more may come [s]
 };
 
 }  // namespace corpuscle::gas

@@ -37,17 +37,13 @@ struct Sums {
         return *this;
     }
 };
-}  // namespace
 
-void WallLoad::measure(std::span<const Vec3> x) {
-    surface_->point_areas(x, area_);
-    parallel::for_each(size_.size(), [&](std::size_t p) { size_[p] = area_[p].norm(); });
-}
+}  // namespace
 
 void WallLoad::release(double span, std::span<const Vec3> x, std::span<const Vec3> v,
                        std::span<const double> mass, std::span<Vec3> f) {
     const bool was_at_rest = is_at_rest();
-    if (hits_are_over_) since_hits_ += span;
+    if (hits_are_over()) since_hits_ += span;
     if (is_at_rest() && !was_at_rest) come_to_rest();
     released_.wrench = owed();
     // F = Q / time, with what has come in this step: late by `time` on average in steps of any
@@ -102,7 +98,7 @@ void WallLoad::find_brought(double span, std::span<const Vec3> x, std::span<cons
         area_[p] = surface_->point_area(p, of_facet);
         size_[p] = area_[p].norm();
         recoil_.weigh(p, mass[surface_->node(p)]);
-        if (!hits_are_over_)
+        if (!hits_are_over())
             deferred_.age[p] = arrived_mass_[p] > 0.0 ? 0.0 : deferred_.age[p] + span;
         takes_part_[p] = held_[p] == 0 && is_wet(p) && size_[p] > 0.0;
         const double own = arrived_[p].dot(normal(p)), along = own + deferred_.answered[p];
@@ -233,7 +229,7 @@ double WallLoad::book(std::span<const Vec3> v_mid, double span) {
         jets_.account -= own;
         work += own;
     }
-    if (!hits_are_over_) pass_on_accounts();
+    if (!hits_are_over()) pass_on_accounts();
     return work;
 }
 

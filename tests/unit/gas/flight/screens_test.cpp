@@ -4,7 +4,7 @@
 // Claim: who sees whom past facets, four of them at a time, is what each facet's plane and edges say
 // by themselves, in double precision and one by one.
 
-#include "gas/collisions/screens.hpp"
+#include "gas/flight/screens.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "gas/collisions/screens.hpp"
+#include "gas/flight/screens.hpp"
 
 #include <algorithm>
 #include <cmath>
