@@ -18,7 +18,10 @@ Loads::Loads(const Model& model) {
     for (const PressureLoad& load : model.pressure_loads) {
         Pressure pressure{{}, load.scale, load.arrival, {}};
         if (load.curve >= 0) pressure.curve = model.curves[load.curve];
-        pressure.facets = load.facets;
+        for (const auto& q : load.facets) {
+            pressure.triangles.push_back({q[0], q[1], q[2]});
+            if (q[2] != q[3]) pressure.triangles.push_back({q[0], q[2], q[3]});
+        }
         pressure_.push_back(std::move(pressure));
     }
     for (const NodeLoad& load : model.node_loads)
@@ -29,20 +32,6 @@ namespace {
 
 bool holds(const std::vector<Index>& parts, Index part) {
     return std::find(parts.begin(), parts.end(), part) != parts.end();
-}
-
-/// Pressure on a facet. One cut of a quad would load the ends of its diagonal with p A / 3 and the
-/// others with p A / 6.
-void press(const std::array<Index, 4>& q, double p, const Points& x, Points& f) {
-    const auto area = [&](int a, int b, int c) { return vector_area(x[q[a]], x[q[b]], x[q[c]]); };
-    if (q[2] == q[3]) {
-        const Vec3 corner = -p / 3.0 * area(0, 1, 2);
-        for (int k = 0; k < 3; ++k) f[q[k]] += corner;
-        return;
-    }
-    const Vec3 at[] = {area(3, 0, 1), area(0, 1, 2), area(1, 2, 3), area(2, 3, 0)};
-    const Vec3 all = at[0] + at[2];  // = at[1] + at[3]
-    for (int k = 0; k < 4; ++k) f[q[k]] -= p / 6.0 * (all + at[k]);
 }
 
 }  // namespace
@@ -84,7 +73,10 @@ void Loads::find_force(double t, const Points& x, const std::vector<double>& mas
     for (const Pressure& load : pressure_) {
         if (t < load.arrival) continue;
         const double p = load.scale * (load.curve.empty() ? 1.0 : load.curve(t - load.arrival));
-        for (const auto& facet : load.facets) press(facet, p, x, f);
+        for (const auto& c : load.triangles) {
+            const Vec3 corner = -p / 3.0 * vector_area(x[c[0]], x[c[1]], x[c[2]]);
+            for (const Index node : c) f[node] += corner;
+        }
     }
     for (const Node& load : node_) {
         const double force = load.scale * load.curve(t);

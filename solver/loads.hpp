@@ -28,8 +28,8 @@ public:
     /// f = loads at t.
     ///
     ///     body: -m a(t) (a frame that accelerates upward pulls bodies down), m of its parts
-    ///     pressure: -p(t) A n / 3 a corner of a triangle, so positive pressure presses against the
-    ///     facet's normal; of a quad the mean of both ways to cut it
+    ///     pressure: -p(t) A n / 3 a corner, so positive pressure presses against the facet's
+    ///     normal
     ///     node: F(t) along an axis
     void find_force(double t, const Points& x, const std::vector<double>& mass, Points& f) const;
 
@@ -46,7 +46,7 @@ private:
         }
     };
     struct Pressure {
-        std::vector<std::array<Index, 4>> facets;  ///< a triangle repeats its third
+        std::vector<std::array<Index, 3>> triangles;
         double scale, arrival;
         Curve curve;  ///< empty: constant 1
     };
