@@ -72,7 +72,7 @@ Findings square_bag(const Runs& runs) {
 Findings tube_vessel(const Runs& runs) {
     const auto [around, along] =
         oracle::tube_stretch(oracle::cloth_moduli(400e6, 300e6, 0.1125), PULL);
-    return by_run(runs, [&](const MeasuredRun& run) {
+    return by_run(runs, [&, around = around, along = along](const MeasuredRun& run) {
         const auto start = run.vectors("/mesh/coordinates"),
                    now = run.vectors(run.frames().back() + "coordinates");
         double top = 0.0, radius = 0.0, middles = 0.0, height = 0.0, tops = 0.0;
