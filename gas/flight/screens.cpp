@@ -8,8 +8,9 @@
 namespace corpuscle::gas {
 namespace {
 
-FourPoints all_four(const Vec3& p) {
-    return {corpuscle::all_four(p[0]), corpuscle::all_four(p[1]), corpuscle::all_four(p[2])};
+/// One point four times over.
+FourPoints four_times(const Vec3& p) {
+    return {all_four(p[0]), all_four(p[1]), all_four(p[2])};
 }
 
 Four least_of_four(const Four& a, const Four& b) {
@@ -59,8 +60,8 @@ void Screens::add(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 /// Measures how high the particles are; false if all are strictly on one side.
 bool Screens::has_both_sides(const Vec3& normal, double offset, double slack) {
-    const FourPoints n = all_four(normal);
-    Four least = corpuscle::all_four(INF), greatest = corpuscle::all_four(-INF);
+    const FourPoints n = four_times(normal);
+    Four least = all_four(INF), greatest = all_four(-INF);
     for (std::size_t k = 0; k < x_.size(); ++k) {
         const Four height = dot(n, x_[k]) - offset;
         height_[k] = height;
@@ -126,7 +127,7 @@ bool Screens::is_free(std::size_t i, std::size_t j) const {
         return Vec3(four[0][p % FOUR], four[1][p % FOUR], four[2][p % FOUR]);
     };
     const Vec3 p = place(i), d = place(j) - p;
-    const Line line{all_four(d), all_four(p.cross(d)), corpuscle::all_four(d.norm())};
+    const Line line{four_times(d), four_times(p.cross(d)), all_four(d.norm())};
     const std::size_t stride = x_.size() * FOUR;
     for (std::size_t w = 0; w * BITS < size_; ++w) {
         const std::size_t at = w * stride;

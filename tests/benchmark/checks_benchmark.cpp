@@ -22,15 +22,14 @@
 #include <utility>
 #include <vector>
 
-#include "io/deck.hpp"
 #include "io/results/checkpoint.hpp"
 #include "io/results/results_content.hpp"
 #include "io/results/results_file.hpp"
 #include "solver/base/archive.hpp"
 #include "solver/base/parallel.hpp"
-#include "solver/scene/closing.hpp"
 #include "solver/simulation.hpp"
 #include "tests/benchmark/check_costs.hpp"
+#include "tests/benchmark/deck_run.hpp"
 #include "tests/places.hpp"
 
 using namespace corpuscle;
@@ -43,12 +42,6 @@ constexpr int EVERY = 25;         ///< steps, whose checks are timed
 constexpr double VERSIONS = 0.5,  ///< results.h5 anew, at the earliest (results_file.cpp)  [s]
     CHECKPOINTS = 2.0,            ///< the same of checkpoints (checkpoint_writer.hpp)      [s]
     PER_COST = 50.0;              ///< and 50 times what one costs
-
-struct Run {
-    std::string deck;
-    std::vector<std::pair<std::string, std::string>> definitions;
-    double until = INF;  ///< in the deck's unit
-};
 
 /// Seconds of one thread.
 struct Measured {
@@ -98,15 +91,6 @@ private:
     double rows_ = INF, frames_ = INF;
 };
 
-Simulation scene_of(const Run& run) {
-    io::DeckOptions options;
-    options.overrides = run.definitions;
-    Model model = io::read_deck(run.deck, options);
-    close_bags(model);
-    model.end_time = std::min(model.end_time, run.until);
-    return Simulation(std::move(model), 1);
-}
-
 /// All of a run, the checks of every so many steps timed beside it.
 Measured advance(Simulation& simulation, io::ResultsFile& results, benchmark::FiniteCosts& costs) {
     Measured measured;
@@ -147,17 +131,17 @@ double checksum_share(const Measured& of, const fs::path& file) {
     return (frames + mesh) / of.run + versions + checkpoints;
 }
 
-bool measure(const Run& run) {
+bool measure(const benchmark::DeckRun& run) {
     std::string folder = fs::temp_directory_path() / "benchmark_checks.XXXXXX";
     if (mkdtemp(folder.data()) == nullptr) throw std::runtime_error("no directory " + folder);
-    Simulation simulation = scene_of(run);
+    Simulation simulation = run.begin();
     benchmark::FiniteCosts costs(simulation.scene());
     io::RunInfo info;
     info.unit_system = simulation.model().unit_system;
     io::ResultsFile results(folder, info, simulation.layout());
     const Measured of = advance(simulation, results, costs);
     results.finish("normal");
-    fmt::print("{}\n  {} steps, {} particles, {:.2f} s\n", run.deck, simulation.steps(),
+    fmt::print("{}\n  {} steps, {} particles, {:.2f} s\n", run.name(), simulation.steps(),
                simulation.particles(), of.run);
     fmt::print(
         "  finite, of a step: displacements {:.3f} %, starts of flight {:.3f} %, nodes "
@@ -171,33 +155,25 @@ bool measure(const Run& run) {
     return holds;
 }
 
-Run run_of(int argc, char** argv) {
-    Run run{argv[1], {}, INF};
-    for (int i = 2; i < argc; ++i) {
-        const std::string text = argv[i];
-        if (text == "--until" && i + 1 < argc) {
-            run.until = std::stod(argv[++i]);
-            continue;
-        }
-        const std::size_t equals = text.find('=');
-        if (equals == std::string::npos || equals == 0)
-            throw std::invalid_argument(text + ": expected NAME=VALUE");
-        run.definitions.emplace_back(text.substr(0, equals), text.substr(equals + 1));
-    }
-    return run;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) try {
+    CLI::App app{"What finite checks and checksums cost of a run"};
+    benchmark::DeckRun own;
+    benchmark::add_options(app, own);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
     parallel::set_threads(1);
-    std::vector<Run> runs{
+    std::vector<benchmark::DeckRun> runs{
         {CORPUSCLE_MODELS "/driver_bag_flat/driver_bag_flat.k", {}, 6.0},
         {CORPUSCLE_MODELS "/driver_bag_folded/driver_bag_folded.k", {}, 4.0},
-        {CORPUSCLE_MODELS "/verification/box_at_rest/case.k", {{"NP", "100000"}}, 2e-3}};
-    if (argc > 1) runs = {run_of(argc, argv)};
+        {CORPUSCLE_MODELS "/verification/box_at_rest/case.k", {"NP=100000"}, 2e-3}};
+    if (!own.deck.empty()) runs = {own};
     bool holds = true;
-    for (const Run& run : runs) holds &= measure(run);
+    for (const benchmark::DeckRun& run : runs) holds &= measure(run);
     return holds ? 0 : 1;
 } catch (const std::exception& error) {
     fmt::print(stderr, "benchmark_checks: {}\n", error.what());

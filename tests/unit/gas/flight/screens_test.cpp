@@ -6,7 +6,9 @@
 
 #include "gas/flight/screens.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <vector>
 
 #include "tests/support/draw.hpp"
 

@@ -1,0 +1,103 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// After the last hit the wall gets all that it is owed, then nothing; jets still push.
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <memory>
+
+#include "gas/wall_load/wall_load.hpp"
+#include "tests/support/geometry/shapes.hpp"
+
+using namespace corpuscle;
+using namespace corpuscle::gas;
+
+namespace {
+
+constexpr double RELEASE = 50e-6, SPAN = 5e-6;  // [s]
+constexpr double HITS = 2.0, UNIFORM = 1.5;     // [Pa]
+
+/// A sphere's wall that is pressed by HITS, then, hits being over, by UNIFORM from elsewhere.
+class LeftWall {
+public:
+    LeftWall()
+        : surface_(
+              std::make_shared<WettedSurface>(shape_.triangles, shape_.triangles.size(), shape_.x)),
+          held_(shape_.x.size(), 0),
+          load_(surface_, held_, std::vector<Index>{JET}, RELEASE, 0.0),
+          v_(shape_.x.size(), Vec3::Zero()),
+          mass_(shape_.x.size(), 1.0) {
+        load_.begin_with(HITS, 0.01, shape_.x);
+        load_.end_of_hits(std::vector<double>{UNIFORM}, shape_.x);
+        Points area(surface_->points());
+        surface_->point_areas(shape_.x, area);
+        for (const Vec3& a : area) area_ += a.norm();
+    }
+    /// Force on each node over the next SPAN.
+    Points release() {
+        Points f(shape_.x.size(), Vec3::Zero());
+        load_.release(SPAN, shape_.x, v_, mass_, f);
+        for (std::size_t n = 0; n < f.size(); ++n) {
+            given_.add(shape_.x[n], SPAN * f[n]);
+            outward_ += SPAN * f[n].dot(shape_.x[n].normalized());
+        }
+        load_.book(v_, SPAN);
+        return f;
+    }
+    void release_for(double time) {
+        for (double t = 0.0; t < time; t += SPAN) release();
+    }
+    void push_jet(const Vec3& impulse) { load_.owe_jet(JET, shape_.x[JET], impulse, 0.0); }
+
+    static constexpr Index JET = 7;
+    [[nodiscard]] const WallLoad& load() const { return load_; }
+    [[nodiscard]] double area() const { return area_; }        // [m^2]
+    [[nodiscard]] double outward() const { return outward_; }  // given so far [N s]
+    [[nodiscard]] const Wrench& given() const { return given_; }
+
+private:
+    shapes::Shape shape_ = shapes::sphere(1.0, 3);
+    std::shared_ptr<const WettedSurface> surface_;
+    std::vector<std::uint8_t> held_;
+    WallLoad load_;
+    Points v_;
+    std::vector<double> mass_;
+    double area_ = 0.0, outward_ = 0.0;
+    Wrench given_;
+};
+
+bool is_zero(const Points& f) {
+    return std::all_of(f.begin(), f.end(), [](const Vec3& one) { return one.isZero(0.0); });
+}
+
+}  // namespace
+
+TEST_CASE("after the last hit all that is owed is given, then nothing", "[gas]") {
+    LeftWall wall;
+    wall.release_for(35.0 * RELEASE);
+    CHECK_FALSE(is_zero(wall.release()));
+    wall.release_for(10.0 * RELEASE);
+    CHECK(is_zero(wall.release()));
+    CHECK(wall.load().pressure_at_node(0) == 0.0);
+    // points push along normals of their own, which are within a per cent of the sphere's
+    const double all = (HITS - UNIFORM) * wall.area() * RELEASE;
+    CHECK(wall.outward() == Approx(all).epsilon(0.01));
+    CHECK(wall.load().owed().linear.norm() < 1e-12 * all);
+    CHECK(wall.load().owed().angular.norm() < 1e-12 * all);
+}
+
+TEST_CASE("a wall whose hits are over is pushed by jets", "[gas]") {
+    LeftWall wall;
+    wall.release_for(45.0 * RELEASE);
+    const Wrench before = wall.given();
+    const Vec3 impulse(0.0, 1e-3, -2e-3);
+    wall.push_jet(impulse);
+    const Points first = wall.release();
+    CHECK((first[LeftWall::JET] * RELEASE - impulse).norm() < 1e-12);
+    CHECK(wall.load().force(LeftWall::JET) == first[LeftWall::JET]);
+    CHECK(is_zero(Points(first.begin(), first.begin() + LeftWall::JET)));
+    wall.release_for(40.0 * RELEASE);
+    CHECK((wall.given().linear - before.linear - impulse).norm() < 1e-15);
+    CHECK(wall.load().force(LeftWall::JET).norm() < 1e-10);
+}
