@@ -12,6 +12,20 @@
 namespace corpuscle {
 namespace {
 
+/// visit(part, node, mass) for what each shell gives to each of its nodes, but for nodes of rigid
+/// bodies: these have it.
+template <class Visit>
+void each_share(const SceneState& scene, Visit&& visit) {
+    const std::vector<Index>& body = scene.bodies.of_node;
+    for (std::size_t s = 0; s < scene.model.shells.size(); ++s) {
+        const Shell& shell = scene.model.shells[s];
+        const int corners = shell.is_triangle() ? 3 : 4;
+        for (int c = 0; c < corners; ++c)
+            if (body.empty() || body[shell.nodes[c]] < 0)
+                visit(shell.part, shell.nodes[c], scene.cloth.shell_mass[s] / corners);
+    }
+}
+
 AirbagSample row_of(const gas::GasState& state, const gas::PartState& parts) {
     AirbagSample row;
     row.volume = state.volume;
@@ -78,8 +92,7 @@ void add_bodies(const SceneState& scene, RecordLayout& layout) {
     layout.sensors = scene.model.sensors.size();
     for (const Part& part : scene.model.parts) layout.parts.push_back(part.id);
     layout.part_mass.resize(scene.model.parts.size());
-    for (std::size_t s = 0; s < scene.model.shells.size(); ++s)
-        layout.part_mass[scene.model.shells[s].part] += scene.cloth.shell_mass[s];
+    each_share(scene, [&](Index part, Index, double mass) { layout.part_mass[part] += mass; });
     for (const RigidBody& body : scene.bodies.all) {
         layout.rigid_bodies.push_back(scene.model.parts[body.part()].id);
         for (const Index part : body.parts()) layout.part_mass[part] = 0.0;  // the lead has all
@@ -100,16 +113,11 @@ void add_bodies(const SceneState& scene, RecordLayout& layout) {
 
 void add_parts(const SceneState& scene, Sample& row) {
     row.parts.resize(scene.model.parts.size());
-    for (std::size_t s = 0; s < scene.model.shells.size(); ++s) {
-        const Shell& shell = scene.model.shells[s];
-        const int corners = shell.is_triangle() ? 3 : 4;
-        for (int c = 0; c < corners; ++c) {
-            const Vec3 v = scene.velocity(shell.nodes[c]);
-            const double mass = scene.cloth.shell_mass[s] / corners;
-            row.parts[shell.part].kinetic_energy += 0.5 * mass * v.squaredNorm();
-            row.parts[shell.part].momentum += mass * v;
-        }
-    }
+    each_share(scene, [&](Index part, Index node, double mass) {
+        const Vec3 v = scene.velocity(node);
+        row.parts[part].kinetic_energy += 0.5 * mass * v.squaredNorm();
+        row.parts[part].momentum += mass * v;
+    });
     if (scene.cloth.membranes) {
         const std::span<const double> strain = scene.cloth.membranes->part_strain_energy();
         for (std::size_t p = 0; p < strain.size(); ++p) row.parts[p].strain_energy += strain[p];

@@ -3,6 +3,7 @@
 #include "solver/simulation.hpp"
 
 #include "solver/base/fingerprint.hpp"
+#include "solver/stops.hpp"
 
 namespace corpuscle {
 
@@ -11,6 +12,10 @@ void Simulation::close(const Observer& observe) {
     const double dt = scene_.clock.dt_last;
     load_and_kick(dt, dt, lap);
     observe(*this);
+}
+
+bool Simulation::is_finite() const {
+    return corpuscle::is_finite(scene_);
 }
 
 std::uint64_t Simulation::fingerprint() const {

@@ -113,6 +113,8 @@ public:
     void visit_state(Archive& archive) {
         archive(scene_, audit_, recorder_);
     }
+    /// Whether the numbers that it goes on from are finite; a checkpoint of others is of no use.
+    [[nodiscard]] bool is_finite() const;
     /// Tells models and seeds apart.
     [[nodiscard]] std::uint64_t fingerprint() const;
 

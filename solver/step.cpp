@@ -60,7 +60,8 @@ void Simulation::load_and_kick(double dt, double span, Stopwatch& lap) {
     find_forces(span, lap);
     scene_.find_contacts(dt);                                                   lap("contact search");
 
-    scene_.kick(dt, span);                                                      lap("motion");
+    scene_.kick(dt, span);
+    check_finite(scene_);                                                       lap("motion");
     scene_.stop_at_obstacles(dt);                                               lap("contact");
     check_finite(scene_);
 

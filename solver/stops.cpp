@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "gas/particles.hpp"
 #include "solver/base/error.hpp"
 
 namespace corpuscle {
@@ -140,6 +141,23 @@ void check_finite(const SceneState& scene) {
                        fmt::format("{}: the kinetic energy overflows at {}; most of the force "
                                    "there is that of {}",
                                    growing_shell(scene, node), where, largest->first));
+}
+
+bool is_finite(const SceneState& scene) {
+    const auto all_finite = [](const Points& vectors) {
+        return std::all_of(vectors.begin(), vectors.end(),
+                           [](const Vec3& v) { return v.allFinite(); });
+    };
+    bool is =
+        std::isfinite(scene.clock.t) && all_finite(scene.nodes.x) && all_finite(scene.nodes.v);
+    for (const RigidBody& body : scene.bodies.all)
+        is &= body.position().allFinite() && body.velocity().allFinite();
+    for (const gas::BagGas& bag : scene.airbags.particle) {
+        const gas::Particles& gas = bag.particles();
+        is &= all_finite(gas.x) && all_finite(gas.v) &&
+              std::all_of(gas.e.begin(), gas.e.end(), [](double e) { return std::isfinite(e); });
+    }
+    return is;
 }
 
 void check_accounts(const SceneState& scene) {

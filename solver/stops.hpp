@@ -11,6 +11,8 @@ namespace corpuscle {
 [[noreturn]] void stop_for_strain(const SceneState& scene, Index shell);
 /// Where the kinetic energy after the kick is not finite.
 void check_finite(const SceneState& scene);
+/// Whether time, places, velocities and all of the particles are finite: a state to go on from.
+[[nodiscard]] bool is_finite(const SceneState& scene);
 /// Where an account of the energy balance is not finite.
 void check_accounts(const SceneState& scene);
 /// Where the step has become too long for the fabric. Once in a step, with its forces.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "io/text/units.hpp"
@@ -103,17 +104,21 @@ void fill_frame(Hdf5Writer& file, const Frame& frame, const std::string& units) 
 }
 
 void expect_finite(const Frame& frame, const RecordLayout& layout) {
-    const auto expect = [&](const char* what, const char* whose, const auto& id, auto numbers) {
+    // of numbers up to `most`, which their type in the file holds
+    const auto expect = [&](const char* what, const char* whose, const auto& id, auto numbers,
+                            double most = std::numeric_limits<double>::max()) {
         const auto bad = std::find_if(numbers.begin(), numbers.end(),
-                                      [](double value) { return !std::isfinite(value); });
+                                      [&](double value) { return !(std::abs(value) <= most); });
         if (bad == numbers.end()) return;
         const std::size_t row =
             static_cast<std::size_t>(bad - numbers.begin()) / (numbers.size() / id.size());
         throw PhysicsError(frame.time,
-                           fmt::format("{} of {} {} is not finite", what, whose, id[row]));
+                           fmt::format("{} of {} {} is not finite{}", what, whose, id[row],
+                                       std::isfinite(*bad) ? " in single precision" : ""));
     };
+    constexpr double SINGLE = std::numeric_limits<float>::max();
     expect("position", "node", layout.node_id, flat(frame.coordinates));
-    expect("velocity", "node", layout.node_id, flat(frame.velocity));
+    expect("velocity", "node", layout.node_id, flat(frame.velocity), SINGLE);
     expect("pressure", "shell", layout.shell_id, std::span(frame.shell_pressure));
     expect("contact pressure", "shell", layout.shell_id, std::span(frame.shell_contact_pressure));
     expect("stress", "shell", layout.shell_id, flat(frame.shell_stress));
@@ -121,7 +126,7 @@ void expect_finite(const Frame& frame, const RecordLayout& layout) {
     if (!frame.particles) return;
     const Frame::Particles& p = *frame.particles;
     expect("position", "particle", p.id, flat(p.position));
-    expect("velocity", "particle", p.id, flat(p.velocity));
+    expect("velocity", "particle", p.id, flat(p.velocity), SINGLE);
     expect("internal energy", "particle", p.id, std::span(p.internal_energy));
     expect("mass", "particle", p.id, std::span(p.mass));
     expect("temperature", "particle", p.id, std::span(p.temperature));

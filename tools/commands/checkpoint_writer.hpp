@@ -34,8 +34,10 @@ public:
         if (!std::isnan(steps_)) return std::fmod(static_cast<double>(step), steps_) == 0.0;
         return Clock::now() - written_at_ >= std::max<Clock::duration>(PATIENCE, PER_COST * cost_);
     }
+    /// Not of a state that the next step stops at: the one before it stays.
     void write(Simulation& simulation) {
         finish();
+        if (!simulation.is_finite()) return;
         const auto begin = Clock::now();
         StateWriter state;
         state(simulation, results_, ascii_, recorder_);

@@ -175,7 +175,11 @@ int run(const RunArguments& arguments) {
     const io::RunInfo info =
         run_info(model, version(), arguments.deck.seed, simulation.fingerprint());
     StateReader state(from ? std::span<const char>(from->state) : std::span<const char>());
-    if (from) state(simulation);
+    if (from) {
+        state(simulation);
+        if (!simulation.is_finite())
+            throw SystemError("the checkpoint holds a number that is not finite");
+    }
     io::ResultsFile results =
         from ? io::ResultsFile(folder, info, layout, state) : io::ResultsFile(folder, info, layout);
     io::AsciiFiles ascii = from ? io::AsciiFiles(folder, layout, model.output, model.title, state)

@@ -139,6 +139,10 @@ TEST_CASE("a number that is not finite is refused by its name, and is never in t
                Contains("stress of shell 1002 is not finite"));
     CHECK_THAT(of_frame([&](Frame& f) { f.particles->velocity[7].x() = broken; }),
                Contains("velocity of particle " + std::to_string((std::int64_t{1} << 40) + 7)));
+    CHECK_THAT(of_frame([&](Frame& f) { f.particles->velocity[7].x() = 1e39; }),
+               Contains("is not finite in single precision"));
+    CHECK_THAT(of_frame([&](Frame& f) { f.velocity[3].x() = -1e39; }),
+               Contains("velocity of node 104 is not finite in single precision"));
     CHECK_THAT(of_frame([&](Frame& f) { f.particles->internal_energy[0] = broken; }),
                Contains("internal energy of particle"));
     CHECK_THAT(
