@@ -12,7 +12,7 @@
 #include "io/results/hdf5.hpp"
 #include "io/results/results_file.hpp"
 #include "solver/simulation.hpp"
-#include "tests/support/decks/random_recipe.hpp"
+#include "tests/support/random/random_recipe.hpp"
 #include "tests/unit/io/results/results_scene.hpp"
 #include "tools/fold/fold.hpp"
 #include "tools/study/study.hpp"

@@ -20,7 +20,7 @@
 
 #include "io/results/hdf5.hpp"
 #include "tests/support/decks/mirrored.hpp"
-#include "tests/support/decks/random_scene.hpp"
+#include "tests/support/random/random_scene.hpp"
 #include "tests/support/runs/scene_run.hpp"
 
 using namespace corpuscle;

@@ -6,7 +6,7 @@
 // brought in (the gas of the start included where particles are less than 1000; where nothing
 // moves to rounding), no more energy under way to the fabric than there is, no two facets that
 // cross, counted exactly; and the same bits on two threads, and of a run that was killed and
-// restarted. Random decks (support/random_scene.hpp), through the program that users run.
+// restarted. Random decks (support/random/random_scene.hpp), through the program that users run.
 //
 // Scenes 1 to 30 are an ordinary test, 1 to 100 the hidden one, and at wish
 //
@@ -23,7 +23,7 @@
 #include <utility>
 
 #include "tests/places.hpp"
-#include "tests/support/decks/random_scene.hpp"
+#include "tests/support/random/random_scene.hpp"
 #include "tests/support/runs/scene_run.hpp"
 
 using namespace corpuscle;
@@ -83,23 +83,6 @@ std::string helium_into_air(int air, int particles) {
            "101325.0, 293.0, 0.02897, 29.1\n1, 2, 0.004, 20.786\n100000, 1.0\n*END\n";
 }
 
-/// Deck with a checkpoint every few steps: the same run otherwise.
-std::string with_checkpoints(std::string deck) {
-    return deck.insert(deck.rfind("*END"), "*DATABASE_BINARY_D3DUMP\n20\n");
-}
-
-/// The same bits on two threads, and of a run that was killed and restarted; each of every other scene.
-std::string differences(const support::RandomScene& scene, const SceneRun& run, int seed) {
-    const std::string name = fmt::format("random_scene_again_{}", seed);
-    const std::string options = fmt::format("--seed {}", scene.seed);
-    const bool is_broken = seed % 2 == 0;
-    const SceneRun again(name, is_broken ? with_checkpoints(scene.deck) : scene.deck, options,
-                         is_broken ? SceneRun::How::RESTARTED : SceneRun::How::TWO_THREADS);
-    if (again.status == 0 && again.digest == run.digest) return "";
-    return fmt::format("other bits {} (status {}): {}\n",
-                       is_broken ? "after a restart" : "on two threads", again.status, again.end);
-}
-
 void run_scenes(int first, int last) {
     double seconds = 0.0;
     int faults = 0;
@@ -111,7 +94,8 @@ void run_scenes(int first, int last) {
         const double all = run.brought_in + run.held;
         const double of = scene.particles < FINE ? all : run.brought_in;
         std::string fault = run.fault(scene.is_rigid ? ROUNDING * all : 0.01 * of);
-        if (run.status == 0) fault += differences(scene, run, seed);
+        const auto how = seed % 2 == 0 ? SceneRun::How::RESTARTED : SceneRun::How::TWO_THREADS;
+        if (run.status == 0) fault += run.differences(how, 20);
         seconds += run.seconds;
         faults += fault.empty() ? 0 : 1;
         fmt::print("scene {}: {}: {:.1f} s, residual {:.2g} %\n{}", seed, scene.summary,

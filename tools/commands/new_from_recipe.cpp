@@ -33,6 +33,12 @@ Vec3 middle(const fold::Cell& cell, const Points& x) {
     return sum / corners;
 }
 
+/// How far a quad's facets, cut either way, may lie over its middle.
+double warp(const fold::Cell& cell, const Points& x, const Vec3& normal) {
+    if (fold::corner_count(cell) == 3) return 0.0;
+    return 0.25 * std::abs((x[cell[0]] + x[cell[2]] - x[cell[1]] - x[cell[3]]).dot(normal));
+}
+
 /// Where the gas of a recipe without an inflator comes in, and the cloth that stands still round it.
 struct BackOfBag {
     Vec3 inflator;          ///< between the panels, over the middle of the flat back           [L]
@@ -71,7 +77,8 @@ BackOfBag middle_of_back(const fold::Recipe& recipe, const fold::Bag& bag) {
                 std::abs((x[n] - from).dot(normal)) < FLAT * recipe.pattern.gap)
                 held.insert(static_cast<int>(n) + 1);
         }
-    return {from + 0.5 * recipe.pattern.gap * normal, {held.begin(), held.end()}};
+    const double over = 0.5 * recipe.pattern.gap + warp(cell, x, normal);
+    return {from + over * normal, {held.begin(), held.end()}};
 }
 
 }  // namespace
@@ -83,6 +90,10 @@ RecipeBag bag_of_recipe(const std::filesystem::path& from, const std::filesystem
     fold::refuse_crossings(recipe, bag, found, mesh);
     io::replace_text(mesh, fold::bag_deck(bag, recipe, found));
     fmt::print("{}\n", fold::text(found));
+    return starting_bag(recipe, bag);
+}
+
+RecipeBag starting_bag(const fold::Recipe& recipe, const fold::Bag& bag) {
     RecipeBag folded;
     folded.has_vents = bag.has_vents;
     folded.has_module = !bag.module.empty();

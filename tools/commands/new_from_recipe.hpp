@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/base/vec.hpp"
+#include "tools/fold/pattern/bag.hpp"
 #include "tools/new_deck.hpp"
 
 namespace corpuscle::tools {
@@ -25,6 +26,9 @@ struct RecipeBag {
 /// folds that cross.
 [[nodiscard]] RecipeBag bag_of_recipe(const std::filesystem::path& recipe,
                                       const std::filesystem::path& mesh);
+
+/// Where the gas of a bag that was folded comes in, and what stands still.
+[[nodiscard]] RecipeBag starting_bag(const fold::Recipe& recipe, const fold::Bag& bag);
 
 /// Puts into a deck what the recipe says.
 void take_recipe(const RecipeBag& folded, NewDeck& deck);

@@ -12,13 +12,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <functional>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
 
 #include "io/results/hdf5.hpp"
 #include "tests/places.hpp"
+#include "tests/support/runs/datasets.hpp"
 #include "tools/verify/frame_crossings.hpp"
 
 namespace corpuscle::test {
@@ -27,18 +27,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int MOST_SECONDS = 20;  ///< of one core, however loaded the machine is
-
-/// Calls visit(path) for every dataset below `group`.
-void each_dataset(const io::Hdf5Reader& file, const std::string& group,
-                  const std::function<void(const std::string&)>& visit) {
-    for (const std::string& name : file.names(group)) {
-        const std::string path = (group == "/" ? "" : group) + "/" + name;
-        if (file.is_group(path))
-            each_dataset(file, path, visit);
-        else
-            visit(path);
-    }
-}
 
 /// Greatest size; infinite where one is no number.
 double largest(const std::vector<double>& values) {
@@ -84,7 +72,8 @@ SceneRange SceneRange::asked() {
 }
 
 SceneRun::SceneRun(const std::string& name, const std::string& deck, const std::string& options,
-                   How how) {
+                   How how)
+    : name_(name), deck_(deck), options_(options) {
     if (const char* kept = std::getenv("KEEP")) {
         directory_ = fs::path(kept) / name;
         fs::create_directories(directory_);
@@ -124,9 +113,7 @@ void SceneRun::read() {
         numbers += values.size();
         add_to(digest, path.data(), path.size());
         add_to(digest, values.data(), values.size() * sizeof(double));
-        const bool is_finite =
-            std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-        if (!is_finite && not_finite.empty()) not_finite = path;
+        if (!all_finite(values) && not_finite.empty()) not_finite = path;
         const bool is_mass = ends_with(path, "/mass") || path.find("/mass_") != std::string::npos;
         if (is_mass && path.rfind("/history/", 0) == 0 && impossible.empty() &&
             std::any_of(values.begin(), values.end(), [](double v) { return v < 0.0; }))
@@ -145,6 +132,7 @@ void SceneRun::read() {
     under_way = largest(series("smoothing"));
     brought_in = series("inflow").back() + std::max(0.0, series("external").back());
     held = series("gas").front();
+    strained = series("strain").front();
 }
 
 std::string SceneRun::fault(double residual) const {
@@ -163,6 +151,17 @@ std::string SceneRun::fault(double residual) const {
         text += fmt::format("{:.3g} J under way to the fabric, of {:.3g} J that there are\n",
                             under_way, brought_in + held);
     return text;
+}
+
+std::string SceneRun::differences(How how, int steps) const {
+    std::string deck = deck_;
+    if (how == How::RESTARTED)
+        deck.insert(deck.rfind("*END"), fmt::format("*DATABASE_BINARY_D3DUMP\n{}\n", steps));
+    const SceneRun again(name_ + "_again", deck, options_, how);
+    if (again.status == status && again.digest == digest) return "";
+    return fmt::format("other bits {} (status {}): {}\n",
+                       how == How::RESTARTED ? "after a restart" : "on two threads", again.status,
+                       again.end);
 }
 
 }  // namespace corpuscle::test

@@ -43,6 +43,7 @@ public:
     double under_way = 0.0;       ///< most that was between particles and fabric            [J]
     double brought_in = 0.0;      ///< by inflators and from outside                         [J]
     double held = 0.0;            ///< by the gas at the start                               [J]
+    double strained = 0.0;        ///< the cloth's at the start                              [J]
     int lost = -1;                ///< particles; -1: the log does not say
 
     [[nodiscard]] std::filesystem::path results() const { return directory_ / "out/results.h5"; }
@@ -51,8 +52,13 @@ public:
     /// @param residual  of the energy books, that may be                                    [J]
     [[nodiscard]] std::string fault(double residual) const;
 
+    /// The same once more in another way: in words, whether the bits are others.
+    /// @param steps  between the checkpoints of a run that is killed and restarted
+    [[nodiscard]] std::string differences(How how, int steps) const;
+
 private:
     void read();
+    std::string name_, deck_, options_;
     std::filesystem::path directory_;
 };
 

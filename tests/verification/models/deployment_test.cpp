@@ -24,7 +24,7 @@
 #include "io/results/hdf5.hpp"
 #include "solver/base/error.hpp"
 #include "tests/places.hpp"
-#include "tests/support/decks/random_recipe.hpp"
+#include "tests/support/random/random_recipe.hpp"
 #include "tools/fold/bag_deck.hpp"
 #include "tools/fold/fold.hpp"
 #include "tools/verify/frame_crossings.hpp"

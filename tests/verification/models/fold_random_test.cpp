@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "solver/base/error.hpp"
-#include "tests/support/decks/random_recipe.hpp"
+#include "tests/support/random/random_recipe.hpp"
 #include "tools/fold/fold.hpp"
 #include "tools/fold/inspect/inspect.hpp"
 

@@ -18,4 +18,15 @@ namespace corpuscle::support {
 /// front, vents and a tether in some.
 [[nodiscard]] std::string random_airbag_recipe(unsigned seed);
 
+/// What a small bag is to have, and the numbers of its parts.
+struct SmallBag {
+    bool has_cover, has_vents;
+    int front, back, module, reinforcement, vent, tether;
+};
+
+/// One of a few hundred shells, of 0.22 to 0.34 m, for the place of an inflator in the middle of
+/// the back: a dish or a cover of a hole, cloth that the recipe names, or none, in which case some
+/// folds go over the back. Units: m.
+[[nodiscard]] std::string random_small_recipe(unsigned seed, SmallBag kind);
+
 }  // namespace corpuscle::support

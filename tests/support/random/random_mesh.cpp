@@ -5,7 +5,7 @@
 #include <array>
 #include <map>
 
-#include "tests/support/decks/random_plan.hpp"
+#include "tests/support/random/random_plan.hpp"
 
 namespace corpuscle::support {
 namespace {

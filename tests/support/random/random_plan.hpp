@@ -5,14 +5,19 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "solver/base/constants.hpp"
 #include "solver/base/vec.hpp"
 
 namespace corpuscle::support {
 
 enum PartId { WALL = 1, VENT = 2, POROUS = 3, FAR_WALL = 4, MEMBRANE = 5, HOLE = 6 };
+/// Of a folded bag, whose back is a WALL and whose front is POROUS.
+enum FoldedPartId { COVER = 14, RING = 15, TETHER = 16 };
 
 /// What the cards of a scene have to agree on.
 struct Plan {
@@ -25,10 +30,14 @@ struct Plan {
     double inflow_end;                      ///< of most inflows [s]
     std::array<std::vector<int>, 2> floor;  ///< shells at z = 0, by chamber
     bool is_free = false;                   ///< nothing holds the bag
+    int closing_set = 1, inner_set = 0;     ///< part sets: what closes the bag, and lies inside
+    double start = NaN;                     ///< volume at the start; NaN: that of `side` [m^3]
+    std::optional<Vec3> inflator;           ///< where a nozzle may be, beside `floor` [m]
     int next_curve = 1;
     std::string curves;
 
     [[nodiscard]] double volume() const { return side.prod(); }
+    [[nodiscard]] double start_volume() const { return std::isnan(start) ? volume() : start; }
     /// A curve of points (x, y), its id.
     int curve(const std::vector<std::array<double, 2>>& points) {
         curves += fmt::format("*DEFINE_CURVE\n{}\n", next_curve);

@@ -1,6 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "tests/support/decks/random_recipe.hpp"
+#include "tests/support/random/random_recipe.hpp"
 
 #include <fmt/format.h>
 
@@ -91,6 +91,36 @@ std::string fold_beside_middle(Draw& draw, double half, double angle) {
     }
 }
 
+/// The same of a bag of SmallBag, in metres; `onto_back`: over the other panel.
+std::string small_fold(Draw& draw, double half, double angle, bool onto_back) {
+    constexpr double CLEAR = 0.048;  ///< of the middle                                      [m]
+    const char* side = std::array{"right", "left", "both"}[static_cast<std::size_t>(draw.below(3))];
+    std::string text =
+        fmt::format("[[fold]]\nangle = {}\nonto = \"{}\"\n", angle, onto_back ? "back" : "front");
+    switch (draw.below(3)) {
+        case 0:
+            return text + fmt::format("kind = \"half\"\nside = \"{}\"\nat = {}\n",
+                                      draw.below(2) > 0 ? "right" : "left",
+                                      std::max(CLEAR, draw.in(0.3, 0.5) * half));
+        case 1: {
+            const double start = draw.in(CLEAR, 0.06);
+            return text + fmt::format("kind = \"zigzag\"\nside = \"{}\"\nstart = {}\nwidth = {}\n",
+                                      side, start, draw.in(0.035, 0.05));
+        }
+        default: {
+            const double width = draw.in(0.03, 0.045);
+            const int most = 1 + static_cast<int>((0.8 * half - CLEAR) / width);
+            const int count = 1 + draw.below(std::min(3, most));
+            const double start =
+                std::min(0.85 * half, CLEAR + width * (count - 1) + draw.in(0.0, 0.02));
+            return text +
+                   fmt::format(
+                       "kind = \"roll\"\nside = \"{}\"\nstart = {}\nwidth = {}\ncount = {}\n", side,
+                       start, width, count);
+        }
+    }
+}
+
 }  // namespace
 
 std::string random_recipe(unsigned seed, bool is_oblique) {
@@ -130,6 +160,42 @@ std::string random_airbag_recipe(unsigned seed) {
     const int folds = 1 + draw.below(is_oblique ? 2 : 3);
     for (int i = 0, axis = draw.below(2); i < folds; ++i, axis = 1 - axis)
         text += fold_beside_middle(draw, half, is_oblique ? draw.in(-90.0, 90.0) : 90.0 * axis);
+    return text;
+}
+
+std::string random_small_recipe(unsigned seed, SmallBag kind) {
+    Draw draw(seed);
+    const double element = draw.in(0.020, 0.028), gap = draw.in(0.7e-3, 1.2e-3);
+    const double half = draw.in(0.11, 0.17);
+    std::string text = "[pattern]\n";
+    if (draw.below(2) > 0)
+        text += fmt::format("kind = \"disc\"\ndiameter = {}\n", 2.0 * half);
+    else
+        text += fmt::format("kind = \"rectangle\"\nlength = {}\nwidth = {}\n", 2.0 * half,
+                            draw.in(1.6, 2.4) * half);
+    text += fmt::format("element = {}\ngap = {}\n", element, gap);
+    text += fmt::format(
+        "[parts]\nfront = {}\nback = {}\nmodule = {}\nreinforcement = {}\nvent = {}\ntether = "
+        "{}\n",
+        kind.front, kind.back, kind.module, kind.reinforcement, kind.vent, kind.tether);
+    const int place = kind.has_cover ? draw.below(2) : draw.below(4);
+    if (place < 2)
+        text += fmt::format("[hole]\ndiameter = 0.06\nreinforcement = {}\ndepth = {}\n",
+                            draw.below(2) > 0 ? 0.085 : 0.0, place == 0 ? 0.015 : 0.0);
+    if (place == 2) text += "[inflator]\nat = [0.0, 0.0]\ndiameter = 0.08\n";
+    for (int i = kind.has_vents ? 1 + draw.below(2) : 0; i > 0; --i)
+        text += fmt::format("[[vent]]\nat = [{}, 0.06]\ndiameter = {}\n", i == 1 ? 0.045 : -0.045,
+                            draw.in(1.8, 2.0) * element);
+    if (draw.below(4) == 0) {
+        const double length = draw.in(0.13, 0.15);
+        text += fmt::format("[[tether]]\nfrom = [{}, 0]\nlength = {}\nwidth = {}\n", -0.5 * length,
+                            length, draw.in(0.025, 0.04));
+    }
+    const bool is_oblique = draw.below(4) == 0;
+    const int folds = 1 + draw.below(is_oblique ? 2 : 3);
+    for (int i = 0, axis = draw.below(2); i < folds; ++i, axis = 1 - axis)
+        text += small_fold(draw, half, is_oblique ? draw.in(-90.0, 90.0) : 90.0 * axis,
+                           place == 3 && draw.below(3) == 0);
     return text;
 }
 
