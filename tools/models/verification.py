@@ -170,6 +170,9 @@ def main():
     for level in (2, 3, 4):
         write("sphere_vessel", level, sphere(level, 0.1),
               f"A sphere of radius 0.1 m, 20 x 4^{level} triangles; lengths in m.")
+    for level in (2, 3):
+        write("spinning_bag", level, sphere(level, 0.1, squeeze=0.7),
+              f"A ball of radius 0.1 m, flattened to 0.7 of it, 20 x 4^{level} triangles; lengths in m.")
     mesh = patch(4, 0.1)
     write("patch_warp", 4, mesh, "A square of 0.1 m, 4 x 4 irregular quads; lengths in m.")
     lines = ["$ The places of mesh_4.k, where the cloth is without stress.",

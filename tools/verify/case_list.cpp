@@ -43,6 +43,8 @@ Method method_of(const Card& card) {
         {"sphere_vessel", sphere_vessel},
         {"patch", patch},
         {"shear_wave", shear_wave},
+        {"jet_on_plate", jet_on_plate},
+        {"spinning_bag", spinning_bag},
     };
     const auto found = ALL.find(card.method);
     if (found == ALL.end())

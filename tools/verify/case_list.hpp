@@ -38,6 +38,9 @@ Findings sod(const Runs&);
 Findings vacuum(const Runs&);
 Findings fast_piston(const Runs&);
 Findings piston_wave(const Runs&);
+/// cases/momenta.cpp
+Findings spinning_bag(const Runs&);
+Findings jet_on_plate(const Runs&);
 /// cases/outflow.cpp
 Findings vented_tank(const Runs&);
 Findings effusion(const Runs&);
