@@ -44,7 +44,9 @@ Method method_of(const Card& card) {
         {"patch", patch},
         {"shear_wave", shear_wave},
         {"jet_on_plate", jet_on_plate},
+        {"plate_on_gas", plate_on_gas},
         {"spinning_bag", spinning_bag},
+        {"standing_wave", standing_wave},
     };
     const auto found = ALL.find(card.method);
     if (found == ALL.end())

@@ -41,6 +41,9 @@ Findings piston_wave(const Runs&);
 /// cases/momenta.cpp
 Findings spinning_bag(const Runs&);
 Findings jet_on_plate(const Runs&);
+/// cases/oscillations.cpp
+Findings plate_on_gas(const Runs&);
+Findings standing_wave(const Runs&);
 /// cases/outflow.cpp
 Findings vented_tank(const Runs&);
 Findings effusion(const Runs&);
