@@ -18,6 +18,7 @@ Findings slow_piston(const Runs&);
 Findings closed_membrane(const Runs&);
 Findings two_inflators(const Runs&);
 Findings tank_test(const Runs&);
+Findings cooling(const Runs&);
 /// cases/bodies.cpp
 Findings pendulum(const Runs&);
 Findings sliding_block(const Runs&);
