@@ -43,6 +43,7 @@ Method method_of(const Card& card) {
         {"sphere_vessel", sphere_vessel},
         {"patch", patch},
         {"shear_wave", shear_wave},
+        {"capstan", capstan},
         {"cooling", cooling},
         {"jet_on_plate", jet_on_plate},
         {"plate_on_gas", plate_on_gas},

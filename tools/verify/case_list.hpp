@@ -34,6 +34,7 @@ Findings sliding_sheet(const Runs&);
 Findings rubbing_sheet(const Runs&);
 Findings rebound(const Runs&);
 Findings folded_bag(const Runs&);
+Findings capstan(const Runs&);
 /// cases/flows.cpp
 Findings sod(const Runs&);
 Findings vacuum(const Runs&);
