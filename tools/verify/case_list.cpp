@@ -43,6 +43,7 @@ Method method_of(const Card& card) {
         {"sphere_vessel", sphere_vessel},
         {"patch", patch},
         {"shear_wave", shear_wave},
+        {"ball_on_disc", ball_on_disc},
         {"capstan", capstan},
         {"cooling", cooling},
         {"jet_on_plate", jet_on_plate},

@@ -55,6 +55,7 @@ Findings far_vent(const Runs&);
 
 /// cases/vessels.cpp
 Findings hencky(const Runs&);
+Findings ball_on_disc(const Runs&);
 Findings mylar(const Runs&);
 Findings square_bag(const Runs&);
 Findings tube_vessel(const Runs&);
