@@ -50,6 +50,7 @@ Method method_of(const Card& card) {
         {"plate_on_gas", plate_on_gas},
         {"spinning_bag", spinning_bag},
         {"standing_wave", standing_wave},
+        {"uniform_tank", uniform_tank},
     };
     const auto found = ALL.find(card.method);
     if (found == ALL.end())

@@ -51,6 +51,7 @@ Findings vented_tank(const Runs&);
 Findings effusion(const Runs&);
 Findings porous_tank(const Runs&);
 Findings vent_by_chamber(const Runs&);
+Findings uniform_tank(const Runs&);
 Findings far_vent(const Runs&);
 
 /// cases/vessels.cpp
