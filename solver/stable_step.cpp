@@ -40,10 +40,11 @@ StepLimit SceneState::stable_step(bool without_start) const {
     StepLimit limit = shells_step();
     for (const gas::BagGas& bag : airbags.particle)
         limit.tighten(bag.stable_step(), StepLimit::Who::GAS, bag.card().id);
+    // Rigid bodies and gas at uniform pressure set no limit: a thousand steps are what a path and a
+    // curve of inflow want to be seen.
+    if (limit.who == StepLimit::Who::NOTHING) limit.dt = model.end_time / 1000.0;
     for (const gas::UniformBag& bag : airbags.uniform)
         limit.tighten(bag.stable_step(), StepLimit::Who::GAS, bag.card().id);
-    // Rigid bodies alone set no limit: a thousand steps are what a path wants to be seen.
-    if (limit.who == StepLimit::Who::NOTHING) limit.dt = model.end_time / 1000.0;
     if (clock.step == 0 && model.step_start > 0.0 && !without_start)
         limit.tighten(model.step_start, StepLimit::Who::START, 0);
     const double rest = model.end_time - clock.t;

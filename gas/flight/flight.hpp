@@ -19,11 +19,12 @@ namespace corpuscle::gas {
 /// What a particle gave to a facet when it bounced off it, or left through it.
 struct Hit {
     Index facet;
-    Index who;                 ///< row of the particle; -1 - row when it left in this step
-    std::array<double, 3> at;  ///< barycentric coordinates on the facet                    [-]
-    Vec3 impulse;              ///< m (v - v')                                              [N s]
-    double energy;             ///< m (v² - v'²) / 2                                        [J]
-    Vec3 where;                ///< where the particle turned                               [m]
+    Index who;                   ///< row of the particle; -1 - row when it left in this step
+    std::array<double, 3> at;    ///< barycentric coordinates on the facet                    [-]
+    Vec3 impulse;                ///< m (v - v')                                              [N s]
+    double energy;               ///< m (v² - v'²) / 2                                        [J]
+    Vec3 where;                  ///< where the particle turned                               [m]
+    Vec3 moment = Vec3::Zero();  ///< beside that of the impulse there, of recoil         [N m s]
 
     [[nodiscard]] bool has_left() const { return who < 0; }
     [[nodiscard]] std::size_t row() const {

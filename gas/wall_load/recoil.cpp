@@ -50,7 +50,7 @@ double Recoil::share(const WettedSurface& surface, std::size_t side,
 
 void Recoil::set_right(const WettedSurface& surface, std::span<Hit> hits,
                        std::span<const Index> sides, double m, std::span<const double> link,
-                       Vec3& v) const {
+                       const Vec3& x, Vec3& v) const {
     Vec3 flown = v;  // velocity before each hit, in flight
     for (const Hit& hit : hits) flown += hit.impulse / m;
     Vec3 lacks = Vec3::Zero();
@@ -67,6 +67,7 @@ void Recoil::set_right(const WettedSurface& surface, std::span<Hit> hits,
         const double along = lacks.dot(thrown) / J;
         hit.impulse *= f * std::max(0.0, 1.0 + 2.0 * m * along / J);
         lacks += (thrown - hit.impulse) / m;
+        hit.moment = (hit.where - x).cross(thrown - hit.impulse);
         hit.energy += before - energy();
     }
     v += lacks;

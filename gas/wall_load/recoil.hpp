@@ -28,7 +28,8 @@ namespace corpuscle::gas {
 ///     J' = f max(0, J·n + 2 m d·n) n,   d' = d + (J - J') / m,   n = J / |J|
 ///
 /// so that walls at rest never make a particle faster; max: a wall that it does not meet does not
-/// pull.
+/// pull. The particle has flown on from each hit at y to x with what it is given at x, so the wall
+/// also gets the moment (y - x) × (J - J').
 class Recoil {
 public:
     /// @param held  by wall point: 1 where supports, motions or bodies carry it
@@ -46,10 +47,11 @@ public:
                                std::span<const double> link) const;
 
     /// Sets right what one particle's hits in one step gave, in their order, and its velocity v
-    /// after them; energy m (v² - v'²) / 2 stays booked to rounding.
+    /// after them; energy m (v² - v'²) / 2 and both momenta stay booked to rounding.
     /// @param sides  of the hits
+    /// @param x      where the particle is after them                                       [m]
     void set_right(const WettedSurface& surface, std::span<Hit> hits, std::span<const Index> sides,
-                   double m, std::span<const double> link, Vec3& v) const;
+                   double m, std::span<const double> link, const Vec3& x, Vec3& v) const;
 
 private:
     [[nodiscard]] double mass_around(const WettedSurface& surface, std::size_t side,

@@ -121,7 +121,7 @@ void WallLoad::set_right(FlightResult& flight, std::span<const double> mass,
             const std::size_t row = first->row();
             if (!first->has_left())
                 recoil_.set_right(*surface_, own, sides.first(own.size()),
-                                  mass[particles.species[row]], smoother_.links(),
+                                  mass[particles.species[row]], smoother_.links(), particles.x[row],
                                   particles.v[row]);
             sides = sides.subspan(own.size());
             first = last;
@@ -154,6 +154,7 @@ void WallLoad::take_in(const WallHits::Met& met, std::span<const double> mass, P
         if (held_[p] == 0) free += hit.at[c];
     }
     tally.owed.add(hit.where, free * hit.impulse);
+    tally.owed.angular += hit.moment;
     tally.held.add(hit.where, (1.0 - free) * hit.impulse);
     tally.taken += hit.energy;
     if (hit.has_left()) return;

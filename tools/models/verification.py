@@ -124,6 +124,29 @@ def strip(n, length, width):
     return mesh
 
 
+def belt(n, radius, length, width):
+    """A strip over the upper half of a rod along y, n quads around, and down `length` on both sides, at x = -radius
+    and x = radius; sets: the end that is pulled, the end that hangs."""
+    mesh = Sheet()
+    edge = pi * radius / n
+    down = round(length / edge)
+
+    def place(i):
+        if i < down:
+            return -radius, -edge * (down - i)
+        if i > down + n:
+            return radius, -edge * (i - down - n)
+        angle = pi * (i - down) / n
+        return -radius * cos(angle), radius * sin(angle)
+
+    rows = [[mesh.at(x, width * l, z) for l in (0, 1)] for x, z in map(place, range(2 * down + n + 1))]
+    for (a, b), (d, c) in zip(rows, rows[1:]):
+        mesh.shell(1, a, d, c, b)
+    mesh.node_sets[1] = ("the end that is pulled", rows[-1])
+    mesh.node_sets[2] = ("the end that hangs", rows[0])
+    return mesh
+
+
 def sphere(level, radius, squeeze=1.0, centre=(0.0, 0.0, 0.0)):
     """An icosahedron whose triangles are cut in four `level` times; normals outward; z times `squeeze`."""
     golden = (1 + sqrt(5)) / 2
@@ -170,6 +193,12 @@ def main():
     for level in (2, 3, 4):
         write("sphere_vessel", level, sphere(level, 0.1),
               f"A sphere of radius 0.1 m, 20 x 4^{level} triangles; lengths in m.")
+    for level in (2, 3):
+        write("spinning_bag", level, sphere(level, 0.1, squeeze=0.7),
+              f"A ball of radius 0.1 m, flattened to 0.7 of it, 20 x 4^{level} triangles; lengths in m.")
+    for n in (16, 32, 64):
+        write("capstan", n, belt(n, 0.05, 0.1, 0.02),
+              f"A strip of 0.02 m over a rod of radius 0.05 m, {n} quads around its half; lengths in m.")
     mesh = patch(4, 0.1)
     write("patch_warp", 4, mesh, "A square of 0.1 m, 4 x 4 irregular quads; lengths in m.")
     lines = ["$ The places of mesh_4.k, where the cloth is without stress.",

@@ -43,6 +43,14 @@ Method method_of(const Card& card) {
         {"sphere_vessel", sphere_vessel},
         {"patch", patch},
         {"shear_wave", shear_wave},
+        {"ball_on_disc", ball_on_disc},
+        {"capstan", capstan},
+        {"cooling", cooling},
+        {"jet_on_plate", jet_on_plate},
+        {"plate_on_gas", plate_on_gas},
+        {"spinning_bag", spinning_bag},
+        {"standing_wave", standing_wave},
+        {"uniform_tank", uniform_tank},
     };
     const auto found = ALL.find(card.method);
     if (found == ALL.end())

@@ -18,6 +18,7 @@ Findings slow_piston(const Runs&);
 Findings closed_membrane(const Runs&);
 Findings two_inflators(const Runs&);
 Findings tank_test(const Runs&);
+Findings cooling(const Runs&);
 /// cases/bodies.cpp
 Findings pendulum(const Runs&);
 Findings sliding_block(const Runs&);
@@ -33,20 +34,29 @@ Findings sliding_sheet(const Runs&);
 Findings rubbing_sheet(const Runs&);
 Findings rebound(const Runs&);
 Findings folded_bag(const Runs&);
+Findings capstan(const Runs&);
 /// cases/flows.cpp
 Findings sod(const Runs&);
 Findings vacuum(const Runs&);
 Findings fast_piston(const Runs&);
 Findings piston_wave(const Runs&);
+/// cases/momenta.cpp
+Findings spinning_bag(const Runs&);
+Findings jet_on_plate(const Runs&);
+/// cases/oscillations.cpp
+Findings plate_on_gas(const Runs&);
+Findings standing_wave(const Runs&);
 /// cases/outflow.cpp
 Findings vented_tank(const Runs&);
 Findings effusion(const Runs&);
 Findings porous_tank(const Runs&);
 Findings vent_by_chamber(const Runs&);
+Findings uniform_tank(const Runs&);
 Findings far_vent(const Runs&);
 
 /// cases/vessels.cpp
 Findings hencky(const Runs&);
+Findings ball_on_disc(const Runs&);
 Findings mylar(const Runs&);
 Findings square_bag(const Runs&);
 Findings tube_vessel(const Runs&);

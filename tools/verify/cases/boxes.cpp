@@ -140,4 +140,24 @@ Findings tank_test(const Runs& runs) {
     });
 }
 
+/// Air of 600 K in a litre whose walls of 300 K take h A (T - 300 K):
+///     T = 300 K + 300 K exp(-h A t / (n cv))
+Findings cooling(const Runs& runs) {
+    constexpr double P = 202650.0, T = 600.0, T_WALL = 300.0, CP = 28.0;
+    constexpr double VOLUME = 1e-3, AREA = 0.06;
+    const double capacity = P * VOLUME / (GAS_CONSTANT * T) * (CP - GAS_CONSTANT);
+    return by_run(runs, [&](const MeasuredRun& run) {
+        const double rate = run.parameter("HCONV") * AREA / capacity;
+        const auto time = run.time(), found = run.read(BAG + "temperature");
+        double worst = 0.0;
+        for (std::size_t i = 0; i < time.size(); ++i) {
+            const double exact = T_WALL + (T - T_WALL) * std::exp(-rate * time[i]);
+            worst = std::max(worst, std::abs(found[i] / exact - 1.0));
+        }
+        const double lost = capacity * (T - T_WALL) * (1.0 - std::exp(-rate * time.back()));
+        return std::map<std::string, double>{
+            {"temperature", worst}, {"heat", run.last(BAG + "part/1/heat_lost") / lost - 1.0}};
+    });
+}
+
 }  // namespace corpuscle::verify

@@ -79,6 +79,35 @@ Findings rebound(const Runs& runs) {
     });
 }
 
+/// A strip slides over half a rod: T2 = T1 exp(mu pi) [Euler]. T = E h w e sqrt(1 + 2 e), e Green's
+/// strain along the strip; a mean over each side's hanging part and over the frames of sliding.
+Findings capstan(const Runs& runs) {
+    constexpr double SLIDES = 20e-3, LOW = -0.06, HIGH = -0.01;  // all of it; heights [m]
+    const double pi = std::acos(-1.0);
+    return by_run(runs, [&](const MeasuredRun& run) {
+        const auto nodes = run.read("/mesh/shell_nodes"), frames = run.read("/frames/time");
+        double pull[2] = {0.0, 0.0}, count[2] = {0.0, 0.0};  // at x < 0, x > 0
+        for (std::size_t f = 0; f < frames.size(); ++f) {
+            if (frames[f] < SLIDES) continue;
+            const auto x = run.vectors(run.frames()[f] + "coordinates"),
+                       strain = run.vectors(run.frames()[f] + "shell_strain");
+            for (std::size_t s = 0; s < strain.size(); ++s) {
+                Vec3 middle = Vec3::Zero();
+                for (std::size_t k = 4 * s; k < 4 * s + 4; ++k)
+                    middle += 0.25 * x[static_cast<std::size_t>(nodes[k])];
+                if (middle.z() < LOW || middle.z() > HIGH) continue;
+                const int side = middle.x() > 0.0 ? 1 : 0;
+                const double e = strain[s].x();
+                pull[side] += e * std::sqrt(1.0 + 2.0 * e);
+                count[side] += 1.0;
+            }
+        }
+        const double ratio = pull[1] / count[1] / (pull[0] / count[0]);
+        return std::map<std::string, double>{
+            {"tension", ratio / std::exp(run.parameter("MU") * pi) - 1.0}};
+    });
+}
+
 /// Layers do not cross in any frame, each particle is in the bag or has left it, and what nobody
 /// accounts for is little of what came in.
 Findings folded_bag(const Runs& runs) {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "tools/verify/case_list.hpp"
+#include "tools/verify/exact/ball_on_disc.hpp"
 #include "tools/verify/exact/membranes.hpp"
 
 namespace corpuscle::verify {
@@ -48,6 +49,23 @@ Findings hencky(const Runs& runs) {
     const double exact = oracle::HenckyDisc(RADIUS, 1e-3, 1e8, 0.3, 1e4).rise();
     return by_run(runs, [&](const MeasuredRun& run) {
         return std::map<std::string, double>{{"rise", height_of_middle(run) / exact - 1.0}};
+    });
+}
+
+/// A ball of 0.04 m, 0.02 m deep in the middle of Hencky's disc: a quarter of its force is felt.
+Findings ball_on_disc(const Runs& runs) {
+    const double exact = oracle::BallOnDisc(RADIUS, 1e-3, 1e8, 0.3, 0.04).force(0.02);
+    constexpr double RESTS = 0.03;  // the sheet
+    return by_run(runs, [&](const MeasuredRun& run) {
+        const auto time = run.time();
+        const auto force = run.vectors("/history/rigidwall/1/force");
+        double sum = 0.0, count = 0.0;
+        for (std::size_t i = 0; i < time.size(); ++i) {
+            if (time[i] < RESTS) continue;
+            sum += 4.0 * std::abs(force[i].z());
+            count += 1.0;
+        }
+        return std::map<std::string, double>{{"force", sum / count / exact - 1.0}};
     });
 }
 

@@ -26,6 +26,9 @@ struct Struck {
         std::make_shared<WettedSurface>(shape.triangles, shape.triangles.size(), shape.x);
     Particles particles;
     FlightResult flight;
+    Vec3 normal;
+    Wrench owed;                ///< to the wall, after the hits
+    Vec3 flown = Vec3::Zero();  ///< way of the particle from its last hit to the step's end
 
     /// A particle of mass m at velocity v is mirrored by facet 0, whose nodes are `held` or not; more
     /// `times` in the same step by walls that turn it round in between, and it holds `internal`.
@@ -37,8 +40,9 @@ struct Struck {
         load.release(1e-6, shape.x, rest, node_mass, f);
         const auto& [a, b, c] = shape.triangles[0];
         const Vec3 n = vector_area(shape.x[a], shape.x[b], shape.x[c]).normalized();
+        normal = n;
         const Vec3 mirrored = v - 2.0 * v.dot(n) * n;
-        particles.add(shape.x[a], times % 2 == 1 ? mirrored : v, internal, 0, 0);
+        particles.add(shape.x[a] + flown, times % 2 == 1 ? mirrored : v, internal, 0, 0);
         flight.hits.resize(1);
         for (int k = 0; k < times; ++k)
             flight.hits[0].push_back({0,
@@ -49,6 +53,7 @@ struct Struck {
                                       shape.x[a]});
         load.find_sides(flight, shape.x, shape.x);
         load.receive(flight, mass, particles);
+        owed = load.owed();
     }
 };
 
@@ -113,4 +118,24 @@ TEST_CASE("cloth takes a debt back where it takes the motion that was to pay for
 
     wall.hit(NODE, v, true, 1, -0.5 * motion);  // it takes no motion, and so no debt
     CHECK(wall.particles.e[0] == -0.5 * motion);
+}
+
+TEST_CASE("recoil keeps linear and angular momentum", "[gas]") {
+    const Vec3 v(300.0, -200.0, -400.0), flown(2e-3, 1e-3, -3e-3);
+    for (const int times : {1, 2, 3})
+        for (const double m : {0.1 * NODE, NODE, 30.0 * NODE}) {
+            CAPTURE(times, m);
+            Struck cloth;
+            cloth.flown = flown;
+            cloth.hit(m, v, false, times);
+            const Vec3 hit = cloth.flight.hits[0][0].where, v_after = cloth.particles.v[0];
+            const Vec3 given = m * (v - v_after);
+            const Vec3 turned = m * (hit.cross(v) - (hit + flown).cross(v_after));
+            // it has flown on as a wall of infinite mass has thrown it
+            const Vec3 thrown =
+                times % 2 == 1 ? Vec3(v - 2.0 * v.dot(cloth.normal) * cloth.normal) : v;
+            const Vec3 flight = m * flown.cross(thrown);
+            CHECK((cloth.owed.linear - given).norm() < 1e-12 * m * v.norm());
+            CHECK((cloth.owed.angular - turned - flight).norm() < 1e-12 * m * v.norm());
+        }
 }

@@ -1,0 +1,106 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// Momentum: a free bag that flies and spins, a jet that strikes a plate.
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "solver/base/constants.hpp"
+#include "tools/verify/case_list.hpp"
+
+namespace corpuscle::verify {
+namespace {
+
+/// Linear, and angular about the origin.
+struct Momentum {
+    Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
+
+    void add(double mass, const Vec3& x, const Vec3& v) {
+        linear += mass * v;
+        angular += mass * x.cross(v);
+    }
+    [[nodiscard]] Momentum change_from(const Momentum& start) const {
+        return {linear - start.linear, angular - start.angular};
+    }
+};
+
+/// Masses of the nodes of a bag of triangles: a third of each.                            [kg]
+std::vector<double> node_masses(const MeasuredRun& run, double mass_by_area) {
+    const auto x = run.vectors("/mesh/coordinates");
+    const auto nodes = run.read("/mesh/shell_nodes");
+    std::vector<double> mass(x.size(), 0.0);
+    for (std::size_t s = 0; s + 3 < nodes.size(); s += 4) {
+        const auto at = [&](std::size_t k) { return static_cast<std::size_t>(nodes[s + k]); };
+        const Vec3 normal = (x[at(1)] - x[at(0)]).cross(x[at(2)] - x[at(0)]);
+        for (const std::size_t k : {0u, 1u, 2u})
+            mass[at(k)] += mass_by_area * 0.5 * normal.norm() / 3.0;
+    }
+    return mass;
+}
+
+Momentum momentum_of_gas(const MeasuredRun& run, const std::string& frame) {
+    const auto x = run.vectors(frame + "particles/position"),
+               v = run.vectors(frame + "particles/velocity");
+    const auto mass = run.read(frame + "particles/mass");
+    Momentum gas;
+    for (std::size_t i = 0; i < mass.size(); ++i) gas.add(mass[i], x[i], v[i]);
+    return gas;
+}
+
+/// Impulse of the gas on a part of `area` from the inside.                              [N s]
+double impulse_on(const MeasuredRun& run, int part, double area) {
+    const auto time = run.time(),
+               p = run.read("/history/airbag/1/part/" + std::to_string(part) + "/pressure");
+    double sum = 0.0;
+    for (std::size_t i = 1; i < time.size(); ++i) sum += p[i] * area * (time[i] - time[i - 1]);
+    return sum;
+}
+
+}  // namespace
+
+/// A bag spins about an axis that it is not round about: cloth, gas and what the gas has given up
+/// and the cloth has not yet got keep both momenta. A row of the history is a frame.
+Findings spinning_bag(const Runs& runs) {
+    constexpr double MASS_BY_AREA = 750.0 * 0.3e-3;
+    return by_run(runs, [&](const MeasuredRun& run) {
+        const std::vector<double> mass = node_masses(run, MASS_BY_AREA);
+        const auto owed = run.vectors("/history/airbag/1/owed_momentum"),
+                   owed_angular = run.vectors("/history/airbag/1/owed_angular_momentum"),
+                   cloth = run.vectors("/history/part/1/momentum");
+        const auto frames = run.frames();
+        Momentum start;
+        double linear = 0.0, angular = 0.0;
+        for (std::size_t f = 0; f < frames.size(); ++f) {
+            const auto x = run.vectors(frames[f] + "coordinates"),
+                       v = run.vectors(frames[f] + "velocity");
+            Momentum all = momentum_of_gas(run, frames[f]);
+            for (std::size_t n = 0; n < mass.size(); ++n) all.angular += mass[n] * x[n].cross(v[n]);
+            all.linear += cloth.at(f) + owed.at(f);
+            all.angular += owed_angular.at(f);
+            if (f == 0) start = all;
+            const Momentum change = all.change_from(start);
+            linear = std::max(linear, change.linear.norm() / start.linear.norm());
+            angular = std::max(angular, change.angular.norm() / start.angular.norm());
+        }
+        return std::map<std::string, double>{{"linear", linear}, {"angular", angular}};
+    });
+}
+
+/// 5 g of air fly along a closed duct that was empty, in a cone of 30 degrees:
+///     J_end - J_inlet = m sqrt(3 R T / M) (1 + cos 30°) / 2 - (momentum of the gas)
+Findings jet_on_plate(const Runs& runs) {
+    constexpr double MASS = 5e-3, T = 300.0, M = 0.028, AREA = 0.01;
+    const double pi = std::acos(-1.0);
+    const double jet =
+        MASS * std::sqrt(3.0 * GAS_CONSTANT * T / M) * 0.5 * (1.0 + std::cos(pi / 6.0));
+    return by_run(runs, [&](const MeasuredRun& run) {
+        const double gas = momentum_of_gas(run, run.frames().back()).linear.x();
+        const double impulse = impulse_on(run, 3, AREA) - impulse_on(run, 2, AREA);
+        return std::map<std::string, double>{{"impulse", (impulse + gas) / jet - 1.0}};
+    });
+}
+
+}  // namespace corpuscle::verify
