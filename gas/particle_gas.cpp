@@ -188,12 +188,12 @@ void ParticleGas::let_in(const Entry& entry, double t, double dt, const Points& 
                            bag_.name(), entry.inflow + 1, entry.orifice + 1, v.norm(),
                            entry.internal));
     born_.push_back(share);
-    // The first takes along what jets took beyond the work of their push.
-    const double paid = &entry == entries_.data() ? bag_.load.pay_jets() : 0.0;
-    particles_.add(from + share * (to - from), v, entry.internal + paid, entry.inflow, entry.id);
+    const double motion = 0.5 * mass * v.squaredNorm();
+    const double internal = entry.internal + bag_.load.pay_jets(entry.internal, motion);
+    particles_.add(from + share * (to - from), v, internal, entry.inflow, entry.id);
     if (bag_.surface->rooms() > 1)
         particles_.room.push_back(static_cast<std::int16_t>(bag_.orifice_room[orifice]));
-    bag_.balance.inflow_energy += 0.5 * mass * v.squaredNorm() + entry.internal;
+    bag_.balance.inflow_energy += motion + entry.internal;
     bag_.push_back(orifice, from, mass * entry.velocity, (to - from) / dt);
     bag_.balance.mass_in += mass;
 }

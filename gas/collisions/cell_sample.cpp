@@ -50,10 +50,15 @@ void CellSample::gather(std::span<const Index> rows, const Mixture& mixture,
         e[i] = m_[i] = 0.0;
     }
     internal_at_ = {};
-    if (is_mixed_)
-        for (const std::int32_t s : species_) internal_at_ += mixture.particle_internal(s);
-    else
+    if (is_mixed_) {
+        kinds_.assign(mixture.species().size(), {});
+        for (const std::int32_t s : species_) {
+            internal_at_ += mixture.particle_internal(s);
+            kinds_[s].count += 1.0;
+        }
+    } else {
         internal_at_ = static_cast<double>(n_) * mixture.particle_internal(first);
+    }
 
     mass = std::accumulate(m_.begin(), m_.begin() + static_cast<std::ptrdiff_t>(n_), 0.0);
     // Twice: what rounding left in the first mean would weigh in a jet much faster than it is hot.
@@ -124,32 +129,47 @@ Mat3 CellSample::moment(const Columns& a, const Columns& b) const {
     return out;
 }
 
-double CellSample::set_internal(double T, const Mixture& mixture, double memory) {
-    if (!is_mixed_) {
-        const auto n = static_cast<double>(n_);
-        const double each = internal_at_(T) / n - memory * internal() / n;
-        for (std::size_t i = 0; i < n_; ++i) e[i] = each + memory * e[i];
-        return internal();
+double CellSample::can_give(double T, const Mixture& mixture) const {
+    if (!is_mixed_) return internal_at_(T);
+    double fall = INF;  // of temperature
+    for (std::size_t s = 0; s < kinds_.size(); ++s) {
+        if (kinds_[s].count == 0.0) continue;
+        const EnergyPolynomial& internal = mixture.particle_internal(static_cast<std::int32_t>(s));
+        if (internal.slope(T) > 0.0) fall = std::min(fall, internal(T) / internal.slope(T));
     }
-    mean_internal_.assign(mixture.species().size(), 0.0);
-    count_.assign(mixture.species().size(), 0.0);
-    for (std::size_t i = 0; i < n_; ++i) {
-        mean_internal_[species_[i]] += e[i];
-        count_[species_[i]] += 1.0;
-    }
-    for (std::size_t s = 0; s < count_.size(); ++s)
-        if (count_[s] > 0.0) mean_internal_[s] /= count_[s];
-    for (std::size_t i = 0; i < n_; ++i) {
-        const std::int32_t s = species_[i];
-        e[i] = mixture.particle_internal(s)(T) + memory * (e[i] - mean_internal_[s]);
-    }
-    return internal();
+    return std::min(internal_at_(T), fall * internal_at_.slope(T));
 }
 
-void CellSample::warm_internal(double energy, double T, const Mixture& mixture) {
-    const double rise = energy / internal_at_.slope(T);
-    for (std::size_t i = 0; i < n_; ++i)
-        e[i] += rise * mixture.particle_internal(species_[i]).slope(T);
+void CellSample::set_internal(double T, double more, double memory, const Mixture& mixture) {
+    const double rise = more == 0.0 ? 0.0 : more / internal_at_.slope(T);
+    const auto mean_of = [&](std::int32_t s) {
+        const EnergyPolynomial& internal = mixture.particle_internal(s);
+        return internal(T) + rise * internal.slope(T);
+    };
+    if (!is_mixed_) {
+        const auto end = e.begin() + static_cast<std::ptrdiff_t>(n_);
+        const double least = *std::min_element(e.begin(), end);
+        const auto [lowest, kept] = Deviation<double>::of(
+            mean_of(species_[0]), internal() / static_cast<double>(n_), least, memory);
+        for (std::size_t i = 0; i < n_; ++i) e[i] = lowest + kept * (e[i] - least);
+        return;
+    }
+    for (Kind& kind : kinds_) kind.internal = 0.0, kind.least = INF;
+    for (std::size_t i = 0; i < n_; ++i) {
+        Kind& kind = kinds_[species_[i]];
+        kind.internal += e[i];
+        kind.least = std::min(kind.least, e[i]);
+    }
+    for (std::size_t s = 0; s < kinds_.size(); ++s) {
+        Kind& kind = kinds_[s];
+        if (kind.count > 0.0)
+            kind.deviation = Deviation<double>::of(mean_of(static_cast<std::int32_t>(s)),
+                                                   kind.internal / kind.count, kind.least, memory);
+    }
+    for (std::size_t i = 0; i < n_; ++i) {
+        const Kind& kind = kinds_[species_[i]];
+        e[i] = kind.deviation.lowest + kind.deviation.kept * (e[i] - kind.least);
+    }
 }
 
 void CellSample::scale(double factor) {

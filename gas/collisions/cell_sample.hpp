@@ -6,8 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "gas/collisions/deviation.hpp"
 #include "gas/particles.hpp"
 #include "gas/thermo/species.hpp"
+#include "solver/base/constants.hpp"
 #include "solver/base/random.hpp"
 
 namespace corpuscle::gas {
@@ -55,12 +57,14 @@ public:
 
     /// Internal energy at equilibrium, as it grows with temperature.
     [[nodiscard]] const EnergyPolynomial& internal_at() const { return internal_at_; }
-    /// Sets the sum of e to its equilibrium at T, and returns it. Each e comes closer to its own:
-    ///     e_i' = e(T) + memory (e_i - mean e),   e(T) and mean e: of its kind of gas       [J]
-    double set_internal(double T, const Mixture& mixture, double memory = 0.0);
-
-    /// Adds to e as a rise of temperature from T does, by heat capacities.                  [J]
-    void warm_internal(double energy, double T, const Mixture& mixture);
+    /// What it can give when its temperature falls from T and its kinds of gas give by their heat
+    /// capacities at T: until the first of them holds nothing.                              [J]
+    [[nodiscard]] double can_give(double T, const Mixture& mixture) const;
+    /// Sets the sum of e to its equilibrium at T and `more`, by heat capacities. Each e comes closer
+    /// to its kind's mean, and none falls below zero (deviation.hpp).
+    /// @param more    at least -can_give()                                                 [J]
+    /// @param memory  share of deviations that is kept at most                              [-]
+    void set_internal(double T, double more, double memory, const Mixture& mixture);
 
     void scale(double factor);         ///< c *= factor
     void add_internal(double energy);  ///< e += energy m / mass
@@ -105,7 +109,11 @@ private:
     EnergyPolynomial internal_at_;
     std::vector<Index> shuffled_;
     std::vector<std::uint8_t> is_paired_;
-    std::vector<double> mean_internal_, count_;  ///< by kind                             [J], [-]
+    struct Kind {
+        double count = 0.0, internal = 0.0, least = INF;  ///< [-]; of e: sum, least [J]
+        Deviation<double> deviation{};
+    };
+    std::vector<Kind> kinds_;  ///< of a mixture
 };
 
 }  // namespace corpuscle::gas

@@ -67,11 +67,12 @@ void collide_candidates(const CollisionStep& step, CellSample& sample, Random& d
 
 CollisionReport collide_ntc(const CollisionStep& step, Particles& particles) {
     return for_each_group(step, particles, [&](CellSample& sample, Random& draw, auto rows) {
-        if (sample.size() > 1 && !is_rigid(sample, sample.translational())) {
+        const bool is_relaxed = relax(step.mixture, sample, draw);
+        if (is_relaxed && sample.size() > 1 && !is_rigid(sample, sample.translational())) {
             sample.gather_places(rows, particles);
             collide_candidates(step, sample, draw);
         }
-        return relax(step.mixture, sample, draw);
+        return is_relaxed;
     });
 }
 

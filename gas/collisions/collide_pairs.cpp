@@ -11,8 +11,9 @@ namespace corpuscle::gas {
 /// give a mean free path of about a cell h.
 CollisionReport collide_pairs(const CollisionStep& step, Particles& particles) {
     return for_each_group(step, particles, [&](CellSample& sample, Random& draw, auto) {
-        sample.collide_pairs(draw);
-        return relax(step.mixture, sample, draw);
+        const bool is_relaxed = relax(step.mixture, sample, draw);
+        if (is_relaxed) sample.collide_pairs(draw);
+        return is_relaxed;
     });
 }
 

@@ -64,9 +64,12 @@ void bounce_all(double dt, double d, CellSample& sample) {
 CollisionReport collide_spheres(const CollisionStep& step, Particles& particles) {
     const double diameter = std::sqrt(step.cross_section / std::numbers::pi);
     return for_each_group(step, particles, [&](CellSample& sample, Random& draw, auto rows) {
-        sample.gather_places(rows, particles);
-        bounce_all(step.dt, diameter, sample);
-        return relax(step.mixture, sample, draw);
+        const bool is_relaxed = relax(step.mixture, sample, draw);
+        if (is_relaxed) {
+            sample.gather_places(rows, particles);
+            bounce_all(step.dt, diameter, sample);
+        }
+        return is_relaxed;
     });
 }
 

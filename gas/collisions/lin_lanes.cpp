@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "gas/collisions/lin_lanes.hpp"
 
+#include <algorithm>
+
+#include "gas/collisions/deviation.hpp"
 #include "gas/collisions/lin.hpp"
 #include "gas/collisions/relax.hpp"
 
@@ -25,7 +28,7 @@ bool LinLanes::add(std::span<const Index> rows, std::uint64_t group, const Heat&
     const std::int32_t species = mixture_.kind(particles.species[rows[0]]);
     const Vec3 x_0 = particles.x[rows[0]], v_0 = particles.v[rows[0]];
     std::array<Four, 3> xx{}, vx{}, vv{};
-    double e = 0.0;
+    double e = 0.0, least = particles.e[rows[0]];
     bool is_mixed = false;
     for (const Index row : rows) {
         is_mixed |= mixture_.kind(particles.species[row]) != species;
@@ -36,6 +39,7 @@ bool LinLanes::add(std::span<const Index> rows, std::uint64_t group, const Heat&
             vv[k] += v[k] * v;
         }
         e += particles.e[row];
+        least = std::min(least, particles.e[row]);
     }
     if (is_mixed) return false;
 
@@ -54,6 +58,7 @@ bool LinLanes::add(std::span<const Index> rows, std::uint64_t group, const Heat&
     group_[l] = group;
     species_[l] = species;
     e_[l] = e;
+    least_[l] = least;
     n_[l] = static_cast<double>(rows.size());
     m_[l] = mixture_.particle_mass(species);
     factor_[l] = heat.factor;
@@ -67,7 +72,7 @@ bool LinLanes::add(std::span<const Index> rows, std::uint64_t group, const Heat&
 
 /// Thermal energy shared out, as gas::share() does it.
 struct LinLanes::Energy {
-    Four each, kept, translational;
+    Four lowest, kept, translational;
     FourBits is_good;
 };
 
@@ -85,8 +90,7 @@ LinLanes::Energy LinLanes::share(const Four& motion, const Four& thermal) const 
         slope[l] = internal.slope(T[l]);
         curvature[l] = internal.curvature(T[l]);
     }
-    Four each = inside - MEMORY * before / n, kept = all_four(MEMORY);
-    const Four internal = each * n + kept * before, left = energy - internal;
+    const Four internal = inside * n, left = energy - internal;
 
     const Four half_heat = all_four(mixture_.half_heat());
     const Four C_t = freedom * half_heat, C_i = n * slope;
@@ -97,9 +101,10 @@ LinLanes::Energy LinLanes::share(const Four& motion, const Four& thermal) const 
     const Four most = MOST_NOISE * least, wanted = spread * load_four(share_.data()) - less;
     Four more = wanted > most ? most : wanted < -most ? -most : wanted;
     more = ((C_i > 0.0) & (least > 0.0)) ? more : all_four(0.0);
-    each += more / n;
+    const auto [lowest, kept] =
+        Deviation<Four>::of(inside + more / n, before / n, load_four(least_.data()), MEMORY);
     const Four translational = left - more;
-    return {each, kept, translational, (T > 0.0) & (translational > 0.0)};
+    return {lowest, kept, translational, (T > 0.0) & (translational > 0.0)};
 }
 
 Four LinLanes::temperature(const Four& energy, const Four& freedom) const {
@@ -184,7 +189,7 @@ LinLanes::Maps LinLanes::find_maps() const {
     Maps maps;
     maps.is_good = is_solid & energy.is_good & (thermal > RIGID * 0.5 * m * n * U2);
     maps.thermal = motion + load_four(e_.data());
-    maps.each = energy.each;
+    maps.lowest = energy.lowest;
     maps.kept = energy.kept;
 
     const auto [L, is_gas] = lower_factor(P, lin::FLATTEST * trace(P));
@@ -219,7 +224,7 @@ void LinLanes::apply(std::size_t lane, const Maps& maps, Particles& particles) c
     const Vec3 x_0 = particles.x[first], v_0 = particles.v[first];
     const Four b =
         Four{v_0[0], v_0[1], v_0[2], 0.0} + Four{maps.b[0][l], maps.b[1][l], maps.b[2][l], 0.0};
-    const double each = maps.each[l], kept = maps.kept[l];
+    const double lowest = maps.lowest[l], kept = maps.kept[l], least = least_[lane];
     for (const Index row : rows_[lane]) {
         const Vec3 x = particles.x[row] - x_0;
         Vec3& v = particles.v[row];
@@ -227,7 +232,7 @@ void LinLanes::apply(std::size_t lane, const Maps& maps, Particles& particles) c
         const Four mapped = b + (A[0] * c[0] + A[1] * c[1] + A[2] * c[2]) +
                             (H[0] * x[0] + H[1] * x[1] + H[2] * x[2]);
         v = Vec3(mapped[0], mapped[1], mapped[2]);
-        particles.e[row] = each + kept * particles.e[row];
+        particles.e[row] = lowest + kept * (particles.e[row] - least);
     }
 }
 

@@ -17,7 +17,7 @@ namespace corpuscle::gas {
 /// oracle, but found from the groups' sums alone. Two passes over a group's particles, one that
 /// adds up and one that maps; the matrices of four groups side by side (lanes.hpp).
 ///
-///     v' = b + A v + H x,   e' = each + kept e
+///     v' = b + A v + H x,   e' = lowest + kept (e - least)
 class LinLanes {
 public:
     static constexpr std::size_t FEWEST = 9;  ///< particles of a group that LinLanes can collide
@@ -54,7 +54,7 @@ private:
     struct Maps {
         Four33 A, H;
         std::array<Four, 3> b;
-        Four each, kept, thermal;
+        Four lowest, kept, thermal;
         FourBits is_good;
     };
     struct Energy;
@@ -76,6 +76,7 @@ private:
     alignas(32) std::array<std::array<ByLane, 3>, 3> xx_{}, vx_{}, vv_{};
     alignas(32) std::array<ByLane, 3> x_{}, v_{}, first_v_{};
     alignas(32) ByLane e_{}, n_{}, m_{}, factor_{}, added_{};
+    alignas(32) ByLane least_{};  ///< e of a particle                                      [J]
     // Chance.
     alignas(32) ByLane share_{};                  ///< of the internal energy, nearly normal
     alignas(32) ByLane axis_{};                   ///< 0, 1, 2: which comes first

@@ -43,18 +43,20 @@ std::optional<double> share(double energy, double freedom, const Mixture& mixtur
     const EnergyPolynomial& internal_at = sample.internal_at();
     const double T = equilibrium_temperature(energy, freedom, mixture.half_heat(), internal_at);
     if (!(T > 0.0)) return std::nullopt;
-    const double internal = sample.set_internal(T, mixture, MEMORY);
 
     const double C_t = freedom * mixture.half_heat(), C_i = internal_at.slope(T);
-    const double least = std::min(internal, energy - internal);
-    if (!(C_i > 0.0 && least > 0.0)) return energy - internal;  // a monatomic gas
+    const double least = std::min(sample.can_give(T, mixture), energy - internal_at(T));
+    if (!(C_i > 0.0 && least > 0.0)) {  // a monatomic gas
+        sample.set_internal(T, 0.0, MEMORY, mixture);
+        return energy - sample.internal();
+    }
     const double spread = T * std::sqrt(2.0 * mixture.half_heat() * C_t * C_i / (C_t + C_i));
     const double scatter = T / (C_t + C_i);  // squared: var(T) / (k C_t)
     const double less =
         SCATTER * mixture.half_heat() * C_t * internal_at.curvature(T) * scatter * scatter;
     // In groups of two or three the tails are cut, evenly, so that no part is used up.
     const double more = std::clamp(spread * chance - less, -MOST_NOISE * least, MOST_NOISE * least);
-    sample.warm_internal(more, T, mixture);
+    sample.set_internal(T, more, MEMORY, mixture);
     return energy - sample.internal();
 }
 

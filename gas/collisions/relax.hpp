@@ -21,9 +21,9 @@ double thermal_energy(const Lists& groups, const Mixture& mixture, const Particl
 double equilibrium_temperature(double energy, double freedom, double half_heat,
                                const EnergyPolynomial& internal);
 
-/// What a particle keeps of its e's deviation from the mean in a group of one kind of gas. At 0 every
-/// collision step would conduct heat across the whole cell and smear contacts (Sod's tube at 10^5
-/// particles: L1 of density .0118, here .0105).
+/// What a particle keeps of its e's deviation from the mean of its kind in the group, if that
+/// leaves no e below zero. At 0 every collision step would conduct heat across the whole cell and
+/// smear contacts (Sod's tube at 10^5 particles: L1 of density .0118, here .0105).
 inline constexpr double MEMORY = 0.95;
 inline constexpr double MOST_NOISE =
     0.8;  ///< share of the smaller part that fluctuation may take away

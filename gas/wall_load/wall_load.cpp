@@ -26,6 +26,18 @@ constexpr double MOST_DEBT = 0.1;
 constexpr std::size_t LISTS_A_CHUNK = 8;
 constexpr std::size_t FEW_HITS = 128;  ///< that one thread is done with sooner
 
+/// What a particle can bear to have less of, its debt included: below zero where motion that was
+/// to pay for it is gone.                                                                    [J]
+double bearable(double internal, double motion) {
+    return internal + MOST_DEBT * motion;
+}
+
+/// What a particle pays of `due`, or is paid where that is above zero.                        [J]
+double paid_of(double due, double internal, double motion) {
+    const double most = MOST_PAID * std::max(0.0, motion + internal);
+    return std::clamp(due, -std::min(most, std::max(0.0, bearable(internal, motion))), most);
+}
+
 /// By wall point: is its node held?
 std::vector<std::uint8_t> held_at(const WettedSurface& surface,
                                   std::span<const std::uint8_t> held) {
@@ -160,10 +172,9 @@ void WallLoad::take_in(const WallHits::Met& met, std::span<const double> mass, P
     if (hit.has_left()) return;
     double& internal = particles.e[row];
     const double motion = 0.5 * m * particles.v[row].squaredNorm();
-    const double most = MOST_PAID * std::max(0.0, motion + internal),
-                 bearable = internal + MOST_DEBT * motion;
-    const double paid = std::clamp(due, -std::min(most, std::max(0.0, bearable)), most),
-                 back = std::clamp(-bearable - paid, 0.0, std::max(0.0, hit.energy));
+    const double paid = paid_of(due, internal, motion),
+                 back =
+                     std::clamp(-bearable(internal, motion) - paid, 0.0, std::max(0.0, hit.energy));
     if (paid == 0.0 && back == 0.0) return;
     internal += paid + back;
     tally.taken -= paid + back;
@@ -190,6 +201,13 @@ void WallLoad::owe_jet(Index node, const Vec3& at, const Vec3& impulse, double e
     jets_.wrench.add(at, impulse);
     jets_.account += energy;
     taken_ += energy;
+}
+
+double WallLoad::pay_jets(double internal, double motion) {
+    const double paid = paid_of(jets_.account, internal, motion);
+    jets_.account -= paid;
+    taken_ -= paid;
+    return paid;
 }
 
 double WallLoad::pay_jets() {

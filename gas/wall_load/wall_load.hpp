@@ -104,7 +104,10 @@ public:
     void receive(FlightResult& flight, std::span<const double> mass, Particles& particles);
     /// Takes in a jet's push on a node, and the energy that goes with it.
     void owe_jet(Index node, const Vec3& at, const Vec3& impulse, double energy);
-    /// Energy that jets took beyond the work of their push: for the gas that enters.     [J]
+    /// Energy that jets took beyond the work of their push: what a particle that enters gets of
+    /// it, or pays, as one that hits does.                                                 [J]
+    [[nodiscard]] double pay_jets(double internal, double motion);
+    /// All of it.                                                                          [J]
     [[nodiscard]] double pay_jets();
 
     /// As if a gas had long been there: its pressure, and the mass that hits per area and time.
