@@ -56,45 +56,43 @@ void ParticleGas::check_collided(double thermal) const {
 /// A group's mean motion is no heat, so N particles in G groups hold 3/2 (N - G) R T of
 /// translation.
 void ParticleGas::exchange_heat_with_air(std::vector<Heat>& heat, std::vector<double>& after) {
-    const std::size_t rooms = bag_.air.size(), kinds = bag_.particle_mass.size();
-    std::vector<double> thermal(rooms, 0.0), groups(rooms, 0.0);
-    collider_.thermal_energy(particles_, thermal, groups);
-    const std::vector<Holding> holds = holdings();
-    heat.assign(rooms, {});
-    after.assign(rooms, 0.0);
-    for (std::size_t k = 0; k < rooms * kinds; ++k) after[k / kinds] += holds[k].all();
+    const std::size_t kinds = bag_.particle_mass.size();
+    const std::vector<RoomGroups> rooms =
+        collider_.groups_of_rooms(bag_.air.size(), kinds, particles_);
+    heat.assign(rooms.size(), {});
+    after.assign(rooms.size(), 0.0);
     const double moles = bag_.inflators.moles_each();
-    for (std::size_t r = 0; r < rooms; ++r) {
-        if (!(thermal[r] > 0.0)) continue;
+    for (std::size_t r = 0; r < rooms.size(); ++r) {
+        const double thermal = rooms[r].energies.thermal;
+        after[r] = thermal + rooms[r].energies.mean_motion;
+        if (!(thermal > 0.0)) continue;
         EnergyPolynomial content = bag_.air[r].content();
         double count = 0.0, mass = 0.0;
         for (std::size_t s = 0; s < kinds; ++s) {
-            content +=
-                holds[r * kinds + s].count * moles * bag_.inflators.species()[s].molar_internal();
-            count += holds[r * kinds + s].count;
-            mass += holds[r * kinds + s].count * bag_.particle_mass[s];
+            content += rooms[r].count[s] * moles * bag_.inflators.species()[s].molar_internal();
+            count += rooms[r].count[s];
+            mass += rooms[r].count[s] * bag_.particle_mass[s];
         }
-        content.a += 1.5 * bag_.card.gas_constant * moles * (count - groups[r]);
+        content.a += 1.5 * bag_.card.gas_constant * moles * (count - rooms[r].groups);
         const double T =
-            content.temperature(bag_.air[r].energy() + thermal[r], bag_.air[r].temperature());
+            content.temperature(bag_.air[r].energy() + thermal, bag_.air[r].temperature());
         const double wanted = bag_.air[r].energy() - bag_.air[r].content()(T);
         const double given =
-            std::clamp(wanted, -MOST_EXCHANGED * thermal[r], MOST_EXCHANGED * thermal[r]);
-        heat[r] = given > 0.0 ? Heat{1.0, given / mass} : Heat{1.0 + given / thermal[r], 0.0};
+            std::clamp(wanted, -MOST_EXCHANGED * thermal, MOST_EXCHANGED * thermal);
+        heat[r] = given > 0.0 ? Heat{1.0, given / mass} : Heat{1.0 + given / thermal, 0.0};
         bag_.air[r].add(-given);
         after[r] += given;
     }
 }
 
 /// The air gives back what groups had not to give.
-/// @param expected  energy of each room's particles, had they given it                    [J]
+/// @param expected  energy of each room's groups, had they given it                       [J]
 void ParticleGas::return_heat_to_air(std::span<const double> expected) {
-    const std::vector<Holding> holds = holdings();
-    const std::size_t kinds = bag_.particle_mass.size();
-    for (std::size_t r = 0; r < bag_.air.size(); ++r) {
-        double there = 0.0;
-        for (std::size_t s = 0; s < kinds; ++s) there += holds[r * kinds + s].all();
-        bag_.air[r].add(expected[r] - there);
+    const std::vector<RoomGroups> rooms =
+        collider_.groups_of_rooms(bag_.air.size(), bag_.particle_mass.size(), particles_);
+    for (std::size_t r = 0; r < rooms.size(); ++r) {
+        const GroupEnergies& there = rooms[r].energies;
+        bag_.air[r].add(expected[r] - there.thermal - there.mean_motion);
     }
 }
 

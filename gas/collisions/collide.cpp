@@ -29,30 +29,31 @@ double Collider::thermal_energy(const Particles& particles) const {
     return gas::thermal_energy(groups_.lists(), mixture_, particles);
 }
 
-void Collider::thermal_energy(const Particles& particles, std::span<double> energy,
-                              std::span<double> groups) const {
+std::vector<RoomGroups> Collider::groups_of_rooms(std::size_t rooms, std::size_t kinds,
+                                                  const Particles& particles) const {
     const Lists lists = groups_.lists();
-    for (std::size_t r = 0; r < energy.size(); ++r) {
-        struct Sum {
-            double energy = 0.0, groups = 0.0;
-            Sum& operator+=(const Sum& o) {
-                energy += o.energy;
-                groups += o.groups;
-                return *this;
-            }
-        };
+    const auto room_of = [&](std::span<const Index> rows) {
+        return particles.room_of(static_cast<std::size_t>(rows[0]));
+    };
+    std::vector<RoomGroups> out(rooms);
+    for (std::size_t r = 0; r < rooms; ++r) {
         constexpr std::size_t GROUPS_A_CHUNK = 16;
-        const Sum sum = parallel::sum(
-            lists.size(), Sum{},
+        out[r].energies = parallel::sum(
+            lists.size(), GroupEnergies{},
             [&](std::size_t g) {
-                const auto rows = lists[g];
-                if (particles.room_of(static_cast<std::size_t>(rows[0])) != r) return Sum{};
-                return Sum{gas::thermal_energy(rows, mixture_, particles), 1.0};
+                return room_of(lists[g]) == r ? energies_of(lists[g], mixture_, particles)
+                                              : GroupEnergies{};
             },
             GROUPS_A_CHUNK);
-        energy[r] += sum.energy;
-        groups[r] += sum.groups;
+        out[r].count.assign(kinds, 0.0);
     }
+    for (std::size_t g = 0; g < lists.size(); ++g) {
+        RoomGroups& room = out[room_of(lists[g])];
+        room.groups += 1.0;
+        for (const Index row : lists[g])
+            room.count[static_cast<std::size_t>(particles.species[row])] += 1.0;
+    }
+    return out;
 }
 
 /// Of spheres whose mean free path at density n is lambda: sigma = 1 / (sqrt(2) n lambda)

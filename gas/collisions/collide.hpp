@@ -8,6 +8,7 @@
 
 #include "gas/cards/collision_model.hpp"
 #include "gas/collisions/groups.hpp"
+#include "gas/collisions/relax.hpp"
 #include "gas/particles.hpp"
 #include "gas/thermo/species.hpp"
 #include "solver/base/constants.hpp"
@@ -64,6 +65,13 @@ CollisionReport collide_lin_plainly(const CollisionStep& step, Particles& partic
 CollisionReport collide_ntc(const CollisionStep& step, Particles& particles);
 CollisionReport collide_spheres(const CollisionStep& step, Particles& particles);
 
+/// What the groups of a room hold.
+struct RoomGroups {
+    double groups = 0.0;  ///< how many
+    GroupEnergies energies;
+    std::vector<double> count;  ///< particles of each kind
+};
+
 /// Collisions and internal energy of a bag's particles, from sorting to scattering.
 ///
 ///     collider.find_groups(grid, fabric, particles);
@@ -85,9 +93,11 @@ public:
     /// Energy of all motion relative to the groups' mean velocities, and all internal energy. [J]
     /// What collide(heat) multiplies.
     [[nodiscard]] double thermal_energy(const Particles& particles) const;
-    /// The same by room, added to `energy`; and the number of groups of each, to `groups`.
-    void thermal_energy(const Particles& particles, std::span<double> energy,
-                        std::span<double> groups) const;
+    /// What the groups of each room hold. A group before an open hole may reach into the next room:
+    /// it counts whole where its first particle is, as for heat.
+    /// @param kinds  rows of particles.species: inflators, and initial air
+    [[nodiscard]] std::vector<RoomGroups> groups_of_rooms(std::size_t rooms, std::size_t kinds,
+                                                          const Particles& particles) const;
 
     /// One collision step of every group, for the time dt that has gone by since the last one;
     /// thermal energy is multiplied by `factor` on the way.

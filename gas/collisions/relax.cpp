@@ -10,18 +10,18 @@
 
 namespace corpuscle::gas {
 
-double thermal_energy(std::span<const Index> rows, const Mixture& mixture,
-                      const Particles& particles) {
+GroupEnergies energies_of(std::span<const Index> rows, const Mixture& mixture,
+                          const Particles& particles) {
     thread_local CellSample sample;
     sample.gather(rows, mixture, particles);
-    return sample.translational() + sample.internal();
+    return {sample.translational() + sample.internal(), 0.5 * sample.mass * sample.U.squaredNorm()};
 }
 
 double thermal_energy(const Lists& groups, const Mixture& mixture, const Particles& particles) {
     constexpr std::size_t GROUPS_A_CHUNK = 16;
     return parallel::sum(
         groups.size(), 0.0,
-        [&](std::size_t g) { return thermal_energy(groups[g], mixture, particles); },
+        [&](std::size_t g) { return energies_of(groups[g], mixture, particles).thermal; },
         GROUPS_A_CHUNK);
 }
 

@@ -9,10 +9,19 @@
 
 namespace corpuscle::gas {
 
-/// Energy of a group's motion relative to its mean velocity, and its internal energy.          [J]
-double thermal_energy(std::span<const Index> rows, const Mixture& mixture,
-                      const Particles& particles);
-/// The same of all groups.                                                                     [J]
+/// Energies of a group: of motion relative to its mean velocity, with internal energy; of the mean
+/// motion.                                                                                     [J]
+struct GroupEnergies {
+    double thermal = 0.0, mean_motion = 0.0;
+    GroupEnergies& operator+=(const GroupEnergies& o) {
+        thermal += o.thermal;
+        mean_motion += o.mean_motion;
+        return *this;
+    }
+};
+GroupEnergies energies_of(std::span<const Index> rows, const Mixture& mixture,
+                          const Particles& particles);
+/// Thermal energy of all groups.                                                               [J]
 double thermal_energy(const Lists& groups, const Mixture& mixture, const Particles& particles);
 
 /// Temperature T at which (freedom/2) k T + sum e_s(T) = energy, for any heat capacity; k T/2

@@ -94,3 +94,30 @@ TEST_CASE("groups with more debts than heat keep each particle's motion", "[gas]
         CHECK(gas.e[i] == before.e[i]);
     }
 }
+
+TEST_CASE("heat of a room goes to its groups, also where these reach into the next room", "[gas]") {
+    const std::vector<SpeciesCard> cards{AIR, HELIUM};
+    const Mixture mixture = mixture_of(cards);
+    Particles gas = random_gas(1000, BOX, mixture, {300, 500});
+    for (std::size_t i = 0; i < gas.size(); ++i)
+        gas.room.push_back(static_cast<std::int16_t>(i % 7 == 0));
+    Collider collider(mixture.species(), mixture.moles_each(), 5);
+    collider.find_groups(CELLS, {}, gas);
+    const Invariants before(gas, mixture);
+    const std::vector<RoomGroups> rooms = collider.groups_of_rooms(2, cards.size(), gas);
+    std::vector<Heat> heat;
+    double given = 0.0, all = 0.0;
+    for (const RoomGroups& room : rooms) {
+        double mass = 0.0;
+        for (std::size_t s = 0; s < cards.size(); ++s)
+            mass += room.count[s] * mixture.particle_mass(static_cast<std::int32_t>(s));
+        all += room.energies.thermal + room.energies.mean_motion;
+        const double more = 0.2 * room.energies.thermal;
+        heat.push_back({1.0, more / mass});
+        given += more;
+    }
+    CHECK(all == Approx(before.energy).epsilon(1e-13));
+    CHECK(rooms[0].groups + rooms[1].groups == collider.groups().lists().size());
+    collider.collide(0, DT, heat, gas);
+    CHECK(Invariants(gas, mixture).energy == Approx(before.energy + given).epsilon(1e-13));
+}
