@@ -11,6 +11,7 @@
 
 #include "tests/support/case_report.hpp"
 #include "tests/support/decks/box_deck.hpp"
+#include "tests/support/decks/pillow_nodes.hpp"
 #include "tests/support/runs/deck_run.hpp"
 
 using namespace corpuscle;
@@ -26,18 +27,7 @@ constexpr double P_0 = 500e3, P_OUT = 101325.0, GAMMA = 1.4;  ///< p = P_0 (V_0 
 /// Two panels sewn at the rim, z = ± RISE (1 - X²)(1 - Y²), X and Y from -1 to 1; triangles.
 DeckMesh pillow() {
     DeckMesh mesh;
-    std::map<std::array<int, 3>, int> ids;
-    const auto node = [&](int i, int j, int side) {
-        const bool is_rim = i == 0 || j == 0 || i == CELLS || j == CELLS;
-        const auto [at, fresh] =
-            ids.try_emplace({i, j, is_rim ? 0 : side}, static_cast<int>(mesh.nodes.size()) + 1);
-        if (fresh) {
-            const double X = 2.0 * i / CELLS - 1.0, Y = 2.0 * j / CELLS - 1.0;
-            mesh.nodes.emplace_back(0.5 * SIDE * X, 0.5 * SIDE * Y,
-                                    side * RISE * (1.0 - X * X) * (1.0 - Y * Y));
-        }
-        return at->second;
-    };
+    PillowNodes node(SIDE, RISE, CELLS, mesh);
     const auto triangle = [&](int side, int a, int b, int c) {
         if (side < 0) std::swap(b, c);
         mesh.quads.push_back({1, {a, b, c, c}});
