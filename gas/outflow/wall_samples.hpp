@@ -119,8 +119,11 @@ private:
         /// of its difference from the room's.                                         [Pa²]
         double off = 0.0, off_beside_room = 0.0;
 
-        /// Does the pressure here go with that of the room, rather than stay?
-        [[nodiscard]] bool follows_room() const { return off_beside_room < off; }
+        /// How far the pressure here goes with that of the room, 1, rather than stays, 0: weights of
+        /// both estimates by how near each memory of them has been to the other.
+        [[nodiscard]] double follows_room() const {
+            return off + off_beside_room > 0.0 ? off / (off + off_beside_room) : 0.5;
+        }
 
         template <class Archive>
         void visit_state(Archive& archive) {

@@ -90,7 +90,7 @@ void WallSamples::remember(Sample& s, double dt, const Inside& room) {
     const double fresh = -std::expm1(-dt / longest_);
     s.off += fresh * (alone * alone - s.off);
     s.off_beside_room += fresh * (beside * beside - s.off_beside_room);
-    const double apart = s.follows_room() ? beside : alone;
+    const double apart = std::lerp(alone, beside, s.follows_room());
     if (apart * apart > CHANGED * CHANGED * (s.quick.variance() + s.steady.variance()))
         s.steady = s.quick;
 }
@@ -205,10 +205,12 @@ void WallSamples::state(std::size_t sample, const Inside& room, Inside& out) con
     const double weight =
         spread.pressure > 0.0 ? spread.pressure / (spread.pressure + variance) : 0.0;
     const double of_room = room.pressure - room.air_pressure;
-    const double apart = samples_[sample].follows_room() ? s.difference() : s.pressure() - of_room;
-    double pressure = of_room + weight * apart;
+    const double follows = samples_[sample].follows_room();
+    const double alone = s.pressure() - of_room, beside = s.difference();
+    double pressure = of_room + weight * std::lerp(alone, beside, follows);
     pressure = std::max(0.0, pressure);
-    out.error = std::hypot(room.error, std::sqrt(weight * variance));
+    const double unsure = weight * std::sqrt(follows * (1.0 - follows)) * (beside - alone);
+    out.error = std::hypot(room.error, std::sqrt(weight * variance), unsure);
 
     const double heat_variance = q.slope > 0.0 ? 0.5 * q.energy2 / (q.slope * q.slope) : 0.0;
     const double heat_weight = spread.temperature > 0.0 && q.slope > 0.0

@@ -106,10 +106,20 @@ TEST_CASE("a vent at the end of a duct waits for the gas", "[duct][vent]") {
             report(fmt::format("duct: out at {:.1f} ms [g]", 1e3 * time[i]), 1e3 * exact[i],
                    1e3 * out[i]);
     }
-    const double at_1ms = run.at("/history/airbag/1/mass_out_vent", 1e-3);
     report("duct: curve off by, at worst, of the final value", 0.0, worst / exact.back());
     // the jets' momentum is taken by the wall behind them
     CHECK(no_jets.back() == Approx(exact.back()).epsilon(0.02));
-    CHECK(at_1ms < 2e-5);
     CHECK(worst < 0.08 * exact.back());
+}
+
+TEST_CASE("nothing leaves a duct before a wave has come to its vent", "[duct][vent]") {
+    constexpr int DRAWS = 4;
+    double mean = 0.0;
+    for (int seed = 1; seed <= DRAWS; ++seed) {
+        const DeckRun run("duct", duct(100000), fmt::format("--seed {} --until 1e-3", seed));
+        REQUIRE(run.status() == 0);
+        mean += run.read("/history/airbag/1/mass_out_vent").back() / DRAWS;
+    }
+    report("duct: out at 1 ms, mean of four draws [g]", 0.0, 1e3 * mean);
+    CHECK(mean < 2e-5);
 }
