@@ -19,7 +19,7 @@ constexpr double PARTICLES_PER_CELL = 40.0;
 
 /// Share of a cell that a particle of thermal speed crosses between collisions. More: blurred
 /// waves.
-constexpr double COLLISION_SHARE = 0.2;
+constexpr double COLLISION_SHARE = 1.0 / 6.0;
 
 /// Share of a cell that fabric may move before the lists of facets by cell are made anew.
 constexpr double SIDE_MARGIN = 0.15;

@@ -5,9 +5,11 @@
 /// What both ways of computing LIN (collide_lin.cpp, lin_lanes.cpp) share.
 namespace corpuscle::gas::lin {
 
-/// Share of the stress that is turned round: 1 would leave no viscosity and be unstable.
-inline constexpr double BETA = 0.8;
-inline constexpr double NOISE = 0.6;  ///< sqrt(1 - β²): keeps thermal fluctuations of the stress
+/// Share of the stress that is turned round: less leaves more viscosity, 1 would leave none and be
+/// unstable.
+inline constexpr double BETA = 0.95;
+/// sqrt(1 - β²): keeps thermal fluctuations of the stress.
+inline constexpr double NOISE = 0.31224989991991992;
 /// The least that a pressure may be turned to, as the cube root of its share in the mean.
 inline constexpr double LEAST_TURNED = 0.1;
 /// Of a matrix's trace: with smaller pivots it is singular but for noise.
