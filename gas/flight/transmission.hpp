@@ -21,12 +21,24 @@ struct Transmission {
         double push = 1.0;           ///< share of a bounce's impulse that a leaving particle gives
         std::vector<double> chance;  ///< by species                                          [-]
         std::vector<double> collar_chance;  ///< by species, on the collar                    [-]
+
+        template <class Archive>
+        void visit_state(Archive& archive) {
+            archive(push, chance, collar_chance);
+        }
     };
     std::vector<Chances> all;
     std::vector<Index> of_facet;   ///< row in `all` of each facet, -1: none
     std::vector<Index> collar_of;  ///< row in `all` whose collar the facet belongs to, -1: none
     std::vector<double> open;      ///< by facet: share of the chance that contact leaves    [-]
     std::uint64_t seed = 0, step = 0;
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp): collisions, which come before the
+    /// next flight, ask who hides nothing.
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(all, open, step);
+    }
 
     enum class Fate : std::uint8_t { BACK, THROUGH, OUT };
     struct Outcome {

@@ -130,7 +130,7 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(openings_, transmission_.step, part_mass_out_, particles_out_);
+        archive(openings_, transmission_, part_mass_out_, particles_out_);
     }
 
 private:
