@@ -41,7 +41,7 @@ function(corpuscle_precompile folder)
 endfunction()
 
 # Rooms' sources, joined: a build that nobody edits (tools/run, packages) reads each header once for eight sources. Same bits.
-# Names in unnamed namespaces are therefore unique in their room; "package: fabric, contact and gas stand alone" holds them to it.
+# Names in unnamed namespaces are therefore unique in their room; the build by sanitizers and packages hold them to it.
 option(CORPUSCLE_JOIN "Compile the rooms' sources eight at a time" OFF)
 if(CORPUSCLE_JOIN)
     set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
