@@ -190,7 +190,8 @@ void ParticleGas::let_in(const Entry& entry, double t, double dt, const Points& 
     born_.push_back(share);
     const double motion = 0.5 * mass * v.squaredNorm();
     const double internal = entry.internal + bag_.load.pay_jets(entry.internal, motion);
-    particles_.add(from + share * (to - from), v, internal, entry.inflow, entry.id);
+    particles_.add(bag_.orifices.entry(orifice, share, x_0, x_1), v, internal, entry.inflow,
+                   entry.id);
     if (bag_.surface->rooms() > 1)
         particles_.room.push_back(static_cast<std::int16_t>(bag_.orifice_room[orifice]));
     bag_.balance.inflow_energy += motion + entry.internal;

@@ -13,6 +13,9 @@ namespace {
 constexpr double OFF_THE_WALL =
     1e-3;  ///< of the facets' size: inside, yet at the wall for any purpose
 
+/// Cosine of the steepest facet to an orifice's direction inward: one folded over says nothing.
+constexpr double STEEPEST = 0.1;
+
 /// The orifice's own node, or the corners of its shell.
 std::vector<Index> nodes_of(const OrificeCard& card, const auto& facets) {
     if (card.shell < 0) return {card.node};
@@ -45,28 +48,47 @@ Orifices::Orifices(const std::vector<OrificeCard>& cards, const std::vector<Tria
 Vec3 Orifices::place(std::size_t orifice, std::span<const Vec3> x) const {
     const OrificeCard& card = cards_[orifice];
     if (on_[orifice].empty()) return x[card.node];
-    Vec3 centre = Vec3::Zero(), out = Vec3::Zero();
+    Vec3 centre = Vec3::Zero();
     double area = 0.0;
     for (const Facet& facet : on_[orifice]) {
         const auto& [a, b, c] = facet.outward;
-        const Vec3 part = vector_area(x[a], x[b], x[c]);
-        centre += part.norm() / 3.0 * (x[a] + x[b] + x[c]);
-        area += part.norm();
-        out += part;
+        const double part = vector_area(x[a], x[b], x[c]).norm();
+        centre += part / 3.0 * (x[a] + x[b] + x[c]);
+        area += part;
     }
     if (card.offset != 0.0) return centre / area + card.offset * normal(orifice, x);
-    const Vec3 inward = -out.normalized();
+    const Vec3 in = inward(orifice, x);
     const double off = OFF_THE_WALL * std::sqrt(area);
-    if (card.shell < 0) return x[card.node] + off * inward;
-    const double below = depth(orifice, centre / area, inward, x);
-    return centre / area + (below > 0.5 * off ? off + below : off) * inward;
+    if (card.shell < 0) return x[card.node] + off * in;
+    const double below = depth(orifice, centre / area, in, x);
+    return centre / area + (below > 0.5 * off ? off + below : off) * in;
+}
+
+Vec3 Orifices::entry(std::size_t orifice, double share, std::span<const Vec3> x_0,
+                     std::span<const Vec3> x_1) const {
+    const Vec3 from = place(orifice, x_0), to = place(orifice, x_1);
+    const Vec3 there = from + share * (to - from);
+    if (cards_[orifice].shell < 0 || cards_[orifice].offset != 0.0) return there;
+    const Vec3 in = inward(orifice, x_0);
+    double apart = 0.0;  // what nodes of a facet move against one another, as seen along `in`
+    for (const Facet& facet : on_[orifice]) {
+        const auto& [a, b, c] = facet.outward;
+        const Vec3 n = vector_area(x_0[a], x_0[b], x_0[c]).normalized();
+        double least = INF, most = -INF;
+        for (const Index node : facet.outward) {
+            const double moved = n.dot(x_1[node] - x_0[node]);
+            least = std::min(least, moved);
+            most = std::max(most, moved);
+        }
+        apart = std::max(apart, (most - least) / std::max(STEEPEST, -n.dot(in)));
+    }
+    return there + share * (1.0 - share) * apart * in;
 }
 
 /// How far `at` lies outside of the shell's facets, along `inward`: that of a quad whose diagonal
 /// bends inward has its middle there. Of a roof that is the lesser of both.                  [m]
 double Orifices::depth(std::size_t orifice, const Vec3& at, const Vec3& inward,
                        std::span<const Vec3> x) const {
-    constexpr double STEEPEST = 0.1;  // a facet folded over says nothing
     double least = INF;
     for (const Facet& facet : on_[orifice]) {
         const auto& [a, b, c] = facet.outward;
@@ -74,6 +96,16 @@ double Orifices::depth(std::size_t orifice, const Vec3& at, const Vec3& inward,
         least = std::min(least, n.dot(at - x[a]) / std::max(STEEPEST, -n.dot(inward)));
     }
     return least;
+}
+
+/// Into the bag at right angles to an orifice's facets, unit.
+Vec3 Orifices::inward(std::size_t orifice, std::span<const Vec3> x) const {
+    Vec3 out = Vec3::Zero();
+    for (const Facet& facet : on_[orifice]) {
+        const auto& [a, b, c] = facet.outward;
+        out += vector_area(x[a], x[b], x[c]);
+    }
+    return -out.normalized();
 }
 
 /// The way the gas of a shell's orifice flows, unit.

@@ -31,6 +31,13 @@ public:
     [[nodiscard]] std::size_t size() const { return cards_.size(); }
     [[nodiscard]] Vec3 place(std::size_t orifice, std::span<const Vec3> x) const;
 
+    /// Where gas enters at a share of a step in which nodes move from x_0 to x_1: where the orifice
+    /// is then, and on a shell, inside of what its facets sweep. That is made of flat pieces
+    /// (crossing.hpp), which stray from the facets by share (1 - share) of what their nodes move
+    /// against one another.
+    [[nodiscard]] Vec3 entry(std::size_t orifice, double share, std::span<const Vec3> x_0,
+                             std::span<const Vec3> x_1) const;
+
     /// Direction of each jet; zero: into every direction.
     void axes(std::span<const Vec3> x, std::vector<Vec3>& out) const;
 
@@ -50,6 +57,7 @@ private:
     std::vector<OrificeCard> cards_;
     [[nodiscard]] Mat3 axes_of_frame(std::span<const Vec3> x) const;
     [[nodiscard]] Vec3 normal(std::size_t orifice, std::span<const Vec3> x) const;
+    [[nodiscard]] Vec3 inward(std::size_t orifice, std::span<const Vec3> x) const;
     [[nodiscard]] double depth(std::size_t orifice, const Vec3& at, const Vec3& inward,
                                std::span<const Vec3> x) const;
 
