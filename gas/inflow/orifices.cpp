@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "gas/flight/crossing.hpp"
 
@@ -12,9 +13,6 @@ namespace {
 
 constexpr double OFF_THE_WALL =
     1e-3;  ///< of the facets' size: inside, yet at the wall for any purpose
-
-/// Cosine of the steepest facet to an orifice's direction inward: one folded over says nothing.
-constexpr double STEEPEST = 0.1;
 
 /// The orifice's own node, or the corners of its shell.
 std::vector<Index> nodes_of(const OrificeCard& card, const auto& facets) {
@@ -64,31 +62,27 @@ Vec3 Orifices::place(std::size_t orifice, std::span<const Vec3> x) const {
     return centre / area + (below > 0.5 * off ? off + below : off) * in;
 }
 
-Vec3 Orifices::entry(std::size_t orifice, double share, std::span<const Vec3> x_0,
-                     std::span<const Vec3> x_1) const {
+Birth Orifices::birth(std::size_t orifice, double share, std::span<const Vec3> x_0,
+                      std::span<const Vec3> x_1) const {
     const Vec3 from = place(orifice, x_0), to = place(orifice, x_1);
-    const Vec3 there = from + share * (to - from);
-    if (cards_[orifice].shell < 0 || cards_[orifice].offset != 0.0) return there;
-    const Vec3 in = inward(orifice, x_0);
-    double apart = 0.0;  // what nodes of a facet move against one another, as seen along `in`
+    const Birth there{from + share * (to - from), share};
+    if (on_[orifice].empty() || cards_[orifice].offset != 0.0) return there;
+    double apart = 0.0, area = 0.0;  // what nodes of a facet move against one another
     for (const Facet& facet : on_[orifice]) {
         const auto& [a, b, c] = facet.outward;
-        const Vec3 n = vector_area(x_0[a], x_0[b], x_0[c]).normalized();
-        double least = INF, most = -INF;
-        for (const Index node : facet.outward) {
-            const double moved = n.dot(x_1[node] - x_0[node]);
-            least = std::min(least, moved);
-            most = std::max(most, moved);
-        }
-        apart = std::max(apart, (most - least) / std::max(STEEPEST, -n.dot(in)));
+        area += vector_area(x_0[a], x_0[b], x_0[c]).norm();
+        for (const auto& [i, j] : {std::pair{a, b}, {b, c}, {c, a}})
+            apart = std::max(apart, (x_1[i] - x_0[i] - x_1[j] + x_0[j]).norm());
     }
-    return there + share * (1.0 - share) * apart * in;
+    const bool strays = share * (1.0 - share) * apart > 0.25 * OFF_THE_WALL * std::sqrt(area);
+    return strays ? Birth{from, 0.0} : there;
 }
 
 /// How far `at` lies outside of the shell's facets, along `inward`: that of a quad whose diagonal
 /// bends inward has its middle there. Of a roof that is the lesser of both.                  [m]
 double Orifices::depth(std::size_t orifice, const Vec3& at, const Vec3& inward,
                        std::span<const Vec3> x) const {
+    constexpr double STEEPEST = 0.1;  // a facet folded over says nothing
     double least = INF;
     for (const Facet& facet : on_[orifice]) {
         const auto& [a, b, c] = facet.outward;
