@@ -173,7 +173,7 @@ void ParticleGas::inject(double t, double dt, const Points& x_0, const Points& x
     for (const Entry& entry : entries_) let_in(entry, t, dt, x_0, x_1);
 }
 
-/// A particle enters where its orifice is at its time.
+/// A particle enters where its orifice is at its time, or a part of a step before (Orifices).
 void ParticleGas::let_in(const Entry& entry, double t, double dt, const Points& x_0,
                          const Points& x_1) {
     const auto orifice = static_cast<std::size_t>(entry.orifice);
@@ -187,10 +187,11 @@ void ParticleGas::let_in(const Entry& entry, double t, double dt, const Points& 
                            "{:g}, internal energy {:g}",
                            bag_.name(), entry.inflow + 1, entry.orifice + 1, v.norm(),
                            entry.internal));
-    born_.push_back(share);
+    const Birth birth = bag_.orifices.birth(orifice, share, x_0, x_1);
+    born_.push_back(birth.share);
     const double motion = 0.5 * mass * v.squaredNorm();
     const double internal = entry.internal + bag_.load.pay_jets(entry.internal, motion);
-    particles_.add(from + share * (to - from), v, internal, entry.inflow, entry.id);
+    particles_.add(birth.at, v, internal, entry.inflow, entry.id);
     if (bag_.surface->rooms() > 1)
         particles_.room.push_back(static_cast<std::int16_t>(bag_.orifice_room[orifice]));
     bag_.balance.inflow_energy += motion + entry.internal;

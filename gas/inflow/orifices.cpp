@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "gas/flight/crossing.hpp"
 
@@ -45,21 +46,36 @@ Orifices::Orifices(const std::vector<OrificeCard>& cards, const std::vector<Tria
 Vec3 Orifices::place(std::size_t orifice, std::span<const Vec3> x) const {
     const OrificeCard& card = cards_[orifice];
     if (on_[orifice].empty()) return x[card.node];
-    Vec3 centre = Vec3::Zero(), out = Vec3::Zero();
+    Vec3 centre = Vec3::Zero();
     double area = 0.0;
     for (const Facet& facet : on_[orifice]) {
         const auto& [a, b, c] = facet.outward;
-        const Vec3 part = vector_area(x[a], x[b], x[c]);
-        centre += part.norm() / 3.0 * (x[a] + x[b] + x[c]);
-        area += part.norm();
-        out += part;
+        const double part = vector_area(x[a], x[b], x[c]).norm();
+        centre += part / 3.0 * (x[a] + x[b] + x[c]);
+        area += part;
     }
     if (card.offset != 0.0) return centre / area + card.offset * normal(orifice, x);
-    const Vec3 inward = -out.normalized();
+    const Vec3 in = inward(orifice, x);
     const double off = OFF_THE_WALL * std::sqrt(area);
-    if (card.shell < 0) return x[card.node] + off * inward;
-    const double below = depth(orifice, centre / area, inward, x);
-    return centre / area + (below > 0.5 * off ? off + below : off) * inward;
+    if (card.shell < 0) return x[card.node] + off * in;
+    const double below = depth(orifice, centre / area, in, x);
+    return centre / area + (below > 0.5 * off ? off + below : off) * in;
+}
+
+Birth Orifices::birth(std::size_t orifice, double share, std::span<const Vec3> x_0,
+                      std::span<const Vec3> x_1) const {
+    const Vec3 from = place(orifice, x_0), to = place(orifice, x_1);
+    const Birth there{from + share * (to - from), share};
+    if (on_[orifice].empty() || cards_[orifice].offset != 0.0) return there;
+    double apart = 0.0, area = 0.0;  // what nodes of a facet move against one another
+    for (const Facet& facet : on_[orifice]) {
+        const auto& [a, b, c] = facet.outward;
+        area += vector_area(x_0[a], x_0[b], x_0[c]).norm();
+        for (const auto& [i, j] : {std::pair{a, b}, {b, c}, {c, a}})
+            apart = std::max(apart, (x_1[i] - x_0[i] - x_1[j] + x_0[j]).norm());
+    }
+    const bool strays = share * (1.0 - share) * apart > 0.25 * OFF_THE_WALL * std::sqrt(area);
+    return strays ? Birth{from, 0.0} : there;
 }
 
 /// How far `at` lies outside of the shell's facets, along `inward`: that of a quad whose diagonal
@@ -74,6 +90,16 @@ double Orifices::depth(std::size_t orifice, const Vec3& at, const Vec3& inward,
         least = std::min(least, n.dot(at - x[a]) / std::max(STEEPEST, -n.dot(inward)));
     }
     return least;
+}
+
+/// Into the bag at right angles to an orifice's facets, unit.
+Vec3 Orifices::inward(std::size_t orifice, std::span<const Vec3> x) const {
+    Vec3 out = Vec3::Zero();
+    for (const Facet& facet : on_[orifice]) {
+        const auto& [a, b, c] = facet.outward;
+        out += vector_area(x[a], x[b], x[c]);
+    }
+    return -out.normalized();
 }
 
 /// The way the gas of a shell's orifice flows, unit.

@@ -13,6 +13,12 @@
 
 namespace corpuscle::gas {
 
+/// Where, and at which share of a step, a particle enters.
+struct Birth {
+    Vec3 at;       ///< [m]
+    double share;  ///< 0 at t, 1 at t + dt  [-]
+};
+
 /// Where gas enters: points that move with a node, or with the shell that they lie on.
 ///
 /// An orifice that is part of the bag's own fabric lies a thousandth of a facet's size inside it,
@@ -30,6 +36,13 @@ public:
 
     [[nodiscard]] std::size_t size() const { return cards_.size(); }
     [[nodiscard]] Vec3 place(std::size_t orifice, std::span<const Vec3> x) const;
+
+    /// Entry of what is due at a share of a step in which nodes move from x_0 to x_1: then, where
+    /// the orifice is; at the step's beginning where it lies on facets whose nodes move against one
+    /// another. What such facets sweep is made of flat pieces (crossing.hpp), which stray from them
+    /// by share (1 - share) of that motion: more than the orifice lies inside of them.
+    [[nodiscard]] Birth birth(std::size_t orifice, double share, std::span<const Vec3> x_0,
+                              std::span<const Vec3> x_1) const;
 
     /// Direction of each jet; zero: into every direction.
     void axes(std::span<const Vec3> x, std::vector<Vec3>& out) const;
@@ -50,6 +63,7 @@ private:
     std::vector<OrificeCard> cards_;
     [[nodiscard]] Mat3 axes_of_frame(std::span<const Vec3> x) const;
     [[nodiscard]] Vec3 normal(std::size_t orifice, std::span<const Vec3> x) const;
+    [[nodiscard]] Vec3 inward(std::size_t orifice, std::span<const Vec3> x) const;
     [[nodiscard]] double depth(std::size_t orifice, const Vec3& at, const Vec3& inward,
                                std::span<const Vec3> x) const;
 

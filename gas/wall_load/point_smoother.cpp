@@ -77,4 +77,22 @@ void PointSmoother::spread(const WettedSurface& surface, std::vector<Brought>& f
     if (PASSES % 2 == 1) field.swap(next_);
 }
 
+void PointSmoother::spread(const WettedSurface& surface, PlaceSpread& impulse) const {
+    thread_local std::vector<double> kept;
+    std::vector<double>& per_area = kept;  // before a pass
+    for (std::size_t pass = 0; pass < PASSES; ++pass) {
+        per_area.clear();
+        for (const Index p : impulse.points()) per_area.push_back(per_area_[p] * impulse.share(p));
+        for (std::size_t i = 0; i < per_area.size(); ++i) {
+            const Index p = impulse.points()[i];
+            for (const auto& [q, edge] : surface.neighbours(p)) {
+                if (link_[edge] == 0.0) continue;
+                const double passed = link_[edge] * per_area[i];
+                impulse.add(q, passed);
+                impulse.add(p, -passed);
+            }
+        }
+    }
+}
+
 }  // namespace corpuscle::gas

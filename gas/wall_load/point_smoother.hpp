@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -15,6 +18,38 @@ struct Brought {
     double mass = 0.0;           ///< of the particles that hit                      [kg/m^2]
     double speed = 0.0;          ///< of the point along its normal                  [m/s]
     Vec3 beside = Vec3::Zero();  ///< impulse of hits that is not along the normal   [N s/m^2]
+};
+
+/// What of an impulse at one place each point gets; keeps its memory from one place to the next.
+class PlaceSpread {
+public:
+    /// Points that get a share, each once.
+    [[nodiscard]] std::span<const Index> points() const { return points_; }
+    /// Of points() alone.                                                                     [-]
+    [[nodiscard]] double share(Index point) const { return share_[point]; }
+
+    /// Begins anew, on a surface of so many points.
+    void begin(std::size_t count) {
+        reached_.resize(std::max(reached_.size(), count), 0);
+        share_.resize(reached_.size(), 0.0);
+        ++place_;
+        points_.clear();
+    }
+    /// Adds to a point's share.
+    void add(Index point, double share) {
+        if (reached_[point] != place_) {
+            reached_[point] = place_;
+            points_.push_back(point);
+            share_[point] = 0.0;
+        }
+        share_[point] += share;
+    }
+
+private:
+    std::vector<Index> points_;
+    std::vector<double> share_;           ///< by point
+    std::vector<std::uint64_t> reached_;  ///< by point: the place that reached it last
+    std::uint64_t place_ = 0;
 };
 
 /// Conservative smoothing along the wetted surface: PASSES times
@@ -36,8 +71,9 @@ public:
     void prepare(const WettedSurface& surface, std::span<const Vec3> area,
                  std::span<const double> size, std::span<const std::uint8_t> takes_part);
     void spread(const WettedSurface& surface, std::vector<Brought>& field);
-    /// k of each edge, as prepare() has left it; 0: shut.                                  [m^2]
-    [[nodiscard]] std::span<const double> links() const { return link_; }
+    /// What spread() makes of an impulse at one place, as prepare() has left its weights: takes its
+    /// shares from points that it begins with to those that get them.
+    void spread(const WettedSurface& surface, PlaceSpread& impulse) const;
 
 private:
     std::vector<double> share_;  ///< of each edge: 1 / (1 + n)

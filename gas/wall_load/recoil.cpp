@@ -7,92 +7,77 @@
 namespace corpuscle::gas {
 namespace {
 
-/// A disc of so many rings has 61 points; the smoother's kernel S has 1 / sum S² = 55 on an even
-/// mesh.
-constexpr int RINGS = 4;
-
 /// Below this share of each node's mass there is no recoil: on wet cloth it would be less than a
 /// thousandth.
 constexpr double LIGHT = 0.05;
 
-/// Of points round a side; a thread keeps its memory from one to the next.
-struct Search {
-    std::vector<std::uint64_t> seen;  ///< by point: the search that was there last
-    std::uint64_t number = 0;
-    std::vector<Index> ring, next;
-
+/// Velocity that one particle's hits in one step bring the cloth, given at once. A thread keeps
+/// its memory from one particle to the next.
+class Kicked {
+public:
     void begin(std::size_t points) {
-        if (seen.size() < points) seen.resize(points, 0);
-        ++number;
-        ring.clear();
+        for (const Index p : touched_) velocity_[p].setZero();
+        touched_.clear();
+        velocity_.resize(std::max(velocity_.size(), points), Vec3::Zero());
     }
+    /// At the place of a hit.                                                               [m/s]
+    [[nodiscard]] Vec3 at(const PlaceSpread& place) const {
+        Vec3 sum = Vec3::Zero();
+        for (const Index p : place.points()) sum += place.share(p) * velocity_[p];
+        return sum;
+    }
+    void add(const PlaceSpread& place, const Vec3& impulse, std::span<const double> mass) {
+        for (const Index p : place.points()) {
+            velocity_[p] += place.share(p) / mass[p] * impulse;
+            touched_.push_back(p);
+        }
+    }
+
+private:
+    std::vector<Vec3> velocity_;  ///< by point                                             [m/s]
+    std::vector<Index> touched_;
 };
 
 }  // namespace
 
-double Recoil::share(const WettedSurface& surface, std::size_t side,
-                     const std::array<double, 3>& at, double m,
-                     std::span<const double> link) const {
-    if (mass_.empty()) return 1.0;
-    bool is_light = true;
-    double free = 0.0;  // share of the impulse that goes to nodes that are free
-    for (int c = 0; c < 3; ++c) {
-        const Index p = surface.points(side)[c];
-        if (held_[p] != 0) continue;
-        is_light = is_light && m < LIGHT * mass_[p];
-        free += at[c];
-    }
-    if (is_light) return 1.0;
-    // The impulse free J on M: energy (free J)² / 2M, as J on M / free².
-    const double M = mass_around(surface, side, link);
-    return M / (M + free * free * m);
+bool Recoil::is_heavy(double m, const std::array<Index, 3>& points) const {
+    return std::any_of(points.begin(), points.end(),
+                       [&](Index p) { return held_[p] == 0 && m >= LIGHT * mass_[p]; });
 }
 
-void Recoil::set_right(const WettedSurface& surface, std::span<Hit> hits,
-                       std::span<const Index> sides, double m, std::span<const double> link,
-                       const Vec3& x, Vec3& v) const {
+void Recoil::set_right(const WettedSurface& surface, const PointSmoother& smoother,
+                       std::span<Hit> hits, std::span<const Index> sides, double m, const Vec3& x,
+                       Vec3& v) const {
+    if (mass_.empty()) return;
+    thread_local Kicked kicked;
+    thread_local PlaceSpread place;
+    kicked.begin(mass_.size());
     Vec3 flown = v;  // velocity before each hit, in flight
     for (const Hit& hit : hits) flown += hit.impulse / m;
     Vec3 lacks = Vec3::Zero();
     const auto energy = [&] { return m * (flown.dot(lacks) + 0.5 * lacks.squaredNorm()); };
     for (std::size_t k = 0; k < hits.size(); ++k) {
         Hit& hit = hits[k];
-        const double f = share(surface, static_cast<std::size_t>(sides[k]), hit.at, m, link);
+        const std::array<Index, 3>& points = surface.points(static_cast<std::size_t>(sides[k]));
         const Vec3 thrown = hit.impulse;
-        const double before = energy();
+        const double before = energy(), J = thrown.norm();
         flown = k + 1 == hits.size() ? v : Vec3(flown - thrown / m);
-        if (f == 1.0 && lacks.isZero(0.0)) continue;
-        const double J = thrown.norm();
-        if (J == 0.0) continue;
-        const double along = lacks.dot(thrown) / J;
-        hit.impulse *= f * std::max(0.0, 1.0 + 2.0 * m * along / J);
+        const bool recoils = is_heavy(m, points);
+        if ((!recoils && lacks.isZero(0.0)) || J == 0.0) continue;
+        place.begin(mass_.size());
+        for (int c = 0; recoils && c < 3; ++c)
+            if (held_[points[c]] == 0) place.add(points[c], hit.at[c]);
+        smoother.spread(surface, place);
+        double per_mass = 0.0;  // 1 / M
+        for (const Index p : place.points()) per_mass += place.share(p) * place.share(p) / mass_[p];
+        const double along = (lacks - kicked.at(place)).dot(thrown) / J;
+        hit.impulse *= std::max(0.0, 1.0 + 2.0 * m * along / J) / (1.0 + m * per_mass);
+        kicked.add(place, hit.impulse, mass_);
         lacks += (thrown - hit.impulse) / m;
         hit.moment = (hit.where - x).cross(thrown - hit.impulse);
         hit.energy += before - energy();
     }
     v += lacks;
-}
-
-double Recoil::mass_around(const WettedSurface& surface, std::size_t side,
-                           std::span<const double> link) const {
-    thread_local Search search;
-    search.begin(mass_.size());
-    double sum = 0.0;
-    const auto reach = [&](Index p, std::vector<Index>& ring) {
-        if (held_[p] != 0 || search.seen[p] == search.number) return;
-        search.seen[p] = search.number;
-        sum += mass_[p];
-        ring.push_back(p);
-    };
-    for (const Index p : surface.points(side)) reach(p, search.ring);
-    for (int k = 0; k < RINGS && !search.ring.empty(); ++k) {
-        search.next.clear();
-        for (const Index p : search.ring)
-            for (const auto& [q, edge] : surface.neighbours(p))
-                if (link[edge] > 0.0) reach(q, search.next);
-        search.ring.swap(search.next);
-    }
-    return sum;
 }
 
 }  // namespace corpuscle::gas

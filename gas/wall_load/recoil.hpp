@@ -9,27 +9,35 @@
 
 #include "gas/enclosure/wetted_surface.hpp"
 #include "gas/flight/flight.hpp"
+#include "gas/wall_load/point_smoother.hpp"
 
 namespace corpuscle::gas {
 
-/// Elastic impact of a particle on a free wall of finite mass M: of what a wall of infinite mass
-/// would take, momentum and kinetic energy leave
+/// Elastic impact of a particle of mass m on a free wall of light cloth.
+///
+/// Smoothing spreads a hit's impulse J over points q, each of which gets S_q of it
+/// (point_smoother.hpp). Given at once, it brings the cloth |J|² / 2M where it was at rest, with
+///
+///     1 / M = sum S_q² / m_q,
+///
+/// so of what a wall of infinite mass would take of momentum and kinetic energy it takes
 ///
 ///     f = M / (M + m)
 ///
-/// (J = f m (v - v'), from v' = -v in the frame of the centre of mass). M: mass of the cloth that
-/// bears the hit at once, which is the cloth that smoothing spreads it over (point_smoother.hpp):
-/// RINGS rings of points round the facet, as far as gas has reached. Without recoil a heavy
+/// (J = f m (v - v'), from v' = -v in the frame of the centre of mass). Without recoil a heavy
 /// particle on light cloth gives work J²/2M that nobody pays.
 ///
-/// A particle that hits k times in a step flies between its hits as walls of infinite mass have
-/// thrown it. What it lacks of that velocity, d, is mirrored at the next hit as it is:
+/// A particle that hits k times in a step flies between its hits as walls of infinite mass that
+/// keep their velocities have thrown it. What it lacks of that velocity, d, and what the cloth at
+/// the place of a hit has got by the particle's hits before it, w = sum S_q w_q, are met by the
+/// hit as they are:
 ///
-///     J' = f max(0, J·n + 2 m d·n) n,   d' = d + (J - J') / m,   n = J / |J|
+///     J' = f max(0, J·n + 2 m (d - w)·n) n,   d' = d + (J - J') / m,   w_q' = w_q + S_q J' / m_q,
 ///
-/// so that walls at rest never make a particle faster; max: a wall that it does not meet does not
-/// pull. The particle has flown on from each hit at y to x with what it is given at x, so the wall
-/// also gets the moment (y - x) × (J - J').
+/// n = J / |J|. All hits together take sum m_q w_q² / 2 where the cloth was at rest: what their
+/// impulses bring it, given at once. max: a wall that the particle does not meet does not pull. It
+/// has flown on from each hit at y to x with what it is given at x, so the wall also gets the
+/// moment (y - x) × (J - J').
 class Recoil {
 public:
     /// @param held  by wall point: 1 where supports, motions or bodies carry it
@@ -39,23 +47,16 @@ public:
     void set_points(std::size_t count) { mass_.resize(count); }
     void weigh(std::size_t point, double node_mass) { mass_[point] = node_mass; }
 
-    /// f of a particle of mass m [kg] that hits a side at barycentric coordinates `at`; 1 where m is
-    /// below LIGHT of what each of the side's nodes weighs, or before weigh().
-    /// @param link  by edge: 0 where the smoother is shut
-    [[nodiscard]] double share(const WettedSurface& surface, std::size_t side,
-                               const std::array<double, 3>& at, double m,
-                               std::span<const double> link) const;
-
     /// Sets right what one particle's hits in one step gave, in their order, and its velocity v
     /// after them; energy m (v² - v'²) / 2 and both momenta stay booked to rounding.
+    /// Nothing where m is below LIGHT of what each of the sides' nodes weighs, or before weigh().
     /// @param sides  of the hits
     /// @param x      where the particle is after them                                       [m]
-    void set_right(const WettedSurface& surface, std::span<Hit> hits, std::span<const Index> sides,
-                   double m, std::span<const double> link, const Vec3& x, Vec3& v) const;
+    void set_right(const WettedSurface& surface, const PointSmoother& smoother, std::span<Hit> hits,
+                   std::span<const Index> sides, double m, const Vec3& x, Vec3& v) const;
 
 private:
-    [[nodiscard]] double mass_around(const WettedSurface& surface, std::size_t side,
-                                     std::span<const double> link) const;
+    [[nodiscard]] bool is_heavy(double m, const std::array<Index, 3>& points) const;
 
     std::vector<std::uint8_t> held_;  ///< by point
     std::vector<double> mass_;        ///< of each point's node                        [kg]

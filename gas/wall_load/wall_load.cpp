@@ -132,9 +132,8 @@ void WallLoad::set_right(FlightResult& flight, std::span<const double> mass,
             const std::span<Hit> own(first, last);  // of one particle
             const std::size_t row = first->row();
             if (!first->has_left())
-                recoil_.set_right(*surface_, own, sides.first(own.size()),
-                                  mass[particles.species[row]], smoother_.links(), particles.x[row],
-                                  particles.v[row]);
+                recoil_.set_right(*surface_, smoother_, own, sides.first(own.size()),
+                                  mass[particles.species[row]], particles.x[row], particles.v[row]);
             sides = sides.subspan(own.size());
             first = last;
         }

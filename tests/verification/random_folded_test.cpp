@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdio>
@@ -40,11 +41,28 @@ double lost_mass(const SceneRun& run) {
     return worst / (mass[0] + in.back());
 }
 
+/// Of the bag as a chamber: the most that a history of it differs from the bag's, over the largest.
+double chamber_apart(const SceneRun& run) {
+    const io::Hdf5Reader file(run.results());
+    const std::string bag = "/history/airbag/1/", chamber = bag + "chamber/1/";
+    if (!file.has(chamber + "mass")) return 0.0;
+    double worst = 0.0;
+    for (const char* name : {"volume", "mass", "energy", "pressure"}) {
+        const auto all = file.read<double>(bag + name), own = file.read<double>(chamber + name);
+        const double most = *std::max_element(all.begin(), all.end());
+        for (std::size_t i = 0; i < all.size(); ++i)
+            worst = std::max(worst, std::abs(own[i] - all[i]) / most);
+    }
+    return worst;
+}
+
 std::string balances(const support::FoldedScene& scene, const SceneRun& run) {
     constexpr double ROUNDING = 1e-9, SINGLE_PRECISION = 1e-6;
     std::string fault;
     if (const double lost = lost_mass(run); !(lost < ROUNDING))
         fault += fmt::format("{:.2g} of the gas is not accounted for\n", lost);
+    if (const double apart = chamber_apart(run); !(apart < ROUNDING))
+        fault += fmt::format("the bag's only chamber is {:.2g} of the bag's state apart\n", apart);
     if (!scene.is_free) return fault;
     if (const double change = test::change_of_momentum(run.results(), 0.4);
         !(change < SINGLE_PRECISION))

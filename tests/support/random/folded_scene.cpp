@@ -168,6 +168,7 @@ std::string words_of(const Plan& plan, const Pack& pack) {
     if (plan.is_porous) words += ", porous";
     if (plan.inner_set > 0) words += ", tether";
     if (plan.has_heat) words += ", HCONV";
+    if (plan.is_chamber) words += ", a chamber";
     return words;
 }
 
@@ -176,6 +177,7 @@ std::string words_of(const Plan& plan, const Pack& pack) {
 FoldedScene folded_scene(unsigned seed) {
     Draw draw(seed + 0x7000'0000U);
     Plan plan = plan_of_pack(draw);
+    plan.is_chamber = Draw(seed + 0x7800'0000U).chance(0.3) && !(plan.has_heat && plan.switches);
     const Pack pack =
         fold_one(seed, {plan.is_free, plan.has_vent, POROUS, WALL, COVER, RING, VENT, TETHER});
     plan.side = Vec3(1.0, 1.0, blown_up(pack.recipe.pattern));
@@ -202,6 +204,8 @@ FoldedScene folded_scene(unsigned seed) {
     scene.deck += surroundings_of_pack(plan, {pack.found.low, pack.found.high}, draw, words);
     scene.summary =
         fmt::format("{}, {:.2g} of {:.2g} l, ", words, 1e3 * plan.start, 1e3 * plan.volume());
+    if (plan.is_chamber)
+        scene.deck += fmt::format("*DEFINE_CPM_CHAMBER\n1, 1\n{}, 0, 0, 1\n", CLOSING);
     scene.deck += airbag(draw, plan, scene);
     scene.deck += plan.curves + "*END\n";
     scene.summary += fmt::format(", TSSFAC {:.2f}, seed {}", factor, scene.seed);

@@ -30,6 +30,7 @@ struct Plan {
     double inflow_end;                      ///< of most inflows [s]
     std::array<std::vector<int>, 2> floor;  ///< shells at z = 0, by chamber
     bool is_free = false;                   ///< nothing holds the bag
+    bool is_chamber = false;                ///< the bag as a whole is one of *DEFINE_CPM_CHAMBER
     int closing_set = 1, inner_set = 0;     ///< part sets: what closes the bag, and lies inside
     double start = NaN;                     ///< volume at the start; NaN: that of `side` [m^3]
     std::optional<Vec3> inflator;           ///< where a nozzle may be, beside `floor` [m]

@@ -150,7 +150,8 @@ std::string airbag(Draw& draw, Plan& plan, RandomScene& scene) {
     text += fmt::format("{}, 1, 1, {:.4g}, {}, {}, 1e10, {}\n", scene.particles, T_atm, P_ATM,
                         int{plan.has_vent} + int{plan.has_hole}, when);
     text += fmt::format("{}, {}, {}, 0, 0, 0, {}\n", plan.air, gases,
-                        std::count(jets.begin(), jets.end(), '\n'), plan.has_chambers ? 1 : 0);
+                        std::count(jets.begin(), jets.end(), '\n'),
+                        plan.has_chambers || plan.is_chamber ? 1 : 0);
     if (plan.has_heat)
         text += fmt::format("{}, 1, {:.4g}\n", plan.closing_set, draw.log_in(5.0, 500.0));
     text += hole_rows;

@@ -19,6 +19,7 @@
 #include "io/results/hdf5.hpp"
 #include "tests/places.hpp"
 #include "tests/support/runs/datasets.hpp"
+#include "tests/support/runs/scene_outside.hpp"
 #include "tools/verify/frame_crossings.hpp"
 
 namespace corpuscle::test {
@@ -144,6 +145,12 @@ std::string SceneRun::fault(double residual) const {
     if (crossings != 0) text += fmt::format("{} pairs of facets cross\n", crossings);
     if (!impossible.empty()) text += impossible + " has a mass or temperature that no gas has\n";
     if (status == 0 && lost != 0) text += fmt::format("{} particles lost\n", lost);
+    if (numbers > 0) {
+        const Outside outside = particles_outside(directory_ / "scene.k", results());
+        if (outside.particles != 0)
+            text += fmt::format("{} of {} particles in all frames are outside of their bag\n",
+                                outside.particles, outside.seen);
+    }
     if (!(worst_residual <= residual))
         text += fmt::format("residual {:.3g} J; {:.3g} J were brought in, the gas held {:.3g} J\n",
                             worst_residual, brought_in, held);

@@ -61,6 +61,10 @@ void check(unsigned first, unsigned last, int steps) {
 
 }  // namespace
 
-TEST_CASE("a thousand folded and distorted meshes keep their energy for 10 000 steps at 0.9") {
+TEST_CASE("folded and distorted meshes keep their energy for 10 000 steps at 0.9") {
+    check(1, 250, 10000);
+}
+
+TEST_CASE("a thousand folded and distorted meshes keep their energy for 10 000 steps", "[.long]") {
     check(1, 1000, 10000);
 }
