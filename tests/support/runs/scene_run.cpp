@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int MOST_SECONDS = 20;  ///< of one core, however loaded the machine is
+constexpr int MOST_SECONDS = 60;  ///< of all cores, however loaded the machine is
 
 /// Greatest size; infinite where one is no number.
 double largest(const std::vector<double>& values) {

@@ -20,7 +20,7 @@ namespace {
 double rebound(double speed, double step) {
     LayersDeck deck;
     deck.step = step;
-    deck.layers = {{.z = 0.0, .cells = 16, .side = 0.2, .kind = Kind::HELD_CLOTH},
+    deck.layers = {{.z = 0.0, .cells = 10, .side = 0.2, .kind = Kind::HELD_CLOTH},
                    {.z = 2e-3,
                     .cells = 6,
                     .side = 0.06,
@@ -94,8 +94,8 @@ struct Ball {
 std::vector<double> bounce(double step) {
     LayersDeck deck;
     deck.step = step;
-    deck.layers = {{.z = 0.0, .cells = 16, .side = 0.2, .kind = Kind::HELD_CLOTH},
-                   {.z = 60e-3, .cells = 15, .side = 0.2, .kind = Kind::HELD_CLOTH}};
+    deck.layers = {{.z = 0.0, .cells = 10, .side = 0.2, .kind = Kind::HELD_CLOTH},
+                   {.z = 60e-3, .cells = 9, .side = 0.2, .kind = Kind::HELD_CLOTH}};
     const Ball ball;
     const DeckRun run(fmt::format("bounce_{}", static_cast<int>(100 * step)),
                       deck.text("a ball between taut sheets", ball.cards(), 75e-3, 0.5e-3));
