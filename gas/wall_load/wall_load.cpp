@@ -221,6 +221,7 @@ void WallLoad::measure(std::span<const Vec3> x) {
 
 void WallLoad::begin_with(double pressure, double mass_flux, std::span<const Vec3> x) {
     measure(x);
+    released_.share = WallRelease::BEGINS;
     for (std::size_t p = 0; p < size_.size(); ++p) {
         deferred_.age[p] = 0.0;
         deferred_.mass[p] = mass_flux * size_[p] * time_;
@@ -231,15 +232,29 @@ void WallLoad::begin_with(double pressure, double mass_flux, std::span<const Vec
     }
 }
 
+/// The first release spans half a step, the hits that follow it a whole one: the other half's share
+/// is not owed, else it would push the wall by p dt / 2.
+void WallLoad::take_half_step(double share, std::span<const Vec3> x) {
+    for (std::size_t p = 0; p < size_.size(); ++p) {
+        if (held_[p] != 0) continue;
+        const double rest = deferred_.normal[p];
+        const double half = share < 0.5 ? share / (1.0 - share) * rest : rest;
+        deferred_.normal[p] -= half;
+        owed_[surface_->room_of_point(p)].add(x[surface_->node(p)], -half * normal(p));
+    }
+}
+
 void WallLoad::end_of_hits(std::span<const double> pressure, std::span<const Vec3> x) {
     measure(x);
     since_hits_ = 0.0;
+    // what steady hits leave to be owed, once a step's share is given
+    const double time = time_ * (1.0 - std::max(0.0, std::exchange(released_.share, 0.0)));
     for (std::size_t p = 0; p < size_.size(); ++p) {
         deferred_.mass[p] = 0.0;
         deferred_.age[p] = 0.0;  // all that is owed goes to all of the wall
         if (held_[p] != 0) continue;
         const Index room = surface_->room_of_point(p);
-        const double replaced = pressure[room] * size_[p] * time_;
+        const double replaced = pressure[room] * size_[p] * time;
         deferred_.normal[p] -= replaced;
         owed_[room].add(x[surface_->node(p)], -replaced * normal(p));
     }

@@ -53,10 +53,14 @@ struct WallRelease {
     Points on_node;                ///< N × 3                                       [N]
     std::vector<double> pressure;  ///< by point                                    [Pa]
     Wrench wrench;
+    double share =
+        0.0;  ///< of what was kept; BEGINS: none has been, and the next spans half a step
+
+    static constexpr double BEGINS = -1.0;
 
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(force, on_node, pressure, wrench);
+        archive(force, on_node, pressure, wrench, share);
     }
 };
 
@@ -110,7 +114,8 @@ public:
     /// All of it.                                                                          [J]
     [[nodiscard]] double pay_jets();
 
-    /// As if a gas had long been there: its pressure, and the mass that hits per area and time.
+    /// As if a gas had long been there: its pressure, and the mass that hits per area and time. At
+    /// the start of a leapfrog: the next release spans half of the step whose hits follow it.
     void begin_with(double pressure, double mass_flux, std::span<const Vec3> x);
     /// No more hits will come: uniform pressures (a row a room) take the place of what hits gave on
     /// average; what they brought beyond is still released, until that is next to nothing.
@@ -184,6 +189,7 @@ private:
     void release_points(double share, double span, std::span<const Vec3> v,
                         std::span<const double> mass);
     void release_jets(double share, double span, std::span<const Vec3> x);
+    void take_half_step(double share, std::span<const Vec3> x);
     void release_hits(double share, double span, std::span<const Vec3> x, std::span<const Vec3> v,
                       std::span<const double> mass, std::span<Vec3> f);
     void come_to_rest();

@@ -53,6 +53,9 @@ void WallLoad::release(double span, std::span<const Vec3> x, std::span<const Vec
     release_jets(share, span, x);
     held_owed_ = {};
     released_.wrench -= owed();
+    const bool begins = released_.share == WallRelease::BEGINS;
+    if (begins) take_half_step(share, x);
+    released_.share = begins ? std::min(1.0, 2.0 * share) : share;
     if (is_at_rest())
         for (const Index node : jets_.nodes) released_.on_node[node].setZero();
     for (std::size_t j = 0; j < jets_.nodes.size(); ++j) {

@@ -130,6 +130,16 @@ def far_vent():
                 "Written by tools/models/box.py: change it there."])
 
 
+def free_jet():
+    mesh = box((0.6, 0.4, 0.4), (6, 4, 4), lambda axis, end, i, j: 1 if axis else 3 if end else 2)
+    orifice = mesh.node(0.02, 0.2, 0.2, number=100000)
+    mesh.node_sets[HELD] = ("every node is held", list(mesh.nodes))
+    mesh.vectors[1] = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0))
+    mesh.write(MODELS / "verification" / "free_jet" / "mesh.k",
+               ["A box of 0.6 x 0.4 x 0.4, the end at x = 0 part 2, that at x = 0.6 part 3, an orifice; lengths in m.",
+                "Written by tools/models/box.py: change it there."])
+
+
 def piston_wave():
     mesh = box((1.0, 0.1, 0.1), (1, 6, 6), lambda axis, end, i, j: 1 if axis else PISTON if end else 3)
     moved = [n for n, x in mesh.nodes.items() if x[0] > 0.0]
@@ -145,6 +155,7 @@ if __name__ == "__main__":
     sod()
     vent_by_chamber()
     far_vent()
+    free_jet()
     piston_wave()
     helium_air()
     fast_piston()

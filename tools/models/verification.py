@@ -175,6 +175,29 @@ def sphere(level, radius, squeeze=1.0, centre=(0.0, 0.0, 0.0)):
     return mesh
 
 
+def sphere_with_vents(level, radius):
+    """A sphere; part 2: what is round the corners of its icosahedron, 3 of 16 triangles; sets: mirrors, all with the
+    orifice."""
+    mesh = sphere(level, radius)
+    coarse = sphere(2, radius)
+    degree = {}
+    for _, corners in coarse.shells.values():
+        for n in corners:
+            degree[n] = degree.get(n, 0) + 1
+    tips = [n for n in degree if degree[n] == 5]
+    middle = lambda of, corners: tuple(sum(of.nodes[n][k] for n in corners) for k in range(3))
+    ends = [middle(coarse, corners) for _, corners in coarse.shells.values()]
+    is_vent = [any(n in tips for n in corners) for _, corners in coarse.shells.values()]
+    for number, (_, corners) in mesh.shells.items():
+        here = middle(mesh, corners)
+        nearest = min(range(len(ends)), key=lambda k: sum((a - b) ** 2 for a, b in zip(ends[k], here)))
+        mesh.shells[number] = (2 if is_vent[nearest] else 1, corners)
+    mesh.node(0.0, 0.0, 0.0, 100000)
+    for k, title in enumerate(("mirror x = 0", "mirror y = 0", "mirror z = 0")):
+        mesh.node_sets[k + 1] = (title, [n for n, at in mesh.nodes.items() if abs(at[k]) < EPSILON])
+    return mesh
+
+
 def write(case, n, mesh, what):
     mesh.write(CASES / case / f"mesh_{n}.k",
                [what, "Written by tools/models/verification.py: change it there."])
@@ -196,6 +219,9 @@ def main():
     for level in (2, 3):
         write("spinning_bag", level, sphere(level, 0.1, squeeze=0.7),
               f"A ball of radius 0.1 m, flattened to 0.7 of it, 20 x 4^{level} triangles; lengths in m.")
+    for level in (2, 3):
+        write("vented_bag", level, sphere_with_vents(level, 0.25),
+              f"A sphere of radius 0.25 m, 20 x 4^{level} triangles, vents (part 2), an orifice in the middle; lengths in m.")
     for n in (16, 32, 64):
         write("capstan", n, belt(n, 0.05, 0.1, 0.02),
               f"A strip of 0.02 m over a rod of radius 0.05 m, {n} quads around its half; lengths in m.")

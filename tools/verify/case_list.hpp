@@ -19,6 +19,8 @@ Findings closed_membrane(const Runs&);
 Findings two_inflators(const Runs&);
 Findings tank_test(const Runs&);
 Findings cooling(const Runs&);
+/// cases/balloon.cpp
+Findings vented_bag(const Runs&);
 /// cases/bodies.cpp
 Findings pendulum(const Runs&);
 Findings sliding_block(const Runs&);
@@ -43,6 +45,7 @@ Findings piston_wave(const Runs&);
 /// cases/momenta.cpp
 Findings spinning_bag(const Runs&);
 Findings jet_on_plate(const Runs&);
+Findings free_jet(const Runs&);
 /// cases/oscillations.cpp
 Findings plate_on_gas(const Runs&);
 Findings standing_wave(const Runs&);
@@ -53,6 +56,7 @@ Findings porous_tank(const Runs&);
 Findings vent_by_chamber(const Runs&);
 Findings uniform_tank(const Runs&);
 Findings far_vent(const Runs&);
+Findings mixing_chambers(const Runs&);
 
 /// cases/vessels.cpp
 Findings hencky(const Runs&);

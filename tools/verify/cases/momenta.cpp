@@ -1,9 +1,10 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 //
-// Momentum: a free bag that flies and spins, a jet that strikes a plate.
+// Momentum: a free bag that flies and spins, a jet that strikes a plate, a jet in air.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -100,6 +101,57 @@ Findings jet_on_plate(const Runs& runs) {
         const double gas = momentum_of_gas(run, run.frames().back()).linear.x();
         const double impulse = impulse_on(run, 3, AREA) - impulse_on(run, 2, AREA);
         return std::map<std::string, double>{{"impulse", (impulse + gas) / jet - 1.0}};
+    });
+}
+
+/// Air enters air at rest. Momentum: that of the gas and the impulses on both ends. Flux: of the mean
+/// flow, x = 0.1 to 0.4 m,
+///     J = int rho u² dA,   rho u² = (sum m v_x)² / (sum m V) less what chance adds, (sum m²) c² / (sum m V)
+Findings free_jet(const Runs& runs) {
+    constexpr double RATE = 1.0, T = 300.0, M = 0.028, AREA = 0.16, MIDDLE = 0.2, STEADY = 6e-3;
+    constexpr double SLAB = 0.05, FIRST = 0.1;
+    constexpr std::size_t SLABS = 6;
+    constexpr std::array<double, 4> RADIUS{0.03, 0.06, 0.1, 0.15};
+    const double pi = std::acos(-1.0);
+    const double jet =
+        RATE * std::sqrt(3.0 * GAS_CONSTANT * T / M) * 0.5 * (1.0 + std::cos(pi / 18.0));
+    return by_run(runs, [&](const MeasuredRun& run) {
+        struct Sums {
+            double m = 0.0, mm = 0.0, mv = 0.0, mvv = 0.0;
+        };
+        std::array<std::array<Sums, SLABS>, RADIUS.size()> rings{};
+        const auto time = run.read("/frames/time");
+        const auto frames = run.frames();
+        double count = 0.0;
+        for (std::size_t f = 0; f < frames.size(); ++f) {
+            if (time[f] < STEADY) continue;
+            count += 1.0;
+            const std::string of = frames[f] + "particles/";
+            const auto x = run.vectors(of + "position"), v = run.vectors(of + "velocity");
+            const auto mass = run.read(of + "mass");
+            for (std::size_t i = 0; i < mass.size(); ++i) {
+                const double r = std::hypot(x[i].y() - MIDDLE, x[i].z() - MIDDLE);
+                const auto ring = static_cast<std::size_t>(
+                    std::upper_bound(RADIUS.begin(), RADIUS.end(), r) - RADIUS.begin());
+                const double along = (x[i].x() - FIRST) / SLAB;
+                if (ring == RADIUS.size() || along < 0.0 || along >= SLABS) continue;
+                Sums& s = rings[ring][static_cast<std::size_t>(along)];
+                s.m += mass[i];
+                s.mm += mass[i] * mass[i];
+                s.mv += mass[i] * v[i].x();
+                s.mvv += mass[i] * v[i].x() * v[i].x();
+            }
+        }
+        double flux = 0.0;
+        for (const auto& ring : rings)
+            for (const Sums& s : ring) {
+                const double u = s.mv / s.m, c_squared = s.mvv / s.m - u * u;
+                flux += (s.m * u * u - s.mm / s.m * c_squared) / (count * SLAB * SLABS);
+            }
+        const double gas = momentum_of_gas(run, frames.back()).linear.x();
+        const double impulse = impulse_on(run, 3, AREA) - impulse_on(run, 2, AREA);
+        return std::map<std::string, double>{
+            {"impulse", (impulse + gas) / (jet * time.back()) - 1.0}, {"flux", flux / jet - 1.0}};
     });
 }
 

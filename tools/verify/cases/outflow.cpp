@@ -4,10 +4,12 @@
 // Tanks that empty through vents and cloth, against the differential equations of a stirred tank.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tools/verify/case_list.hpp"
 #include "tools/verify/exact/euler_duct.hpp"
+#include "tools/verify/exact/graham.hpp"
 #include "tools/verify/exact/stirred_tank.hpp"
 
 namespace corpuscle::verify {
@@ -120,6 +122,44 @@ Findings porous_tank(const Runs& runs) {
                                share, mass);
         };
         return std::map<std::string, double>{{"air", error(0)}, {"helium", error(1)}};
+    });
+}
+
+/// Halves of half a litre, air in the first and helium in the second until 3 ms, then 1 cm² of holes.
+Findings mixing_chambers(const Runs& runs) {
+    constexpr double HALF = 0.5e-3, T = 300.0, MIDDLE = 0.05, HOLES = 1e-4, FROM = 3e-3;
+    constexpr double N = P_ATM * HALF / (GAS_CONSTANT * T), AIR = 28.0, HELIUM = 20.786;
+    return by_run(runs, [&](const MeasuredRun& run) {
+        oracle::GrahamRooms exact{{{{0.028, AIR}, {0.004, HELIUM}}},
+                                  {{{{N, 0.0}, N * (AIR - GAS_CONSTANT) * T},
+                                    {{0.0, N}, N * (HELIUM - GAS_CONSTANT) * T}}},
+                                  HALF,
+                                  HOLES};
+        const auto time = run.read("/frames/time");
+        const auto frames = run.frames();
+        double now = FROM, air = 0.0, helium = 0.0, pressure = 0.0, count = 0.0;
+        for (std::size_t f = 0; f < frames.size(); ++f) {
+            if (time[f] < FROM + 1e-3) continue;
+            exact.advance(time[f] - now, 200);
+            now = time[f];
+            const std::string of = frames[f] + "particles/";
+            const auto x = run.vectors(of + "position"), v = run.vectors(of + "velocity");
+            const auto mass = run.read(of + "mass"), gas = run.read(of + "species");
+            std::array<double, 2> all{}, crossed{}, motion{};  // by gas, by gas, by half
+            for (std::size_t i = 0; i < mass.size(); ++i) {
+                const std::size_t g = gas[i] == 1.0 ? 0 : 1, half = x[i].x() < MIDDLE ? 0 : 1;
+                all[g] += mass[i];
+                if (g != half) crossed[g] += mass[i];
+                motion[half] += mass[i] * v[i].squaredNorm();
+            }
+            const auto& rooms = exact.rooms;
+            air += crossed[0] / all[0] - rooms[1].moles[0] / N;
+            helium += crossed[1] / all[1] - rooms[0].moles[1] / N;
+            pressure += motion[0] / motion[1] - exact.pressure(rooms[0]) / exact.pressure(rooms[1]);
+            count += 1.0;
+        }
+        return std::map<std::string, double>{
+            {"air", air / count}, {"helium", helium / count}, {"pressure", pressure / count}};
     });
 }
 

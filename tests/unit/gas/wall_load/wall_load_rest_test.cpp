@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <memory>
 
 #include "gas/wall_load/wall_load.hpp"
@@ -100,4 +101,61 @@ TEST_CASE("a wall whose hits are over is pushed by jets", "[gas]") {
     wall.release_for(40.0 * RELEASE);
     CHECK((wall.given().linear - before.linear - impulse).norm() < 1e-15);
     CHECK(wall.load().force(LeftWall::JET).norm() < 1e-10);
+}
+
+TEST_CASE(
+    "gas that has long been there pushes as hard from the first half step on, and over the switch",
+    "[gas]") {
+    const shapes::Shape shape = shapes::sphere(1.0, 3);
+    const auto surface =
+        std::make_shared<WettedSurface>(shape.triangles, shape.triangles.size(), shape.x);
+    const std::size_t nodes = shape.x.size();
+    const std::vector<std::uint8_t> held(nodes, 0);
+    const std::vector<double> particle_mass{1.0}, mass(nodes, 1.0);
+    const Points v(nodes, Vec3::Zero());
+    const double step = GENERATE(5e-6, 20e-6, 40e-6);
+    WallLoad load(surface, held, {}, RELEASE, 0.0);
+    Particles none;
+    double area = 0.0, given = 0.0;
+    FlightResult flight;
+    flight.hits.emplace_back();
+    for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
+        const auto& [a, b, c] = shape.triangles[t];
+        const Vec3 normal = vector_area(shape.x[a], shape.x[b], shape.x[c]);
+        flight.hits[0].push_back({static_cast<Index>(t),
+                                  0,
+                                  {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0},
+                                  HITS * step * normal,
+                                  0.0,
+                                  (shape.x[a] + shape.x[b] + shape.x[c]) / 3.0});
+    }
+    none.add(Vec3::Zero(), Vec3::Zero(), 1.0, 0, 0);
+    Points areas(surface->points());
+    surface->point_areas(shape.x, areas);
+    for (const Vec3& a : areas) area += a.norm();
+    const auto release = [&](double span) {
+        Points f(nodes, Vec3::Zero());
+        load.release(span, shape.x, v, mass, f);
+        for (std::size_t p = 0; p < areas.size(); ++p)
+            given +=
+                span * f[static_cast<std::size_t>(surface->node(p))].dot(areas[p].normalized());
+        load.book(v, span);
+    };
+    load.begin_with(HITS, 0.01, shape.x);
+    release(0.5 * step);
+    const double half = given;
+    double before = 0.0, whole = 0.0;
+    for (int s = 0; s < 40; ++s) {
+        load.find_sides(flight, shape.x, shape.x);
+        load.receive(flight, particle_mass, none);
+        before = given;
+        release(step);
+        whole = given - before;
+        CHECK(std::abs(whole - 2.0 * half) < 0.015 * whole);
+    }
+    CHECK(half == Approx(0.5 * HITS * area * step));
+    before = given;
+    load.end_of_hits(std::vector<double>{whole / (area * step)}, shape.x);
+    for (int s = 0; s < 400; ++s) release(step);
+    CHECK(std::abs(given - before) < 0.02 * whole);
 }
