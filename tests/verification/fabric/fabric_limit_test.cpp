@@ -218,7 +218,9 @@ TEST_CASE("taut meshes at 1.1 of the largest eigenvalue's step stop and name a s
     check_taut(1, 250);
 }
 
-TEST_CASE("a thousand taut meshes at 1.1 of the limit stop", "[.long]") { check_taut(1, 1000); }
+TEST_CASE("a thousand taut meshes at 1.1 of the limit stop", "[.long]") {
+    check_taut(1, 1000);
+}
 
 TEST_CASE("the step is no more than the largest eigenvalue's and not much less") {
     check_sharpness(1, 100);
@@ -228,7 +230,9 @@ TEST_CASE("folded meshes at 1.1 of the largest eigenvalue's step stop and name a
     check_folded(1, 250);
 }
 
-TEST_CASE("a thousand folded meshes at 1.1 of the limit stop", "[.long]") { check_folded(1, 1000); }
+TEST_CASE("a thousand folded meshes at 1.1 of the limit stop", "[.long]") {
+    check_folded(1, 1000);
+}
 
 TEST_CASE("folded meshes at 0.9 of the step go on", "[.long]") {
     check_folded_below(1, 1000);
