@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# One-at-a-time study of the calibrated constants in table.txt: for each value a program of its own, on the case of
-# `corpuscle verify` that is most sensitive to it. Prints a table in Markdown: docs/verification_constants.md.
+# One-at-a-time study of the calibrated constants in table.txt: for each value a program of its own, on a case of
+# `corpuscle verify` that it acts on. Prints a table in Markdown.
 # usage: study.sh [-j RUNS_AT_A_TIME] [NAME ...]       an hour on two cores; CMAKE_CXX_COMPILER_LAUNCHER is taken
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
@@ -26,7 +26,7 @@ measured() { # FOLDER CASE WHAT
 echo "# Calibrated constants"
 echo
 echo "By \`tests/verification/constants/study.sh\`: each constant at three values, its own in the middle and in bold, all others left"
-echo "alone, and what the quantity does that is most sensitive to it (\`corpuscle verify CASE --quick\`; ± of 95 % between seeds)."
+echo "alone, and the error of a quantity that it acts on (\`corpuscle verify CASE --quick\`; ± of 95 % between seeds)."
 echo
 echo "| constant | what it sets | case: quantity | budget | values | errors |"
 echo "|---|---|---|---|---|---|"
