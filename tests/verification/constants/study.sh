@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # One-at-a-time study of the calibrated constants in table.txt: for each value a program of its own, on a case of
 # `corpuscle verify` that it acts on. Prints a table in Markdown.
-# usage: study.sh [-j RUNS_AT_A_TIME] [NAME ...]       an hour on two cores; CMAKE_CXX_COMPILER_LAUNCHER is taken
+# usage: study.sh [-j RUNS_AT_A_TIME] [NAME ...]       a build a value; CMAKE_CXX_COMPILER_LAUNCHER is taken
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 table=$PWD/tests/verification/constants/table.txt jobs=$(nproc)
