@@ -12,7 +12,7 @@
 namespace corpuscle::tools {
 namespace {
 
-constexpr int MOST_THREADS = 1024;  ///< a team of very many overflows the stack of GNU's OpenMP
+constexpr int MOST_THREADS = 1024;  ///< of any machine that this is meant for
 
 /// CLI11 reads -3 as an unsigned number close to 2^64, and whatever is above that as the greatest.
 std::string whole_number(const std::string& text) {

@@ -33,16 +33,6 @@ std::filesystem::path best_program(const std::filesystem::path& self) {
     return fits && std::filesystem::exists(fast, error) ? fast : self;
 }
 
-/// Threads that wait for each other spin for a tenth of a millisecond, then sleep. GNU's OpenMP has
-/// them spin a hundred times as long, in which another program that wants a core makes every step
-/// wait for it. It reads this before main; whoever has set either variable is left alone.
-/// @returns  whether the program must start once more to be told
-bool spin_briefly() {
-    if (std::getenv("GOMP_SPINCOUNT") != nullptr || std::getenv("OMP_WAIT_POLICY") != nullptr)
-        return false;
-    return setenv("GOMP_SPINCOUNT", "3000", 1) == 0;
-}
-
 /// Starts the program once more where that makes it faster; one that cannot tell where it lies, or
 /// does not start, goes on as it is.
 void start_well(char** argv) {
@@ -50,7 +40,7 @@ void start_well(char** argv) {
     const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
     if (error) return;
     const auto best = best_program(self);
-    if (spin_briefly() || best != self) execv(best.c_str(), argv);
+    if (best != self) execv(best.c_str(), argv);
 }
 
 int run(int argc, char** argv) {

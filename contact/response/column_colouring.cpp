@@ -79,6 +79,7 @@ void ColumnColouring::sort(const ContactList& contacts) {
         start_[0] = 0;
         std::partial_sum(start_.begin(), start_.end(), start_.begin());
         sort_by_size();
+        deal_out();
         order_.resize(start_.back());
     };
     const auto share_out = [&](std::size_t column) {
@@ -123,6 +124,21 @@ void ColumnColouring::sort_by_size() {
         }
         filled_ += start[SIZES - 1];
     }
+}
+
+/// To the threads, block by block: along a Z-curve [Morton 1966] over the columns' names.
+void ColumnColouring::deal_out() {
+    const auto task_at = [&](std::size_t z) -> std::size_t {
+        unsigned i = 0, j = 0;
+        for (unsigned bit = 0; ACROSS >> bit > 1; ++bit) {
+            i |= static_cast<unsigned>(z >> 2 * bit & 1U) << bit;
+            j |= static_cast<unsigned>(z >> (2 * bit + 1) & 1U) << bit;
+        }
+        const std::uint16_t task = task_of_[name(i, j)];
+        return task == NONE ? parallel::TaskShares::NONE : std::size_t{task};
+    };
+    shares_.deal(COUNT, task_at,
+                 [&](std::size_t task) { return static_cast<double>(size(task_[task])); });
 }
 
 }  // namespace corpuscle::contact

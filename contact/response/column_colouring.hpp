@@ -72,7 +72,7 @@ public:
                 if (task_of_[column] < task) visit(std::size_t{task_of_[column]});
             });
         };
-        tasks_.run(filled_, before, over_task, is_worth_threads(), where);
+        tasks_.run(shares_, before, over_task, is_worth_threads(), where);
         body(COUNT);
     }
     /// Likewise of one thread, for what those bodies have found.
@@ -90,6 +90,7 @@ private:
     }
 
     void sort_by_size();
+    void deal_out();
     /// visit(column) for the eight around one.
     template <class Visit>
     static void for_each_neighbour(std::size_t column, Visit&& visit) {
@@ -124,6 +125,7 @@ private:
     std::array<std::uint16_t, COUNT> task_{};     ///< columns with contacts
     std::array<std::uint16_t, COUNT> task_of_{};  ///< by column; NONE: it has no contacts
     std::size_t filled_ = 0;                      ///< columns with contacts
+    parallel::TaskShares shares_;
     mutable parallel::Tasks tasks_;
     std::vector<std::array<std::uint32_t, COUNT + 1>> next_;  ///< by some chunks and column
 };

@@ -81,8 +81,7 @@ double ImplicitResponse::solve_all(const ColumnColouring& columns, VelocityState
 double ImplicitResponse::sweep(bool is_whole, const ColumnColouring& columns,
                                VelocityState& motion) {
     columns.for_each_column([&](std::size_t column) {
-        Share& share = share_[column];
-        share.changed = share.all = 0.0;
+        double changed = 0.0, all = 0.0;
         const bool is_alone = column == ColumnColouring::COUNT;
         std::uint32_t* const active = active_.data() + columns.begin(column);
         const auto bring = [&](std::size_t i) {
@@ -90,17 +89,21 @@ double ImplicitResponse::sweep(bool is_whole, const ColumnColouring& columns,
             if (row.mass == INF) return false;
             const bool on_body = is_alone && row.contact->on_body;
             const double change = on_body ? solve_on_body(row, motion) : solve(row, motion);
-            share.changed += std::abs(change);
-            share.all += row.impulse;
+            changed += std::abs(change);
+            all += row.impulse;
             return change != 0.0 || row.impulse > 0.0;
         };
-        if (!is_whole) {
+        Share& share = share_[column];
+        if (is_whole) {
+            std::size_t count = 0;
+            for (std::size_t i = columns.begin(column); i < columns.begin(column + 1); ++i)
+                if (bring(i)) active[count++] = static_cast<std::uint32_t>(i);
+            share.active = count;
+        } else {
             for (std::size_t k = 0; k < share.active; ++k) bring(active[k]);
-            return;
         }
-        share.active = 0;
-        for (std::size_t i = columns.begin(column); i < columns.begin(column + 1); ++i)
-            if (bring(i)) active[share.active++] = static_cast<std::uint32_t>(i);
+        share.changed = changed;
+        share.all = all;
     });
     double changed = 0.0, all = 0.0;
     columns.for_each_in_turn([&](std::size_t column) {

@@ -35,9 +35,26 @@ std::vector<RoomGroups> Collider::groups_of_rooms(std::size_t rooms, std::size_t
     const auto room_of = [&](std::span<const Index> rows) {
         return particles.room_of(static_cast<std::size_t>(rows[0]));
     };
-    std::vector<RoomGroups> out(rooms);
-    for (std::size_t r = 0; r < rooms; ++r) {
-        constexpr std::size_t GROUPS_A_CHUNK = 16;
+    constexpr std::size_t GROUPS_A_CHUNK = 16, COUNTED_A_CHUNK = 256;
+    using Rooms = std::vector<RoomGroups>;
+    Rooms none(rooms);
+    for (RoomGroups& room : none) room.count.assign(kinds, 0.0);
+    Rooms out = parallel::fold(
+        lists.size(), none,
+        [&](Rooms& all, std::size_t g) {
+            RoomGroups& room = all[room_of(lists[g])];
+            room.groups += 1.0;
+            for (const Index row : lists[g])
+                room.count[static_cast<std::size_t>(particles.species[row])] += 1.0;
+        },
+        [&](Rooms& all, const Rooms& more) {
+            for (std::size_t r = 0; r < rooms; ++r) {
+                all[r].groups += more[r].groups;
+                for (std::size_t k = 0; k < kinds; ++k) all[r].count[k] += more[r].count[k];
+            }
+        },
+        COUNTED_A_CHUNK);
+    for (std::size_t r = 0; r < rooms; ++r)
         out[r].energies = parallel::sum(
             lists.size(), GroupEnergies{},
             [&](std::size_t g) {
@@ -45,14 +62,6 @@ std::vector<RoomGroups> Collider::groups_of_rooms(std::size_t rooms, std::size_t
                                               : GroupEnergies{};
             },
             GROUPS_A_CHUNK);
-        out[r].count.assign(kinds, 0.0);
-    }
-    for (std::size_t g = 0; g < lists.size(); ++g) {
-        RoomGroups& room = out[room_of(lists[g])];
-        room.groups += 1.0;
-        for (const Index row : lists[g])
-            room.count[static_cast<std::size_t>(particles.species[row])] += 1.0;
-    }
     return out;
 }
 

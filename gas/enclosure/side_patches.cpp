@@ -63,12 +63,12 @@ void SidePatches::colour(const WettedSurface& surface) {
 }
 
 void SidePatches::list_before(const std::vector<std::vector<Index>>& neighbours) {
-    std::vector<Index> place(size());
-    for (std::size_t i = 0; i < size(); ++i) place[by_colour_[i]] = static_cast<Index>(i);
+    place_.resize(size());
+    for (std::size_t i = 0; i < size(); ++i) place_[by_colour_[i]] = static_cast<Index>(i);
     first_before_.push_back(0);
     for (std::size_t i = 0; i < size(); ++i) {
         for (const Index other : neighbours[by_colour_[i]])
-            if (place[other] < static_cast<Index>(i)) before_.push_back(place[other]);
+            if (place_[other] < static_cast<Index>(i)) before_.push_back(place_[other]);
         first_before_.push_back(static_cast<Index>(before_.size()));
     }
 }

@@ -29,6 +29,9 @@ public:
     }
     /// Patches, colour by colour.
     [[nodiscard]] std::span<const Index> by_colour() const { return by_colour_; }
+    [[nodiscard]] std::size_t place(std::size_t patch) const {  ///< there
+        return static_cast<std::size_t>(place_[patch]);
+    }
     /// Of the patch at a place there, the places of those before it that have points in common.
     [[nodiscard]] std::span<const Index> before(std::size_t place) const {
         return std::span(before_).subspan(
@@ -44,6 +47,7 @@ private:
     std::vector<Index> of_side_;                ///< patch of each side
     std::vector<Index> room_;                   ///< of each patch
     std::vector<Index> by_colour_, start_;      ///< patches, compressed rows
+    std::vector<Index> place_;                  ///< of each patch in by_colour_
     std::vector<Index> before_, first_before_;  ///< likewise places before, by place
 };
 

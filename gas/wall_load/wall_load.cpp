@@ -99,16 +99,22 @@ void WallLoad::receive(const SidePatches& patches, HitsOf&& hits_of, std::span<c
     const auto receive_patch = [&](std::size_t place) {
         const auto patch = static_cast<std::size_t>(patches.by_colour()[place]);
         if (hits_of(patch).empty()) return;
-        receiving_.tally[patch] = {};
-        for (const WallHits::Met& met : hits_of(patch))
-            take_in(met, mass, particles, receiving_.tally[patch]);
+        Tally tally;
+        for (const WallHits::Met& met : hits_of(patch)) take_in(met, mass, particles, tally);
+        receiving_.tally[patch] = tally;
     };
     const auto before = [&](std::size_t place, auto&& visit) {
         for (const Index other : patches.before(place)) visit(static_cast<std::size_t>(other));
     };
+    const auto hits_at = [&](std::size_t place) {
+        return hits_of(static_cast<std::size_t>(patches.by_colour()[place])).size();
+    };
     std::size_t count = 0;
     for (std::size_t p = 0; p < patches.size(); ++p) count += hits_of(p).size();
-    receiving_.tasks.run(patches.size(), before, receive_patch, count > FEW_HITS,
+    receiving_.shares.deal(
+        patches.size(), [&](std::size_t patch) { return patches.place(patch); },
+        [&](std::size_t place) { return static_cast<double>(hits_at(place)); });
+    receiving_.tasks.run(receiving_.shares, before, receive_patch, count > FEW_HITS,
                          parallel::Cut().where);
     for (std::size_t p = 0; p < patches.size(); ++p)
         if (!hits_of(p).empty()) add(receiving_.tally[p], patches.room(p));

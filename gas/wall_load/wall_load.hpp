@@ -223,6 +223,7 @@ private:
     WallHits hits_;
     struct {
         std::vector<Tally> tally;  ///< by patch
+        parallel::TaskShares shares;
         parallel::Tasks tasks;
     } receiving_;
     double taken_ = 0.0;        ///< [J]

@@ -2,17 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <sched.h>
-
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "solver/base/parallel.hpp"
+#include "solver/base/threads.hpp"
 
 namespace corpuscle::parallel {
 
@@ -33,19 +30,15 @@ namespace corpuscle::parallel {
 
 /// Cores that this program may use.
 [[nodiscard]] inline int cores() {
-    cpu_set_t set;
-    CPU_ZERO(&set);
-    if (sched_getaffinity(0, sizeof(set), &set) != 0) return processors();
-    std::vector<int> cpus;
-    for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu)
-        if (CPU_ISSET(cpu, &set)) cpus.push_back(cpu);
+    const std::vector<int> cpus = allowed_cpus();
+    if (cpus.empty()) return processors();
     return std::clamp(cores_of(cpus, "/sys/devices/system/cpu"), 1, processors());
 }
 
 /// Threads of a run that is not told how many: as OMP_NUM_THREADS says, else one a core. A core's
 /// second thread shares its vector units and caches, which loops over particles and elements fill.
 [[nodiscard]] inline int default_threads() {
-    return std::getenv("OMP_NUM_THREADS") != nullptr ? threads() : cores();
+    return threads_of_environment() > 0 ? threads() : cores();
 }
 
 }  // namespace corpuscle::parallel

@@ -59,20 +59,6 @@ double dealt_out(const Chunks& chunks, int cores, std::vector<double>& free_at) 
     return last;
 }
 
-LoopMeter::Call call_of(const parallel::CallSite& where) {
-    return {where.file, where.line};
-}
-
-/// file:line, the file from the project's folders on.
-std::string text_of(const LoopMeter::Call& call) {
-    std::string name = call.first;
-    if (name.empty()) return "start";
-    for (const char* folder : {"/contact/", "/gas/", "/fabric/", "/solver/", "/tests/"})
-        if (const std::size_t at = name.rfind(folder); at != std::string::npos)
-            name.erase(0, at + 1);
-    return name + ":" + std::to_string(call.second);
-}
-
 }  // namespace
 
 LoopMeter::Site& LoopMeter::Site::operator+=(const Site& other) {
@@ -174,15 +160,6 @@ void LoopMeter::end() {
 
 double LoopMeter::outside() const {
     return outside_ + since_last();
-}
-
-std::map<std::string, LoopMeter::Site> LoopMeter::sites() const {
-    std::map<std::string, Site> sites;
-    for (const auto& [calls, site] : by_call_) {
-        const auto& [from, to] = calls;
-        sites[from == Call{} ? text_of(to) : text_of(from) + " -> " + text_of(to)] += site;
-    }
-    return sites;
 }
 
 double LoopMeter::wall(std::size_t k, double call) const {

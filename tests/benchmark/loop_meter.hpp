@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "solver/base/loop_observer.hpp"
+#include "tests/benchmark/loop_sites.hpp"
 
 namespace corpuscle::benchmark {
 
@@ -58,9 +59,7 @@ public:
     /// @param call  what it costs to call the threads to a loop; half of it, to wait      [s]
     [[nodiscard]] double wall(std::size_t k, double call = 0.0) const;
     /// By call site, file:line, of the loop, or of both ends of a stretch.
-    [[nodiscard]] std::map<std::string, Site> sites() const;
-
-    using Call = std::pair<const char*, unsigned>;  ///< file, line
+    [[nodiscard]] std::map<std::string, Site> sites() const { return by_text(by_call_); }
 
 private:
     /// By either clock, whichever has less: one counts other programs in, the other is slow to read.

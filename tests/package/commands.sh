@@ -99,7 +99,7 @@ cp -r models "$work/models"
 done)
 
 ran=0 skipped=0 bad=0
-export PATH="$work/bin:$PATH" OMP_WAIT_POLICY=passive
+export PATH="$work/bin:$PATH"
 for page in "${pages[@]}"; do
     mapfile -t commands < <("$here/shown_commands.sh" "$page")
     [ ${#commands[@]} -gt 0 ] || continue

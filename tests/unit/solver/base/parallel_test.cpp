@@ -2,32 +2,25 @@
 // SPDX-License-Identifier: MIT
 #include "solver/base/parallel.hpp"
 
+#include <sys/wait.h>
+#include <unistd.h>
 #include <catch2/catch.hpp>
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 #include <vector>
 
 #include "solver/base/cores.hpp"
 #include "solver/base/tasks.hpp"
-#include "tests/benchmark/loop_meter.hpp"
+#include "tests/unit/solver/base/some_threads.hpp"
 
 using namespace corpuscle;
+using support::Threads;
 
 namespace {
-
-/// Threads as a test wants them, then as they were.
-class Threads {
-public:
-    explicit Threads(int n) { parallel::set_threads(n); }
-    ~Threads() { parallel::set_threads(before_); }
-    Threads(const Threads&) = delete;
-    Threads& operator=(const Threads&) = delete;
-
-private:
-    int before_ = parallel::threads();
-};
 
 class Counter final : public parallel::LoopObserver {
 public:
@@ -35,22 +28,6 @@ public:
     void end() override { ++ended; }
     void end_chunk() override {}
     int begun = 0, ended = 0;
-};
-
-/// A clock that stands until it is moved on.
-class HandClock {
-public:
-    using Clock = benchmark::LoopMeter::Clock;
-    static Clock::time_point now() { return Clock::time_point(time_); }
-    static Clock::time_point busy() { return Clock::time_point(busy_); }
-    static void wait(int milliseconds) { time_ += std::chrono::milliseconds(milliseconds); }
-    static void pass(int milliseconds) {
-        wait(milliseconds);
-        busy_ += std::chrono::milliseconds(milliseconds);
-    }
-
-private:
-    inline static Clock::duration time_{}, busy_{};  ///< of all; of this thread
 };
 
 }  // namespace
@@ -124,11 +101,21 @@ TEST_CASE("tasks begin when those that they wait for are done", "[base]") {
     parallel::Tasks tasks;
     for (const int n : {1, 2, 5}) {
         const Threads threads(n);
+        parallel::TaskShares shares;
+        shares.deal(
+            COUNT + 1,
+            [](std::size_t place) {  // back to front, with a hole
+                return place == 7 ? parallel::TaskShares::NONE
+                                  : COUNT - 1 - (place > 7 ? place - 1 : place);
+            },
+            [](std::size_t task) { return task < 10 ? 100.0 : 1.0; });
+        REQUIRE(shares.tasks() == COUNT);
+        REQUIRE(shares.members() == n);
         for (const bool is_worth_it : {true, false}) {
             // Of a binary tree from its root: each adds to what its parent has found
             std::vector<std::size_t> depth(COUNT, 0), count(COUNT, 0);
             tasks.run(
-                COUNT,
+                shares,
                 [](std::size_t task, auto&& visit) {
                     if (task > 0) visit((task - 1) / 2);
                 },
@@ -146,7 +133,66 @@ TEST_CASE("tasks begin when those that they wait for are done", "[base]") {
         }
     }
     tasks.run(
-        0, [](std::size_t, auto&&) {}, [](std::size_t) { FAIL(); }, true, parallel::Cut().where);
+        {}, [](std::size_t, auto&&) {}, [](std::size_t) { FAIL(); }, true, parallel::Cut().where);
+}
+
+TEST_CASE("threads begin with tasks side by side, of like weight", "[base]") {
+    const Threads threads(4);
+    parallel::TaskShares shares;
+    const std::vector<double> weight{1, 1, 1, 1, 4, 2, 2, 4};  // by task: runs of 4
+    shares.deal(
+        weight.size(), [](std::size_t place) { return 7 - place; },
+        [&](std::size_t task) { return weight[task]; });
+    const std::vector<std::vector<std::uint32_t>> expected{{7}, {5, 6}, {4}, {0, 1, 2, 3}};
+    for (int m = 0; m < 4; ++m)
+        CHECK(std::vector<std::uint32_t>(shares.of(m).begin(), shares.of(m).end()) == expected[m]);
+}
+
+TEST_CASE("chunks are done once each, whoever is late", "[base]") {
+    for (const int n : {2, 3, 7}) {
+        const Threads threads(n);
+        for (int again = 0; again < 300; ++again) {
+            std::vector<std::atomic<int>> done(101);
+            parallel::for_each(
+                done.size(),
+                [&](std::size_t i) {
+                    if (i == 3) std::this_thread::yield();
+                    ++done[i];
+                },
+                1);
+            for (const auto& count : done) REQUIRE(count == 1);
+        }
+    }
+}
+
+TEST_CASE("a forked process has threads of its own", "[base]") {
+    const Threads threads(2);
+    std::vector<int> value(10000, 0);
+    parallel::for_each(value.size(), [&](std::size_t i) { value[i] = 1; });
+    const pid_t child = fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+        alarm(20);
+        parallel::for_each(value.size(), [&](std::size_t i) { ++value[i]; });
+        _exit(value == std::vector<int>(value.size(), 2) ? 0 : 1);
+    }
+    int status = -1;
+    REQUIRE(waitpid(child, &status, 0) == child);
+    CHECK(status == 0);
+}
+
+TEST_CASE("two threads that call at once both come through", "[base]") {
+    const Threads threads(2);
+    const auto add = [](std::vector<int>& to) {
+        for (int again = 0; again < 200; ++again)
+            parallel::for_each(to.size(), [&](std::size_t i) { ++to[i]; });
+    };
+    std::vector<int> here(10000, 0), there(10000, 0);
+    std::thread other([&] { add(there); });
+    add(here);
+    other.join();
+    CHECK(here == std::vector<int>(here.size(), 200));
+    CHECK(there == here);
 }
 
 TEST_CASE("an observer sees loops that threads share, not those within them", "[base]") {
@@ -160,70 +206,6 @@ TEST_CASE("an observer sees loops that threads share, not those within them", "[
     parallel::for_each(10000, [](std::size_t) {});
     CHECK(counter.begun == 2);
     CHECK(counter.ended == 2);
-}
-
-TEST_CASE("chunks of 30, 10, 10 and 10 ms take 60, 30 and 30 ms on 1, 2 and 4 cores", "[base]") {
-    const Threads threads(1);
-    benchmark::LoopMeter meter(&HandClock::now, &HandClock::busy);
-    const std::vector<int> chunks{30, 10, 10, 10};
-    parallel::for_each(
-        chunks.size(), [&](std::size_t i) { HandClock::pass(chunks[i]); }, 1);
-    HandClock::pass(20);
-    CHECK(meter.loops() == 1);
-    CHECK(meter.seconds() == Approx(0.080));
-    CHECK(meter.outside() == Approx(0.020));
-    CHECK(meter.wall(0) == Approx(0.080));       // 1 core: all, and what lies outside
-    CHECK(meter.wall(1) == Approx(0.050));       // 2 cores
-    CHECK(meter.wall(2) == Approx(0.050));       // 4 cores: the longest chunk
-    CHECK(meter.wall(1, 1.0) == Approx(1.050));  // a call of the threads a loop
-    CHECK(meter.wall(0, 1.0) == Approx(0.080));
-    const auto sites = meter.sites();
-    REQUIRE(sites.size() == 2);  // the loop, and what came before it
-    const auto& site =
-        sites.begin()->first.find("->") == std::string::npos ? *sites.begin() : *sites.rbegin();
-    CHECK(site.first.find("parallel_test.cpp:") != std::string::npos);
-    CHECK(site.second.time == Approx(0.060));
-    CHECK(site.second.lost(2) == Approx(0.015));  // 30 ms instead of a quarter of 60
-}
-
-TEST_CASE("loops in turn wait for each other: 30 and 10, then 10 and 30 ms", "[base]") {
-    const Threads threads(1);
-    benchmark::LoopMeter meter(&HandClock::now, &HandClock::busy);
-    const int time[2][2] = {{30, 10}, {10, 30}};
-    parallel::in_turn(2, [&](std::size_t loop) {
-        return parallel::each(
-            2, [&time, loop](std::size_t i) { HandClock::pass(time[loop][i]); }, 1);
-    });
-    CHECK(meter.loops() == 1);
-    CHECK(meter.wall(0) == Approx(0.080));
-    CHECK(meter.wall(1) == Approx(0.060));       // not 40: 30 each
-    CHECK(meter.wall(1, 1.0) == Approx(1.560));  // a call, and a wait that costs half of one
-}
-
-TEST_CASE("tasks of 30 and 10 ms, then 20 that wait for the first alone, and 10", "[base]") {
-    const Threads threads(1);
-    benchmark::LoopMeter meter(&HandClock::now, &HandClock::busy);
-    const std::vector<int> time{30, 10, 20, 10};
-    parallel::Tasks tasks;
-    tasks.run(
-        time.size(),
-        [](std::size_t task, auto&& visit) {
-            if (task == 2) visit(std::size_t{0});
-        },
-        [&](std::size_t task) { HandClock::pass(time[task]); }, true, parallel::Cut().where);
-    CHECK(meter.wall(0) == Approx(0.070));
-    // The second core has done its first at 10 ms, and waits until 30 for the first core
-    CHECK(meter.wall(1) == Approx(0.050));
-    CHECK(meter.wall(1, 1.0) == Approx(1.050));  // one call, no wait of all for all
-}
-
-TEST_CASE("what another program takes is none of a loop's time", "[base]") {
-    const Threads threads(1);
-    benchmark::LoopMeter meter(&HandClock::now, &HandClock::busy);
-    parallel::for_each(
-        4, [&](std::size_t i) { i == 1 ? HandClock::wait(50) : HandClock::pass(10); }, 1);
-    CHECK(meter.seconds() == Approx(0.030));
-    CHECK(meter.wall(1) == Approx(0.020));
 }
 
 TEST_CASE("two hardware threads of a core are one core", "[base]") {
