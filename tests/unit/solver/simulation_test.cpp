@@ -27,7 +27,7 @@ const auto nothing = [](Simulation&) {};
 TEST_CASE("free fall is exact", "[solver]") {
     Model model = scenes::of(shapes::sphere(0.1, 1), scenes::cloth(), 3e-4);
     model.curves = {Curve{1, {0.0, 1.0}, {9.81, 9.81}}};
-    model.body_loads = {{2, 0, 1.0}};
+    model.body_loads = {{2, 0, 1.0, {}}};
     model.end_time = 2e-3;
     Simulation simulation(model);
     while (!simulation.is_over()) simulation.step(nothing);

@@ -17,14 +17,6 @@ using namespace corpuscle;
 using namespace corpuscle::gas;
 using namespace collide_setup;
 
-namespace {
-
-double least(const Particles& gas) {
-    return *std::min_element(gas.e.begin(), gas.e.end());
-}
-
-}  // namespace
-
 TEST_CASE("deviations are kept as far as none falls below zero, and the mean is as wanted",
           "[gas]") {
     const std::vector<double> e{1.0, 2.5, 4.0, 0.5, 7.0};

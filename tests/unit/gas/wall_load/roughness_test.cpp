@@ -51,7 +51,7 @@ TEST_CASE("friction by a curve follows the mean pressure of its own part's hits 
     Roughness roughness(card, two_triangles(), curves, TIME);
     constexpr double PRESSURE = 300.0, AIR = 200.0;
     FlightResult flight;
-    flight.hits = {{{0, 0, {1, 0, 0}, Vec3(0, 0, 7.0), 0.0}},
+    flight.hits = {{{0, 0, {1, 0, 0}, Vec3(0, 0, 7.0), 0.0, Vec3::Zero()}},
                    {{1, 0, {1, 0, 0}, Vec3(0, 0, 0.5 * PRESSURE * STEP), 0.0, Vec3::Zero()}}};
     double before = 0.0;
     for (int s = 1; s <= 1000; ++s) {
