@@ -43,7 +43,7 @@ public:
     Team(const Team&) = delete;
     Team& operator=(const Team&) = delete;
 
-    [[nodiscard]] int size() const { return size_; }
+    [[nodiscard]] int size() const { return size_; }  ///< threads, the caller among them
 
     /// work(member) for 0..size()-1, on a thread each; 0 is the one that calls. What it throws ends
     /// the program.
