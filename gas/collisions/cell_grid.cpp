@@ -42,36 +42,39 @@ void find_cells(const Grid& grid, std::span<const Vec3> x, Index* cell) {
 
 }  // namespace
 
-/// A number of each particle, so many bytes apart.
-struct CellSort::Number {
+/// One number or vector of each particle.
+struct CellSort::Column {
     char* data;
-    std::size_t size, stride;
+    std::size_t size;          ///< of one [bytes]
+    std::size_t ahead_of = 0;  ///< bytes of a particle in the columns before it in its stage
 
     template <class T>
-    static Number of(T* data, std::size_t stride) {
-        return {reinterpret_cast<char*>(data), sizeof(T), stride * sizeof(T)};
+    static Column of(std::vector<T>& column) {
+        return {reinterpret_cast<char*>(column.data()), sizeof(T)};
     }
     /// Calls with a number of bytes that the compiler knows.
     template <class Copy>
     void by_size(Copy&& copy) const {
+        if (size == 24) return copy(std::integral_constant<std::size_t, 24>());
         if (size == 8) return copy(std::integral_constant<std::size_t, 8>());
         if (size == 4) return copy(std::integral_constant<std::size_t, 4>());
         copy(std::integral_constant<std::size_t, 2>());
     }
     void gather(std::size_t begin, std::size_t end, std::span<const Index> order,
-                double* spare) const {
+                std::vector<Vec3>& spare) const {
         by_size([&](auto bytes) {
-            char* to = reinterpret_cast<char*>(spare) + bytes * begin;
+            char* to = place(spare) + bytes * begin;
             for (std::size_t i = begin; i < end; ++i, to += bytes)
-                std::memcpy(to, data + stride * static_cast<std::size_t>(order[i]), bytes);
+                std::memcpy(to, data + bytes * static_cast<std::size_t>(order[i]), bytes);
         });
     }
-    void write(std::size_t begin, std::size_t end, const double* spare) const {
-        by_size([&](auto bytes) {
-            const char* from = reinterpret_cast<const char*>(spare) + bytes * begin;
-            for (std::size_t i = begin; i < end; ++i, from += bytes)
-                std::memcpy(data + stride * i, from, bytes);
-        });
+    void write(std::size_t begin, std::size_t end, std::vector<Vec3>& spare) const {
+        std::memcpy(data + size * begin, place(spare) + size * begin, size * (end - begin));
+    }
+
+private:
+    [[nodiscard]] char* place(std::vector<Vec3>& spare) const {
+        return reinterpret_cast<char*>(spare.data()) + ahead_of * spare.size();
     }
 };
 
@@ -141,35 +144,35 @@ void CellSort::place(std::size_t slice) {
         order_[static_cast<std::size_t>(next[cell_[i]]++)] = static_cast<Index>(i);
 }
 
-/// Number by number, so that sixteen spare bytes a particle do for all: while one number is written
-/// back, the next is gathered.
+/// In stages, so that room for two of them does for all: while one is written back, the next is
+/// gathered.
 void CellSort::move_rows(Particles& particles) {
     const std::size_t n = order_.size();
     if (n == 0) return;
     for (auto& spare : spare_) spare.resize(n);
-    std::vector<Number> numbers;
-    for (auto* column : {&particles.x, &particles.v})
-        for (int a = 0; a < 3; ++a) numbers.push_back(Number::of((*column)[0].data() + a, 3));
-    numbers.push_back(Number::of(particles.e.data(), 1));
-    for (auto* column : {&particles.species, &particles.id})
-        numbers.push_back(Number::of(column->data(), 1));
-    numbers.push_back(Number::of(particles.safe_distance.data(), 1));
-    if (!particles.room.empty()) numbers.push_back(Number::of(particles.room.data(), 1));
+    std::vector<Column> rest{Column::of(particles.e), Column::of(particles.species),
+                             Column::of(particles.id), Column::of(particles.safe_distance)};
+    if (!particles.room.empty()) rest.push_back(Column::of(particles.room));
+    for (std::size_t k = 1; k < rest.size(); ++k)
+        rest[k].ahead_of = rest[k - 1].ahead_of + rest[k - 1].size;
+    const std::array<std::vector<Column>, 3> stages{
+        {{Column::of(particles.x)}, {Column::of(particles.v)}, std::move(rest)}};
     const auto move = [&](std::size_t stage) {
-        const auto chunk = [this, &numbers, stage](std::size_t begin, std::size_t end,
-                                                   std::size_t) {
+        const auto chunk = [this, &stages, stage](std::size_t begin, std::size_t end, std::size_t) {
             if (stage > 0)
-                numbers[stage - 1].write(begin, end, spare_[(stage - 1) % SPARES].data());
-            if (stage < numbers.size())
-                numbers[stage].gather(begin, end, order_, spare_[stage % SPARES].data());
-            if (stage == numbers.size())
+                for (const Column& column : stages[stage - 1])
+                    column.write(begin, end, spare_[(stage - 1) % SPARES]);
+            if (stage < stages.size())
+                for (const Column& column : stages[stage])
+                    column.gather(begin, end, order_, spare_[stage % SPARES]);
+            if (stage == stages.size())
                 std::iota(order_.begin() + static_cast<std::ptrdiff_t>(begin),
                           order_.begin() + static_cast<std::ptrdiff_t>(end),
                           static_cast<Index>(begin));
         };
         return parallel::Loop<decltype(chunk)>{n, chunk, parallel::Cut()};
     };
-    parallel::in_turn(numbers.size() + 1, move);
+    parallel::in_turn(stages.size() + 1, move);
 }
 
 }  // namespace corpuscle::gas

@@ -26,7 +26,7 @@ struct Lists {
 
 /// Lists particles by grid cell, and now and then puts them in that order: neighbours in space
 /// become neighbours in memory. A stable counting sort, so the order is that of cells, then of
-/// rows, on any number of threads. Memory: 24 bytes a particle, 4 a cell and thread.
+/// rows, on any number of threads. Memory: 56 bytes a particle, 4 a cell and thread.
 class CellSort {
 public:
     /// Lists rows by cell; `moves_rows`: and puts the particles in that order. A few steps without
@@ -39,7 +39,7 @@ public:
     [[nodiscard]] std::span<Index> order() { return order_; }
 
 private:
-    struct Number;
+    struct Column;
     [[nodiscard]] Index sum(std::size_t chunk, std::size_t slices) const;
     void share_out(std::size_t chunk, std::span<const Index> sums, std::size_t slices);
     void count(const Grid& grid, std::span<const Vec3> x, std::size_t slice);
@@ -52,7 +52,7 @@ private:
     std::vector<Index> start_;
     std::vector<Index> order_;  ///< rows
     static constexpr std::size_t SPARES = 2;
-    std::array<std::vector<double>, SPARES> spare_;
+    std::array<std::vector<Vec3>, SPARES> spare_;
 };
 
 /// Edge of cubic cells that hold `per_cell` particles on average.                          [m]
