@@ -35,7 +35,7 @@ struct Run {
 Run run(const fs::path& deck, const std::string& options = "") {
     const fs::path folder = deck.string() + ".out";
     const auto [status, told] =
-        test::shell(fmt::format("timeout -s KILL 60 {} run '{}' -q -j 1 -o '{}' {} 2>&1",
+        test::shell(fmt::format("ulimit -t 60; {} run '{}' -q -j 1 -o '{}' {} 2>&1",
                                 CORPUSCLE_PROGRAM, deck.string(), folder.string(), options));
     return {status, told, folder};
 }
@@ -154,7 +154,7 @@ TEST_CASE("results of the decks of others have finite numbers only", "[finite]")
         if (entry.path().extension() != ".k") continue;
         const fs::path out = folder.write("out/deck.k", "").parent_path();
         const auto [status, told] =
-            test::shell(fmt::format("timeout -s KILL 60 {} run '{}' -q -j 1 -o '{}' 2>&1",
+            test::shell(fmt::format("ulimit -t 60; {} run '{}' -q -j 1 -o '{}' 2>&1",
                                     CORPUSCLE_PROGRAM, entry.path().string(), out.string()));
         INFO(entry.path().filename().string() << "\n" << told);
         CHECK((status == 0 || status == 2));  // some are there to be refused
