@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "gas/cards/collision_model.hpp"
+#include "io/deck/deck_fingerprint.hpp"
 #include "io/deck/deck_places.hpp"
 #include "io/deck/faults.hpp"
 #include "io/deck/keyword_reader.hpp"
@@ -258,6 +259,7 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options, D
     draft.mean_free_path = mean_free_path(draft.collision, parameters, faults);
     closing(parameters, faults, model);
     const std::string said_units = units(parameters, faults);
+    model.fingerprint = scene_fingerprint(text, parameters);
     std::vector<Task> tasks = sort_out(text, faults, draft);
     const auto scene = std::find_if(tasks.begin(), tasks.end(), [](const Task& task) {
         return task.match.keyword->phase > keywords::Phase::SHELL;

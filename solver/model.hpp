@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -247,6 +248,7 @@ struct Model : ModelMesh, ModelBodies, ModelLoads, ModelAirbags, ModelContacts, 
     std::vector<Curve> curves;          ///< that cards name by row
     std::vector<std::string> notes;     ///< what was decided where a deck may be read in two ways
     std::vector<std::string> warnings;  ///< each with file and line, for the user
+    std::uint64_t fingerprint = 0;      ///< of all that the deck says of the scene; 0: no deck
 };
 
 /// What the material of a part says of leaking, or nullptr: it does not.

@@ -27,7 +27,7 @@ std::uint64_t Simulation::fingerprint() const {
     for (Part& part : model.parts) scene(part.id, part.thickness, part.material);
     for (TiedNode& tie : model.tied_nodes) scene(tie.node, tie.ends, tie.share);
     for (gas::BagCard& bag : model.bags) scene(bag.id, bag.particles);
-    scene(seed, model.step_factor, model.step_mass_scaled);
+    scene(seed, model.step_factor, model.step_mass_scaled, model.fingerprint);
     return corpuscle::fingerprint(scene.bytes());
 }
 

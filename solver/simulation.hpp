@@ -87,7 +87,7 @@ public:
     [[nodiscard]] double added_mass() const { return scene_.cloth.added_mass; }
 
     /// The next step and who limits it.
-    /// @param without_start  as if there were no DTINIT
+    /// @param without_start  as if there were no DTINIT, and no strain to let go
     [[nodiscard]] StepLimit stable_step(bool without_start = false) const {
         return scene_.stable_step(without_start);
     }
@@ -115,7 +115,8 @@ public:
     }
     /// Whether the numbers that it goes on from are finite; a checkpoint of others is of no use.
     [[nodiscard]] bool is_finite() const;
-    /// Tells models and seeds apart.
+    /// Tells decks and seeds apart; of models that no deck made, those of other meshes, parts, curves,
+    /// ties or bags.
     [[nodiscard]] std::uint64_t fingerprint() const;
 
 private:

@@ -2,21 +2,91 @@
 // SPDX-License-Identifier: MIT
 #include "io/deck/deck_fingerprint.hpp"
 
-#include "io/deck/keyword_reader.hpp"
+#include <cctype>
+#include <cstring>
+#include <string_view>
 
 namespace corpuscle::io {
+namespace {
+
+/// FNV-1a, 64 bits, of texts in turn.
+class Hash {
+public:
+    void take(std::string_view text) {
+        for (const char c : text) take_byte(static_cast<unsigned char>(c));
+        take_byte(0);  // where a text ends
+    }
+    void take(double number) {
+        char bytes[sizeof number];
+        std::memcpy(bytes, &number, sizeof number);
+        for (const char byte : bytes) take_byte(static_cast<unsigned char>(byte));
+    }
+    [[nodiscard]] std::uint64_t value() const { return hash_; }
+
+private:
+    void take_byte(unsigned char c) { hash_ = (hash_ ^ c) * 1099511628211ULL; }
+
+    std::uint64_t hash_ = 14695981039346656037ULL;
+};
+
+/// Says the block when the run ends, or how often something is written?
+bool is_of_output(const Block& block) {
+    const std::string_view keyword = block.keyword;
+    return keyword == "CONTROL_TERMINATION" || keyword == "TITLE" ||
+           (keyword.starts_with("DATABASE_") && !keyword.starts_with("DATABASE_HISTORY") &&
+            !keyword.starts_with("DATABASE_CPM_SENSOR"));
+}
+
+bool is_of_name(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// The parameters that a line names, wherever it does: &name, <name * 2>.
+void take_parameters(std::string_view line, std::uint32_t file, const Parameters& parameters,
+                     Hash& hash) {
+    if (line.find_first_of("&<") == std::string_view::npos) return;
+    for (std::size_t at = 0; at < line.size();) {
+        std::size_t end = at;
+        while (end < line.size() && is_of_name(line[end])) ++end;
+        if (const auto* p = parameters.find(line.substr(at, end - at), file); end > at && p) {
+            if (p->type == 'C')
+                hash.take(p->text);
+            else
+                hash.take(p->value.number);
+        }
+        at = end + 1;
+    }
+}
+
+}  // namespace
 
 std::uint64_t deck_fingerprint(const std::filesystem::path& deck) {
     Faults ignored;  // whoever runs the deck hears of them
     Parameters parameters({});
     const DeckText text = read_keywords(deck, parameters, ignored);
-    std::uint64_t hash = 14695981039346656037ULL;
-    const auto take = [&](unsigned char c) { hash = (hash ^ c) * 1099511628211ULL; };
-    for (const DeckText::File& file : text.files) {
-        for (const char c : file.text) take(static_cast<unsigned char>(c));
-        take(0);  // where a file ends
+    Hash hash;
+    for (const DeckText::File& file : text.files) hash.take(file.text);
+    return hash.value();
+}
+
+std::uint64_t scene_fingerprint(const DeckText& text, Parameters& parameters) {
+    Hash hash;
+    for (const Block& block : text.blocks) {
+        if (is_of_output(block)) continue;
+        hash.take(block.keyword);
+        for (const Line& line : block.lines) {
+            hash.take(line.text.substr(0, line.text.find_last_not_of(" \r") + 1));
+            take_parameters(line.text, block.place.file, parameters, hash);
+        }
     }
-    return hash;
+    // what no card but a parameter or -D says
+    for (const char* name :
+         {"<DIALECT>", "<COLLISION>", "<MEAN_FREE_PATH>", "<CLOSE>", "<UNITS>"}) {
+        const std::string_view bracketed = name;
+        take_parameters(bracketed, 0, parameters, hash);
+        hash.take(parameters.take_override(bracketed.substr(1, bracketed.size() - 2)).value_or(""));
+    }
+    return hash.value();
 }
 
 }  // namespace corpuscle::io

@@ -230,6 +230,12 @@ TEST_CASE("a kill between the end of the results and that of the run leaves noth
         CHECK(other == 2);
         CHECK_THAT(told, Contains("is of another scene"));
     }
+    SECTION("nor is a wall more the same scene") {
+        folder.write("deck.k", balloon(CLOTH, "1e-4", "*RIGIDWALL_PLANAR\n\n0,0,-1,0,0,1\n"));
+        const auto [other, told] = run(deck, "--restart");
+        CHECK(other == 2);
+        CHECK_THAT(told, Contains("is of another scene"));
+    }
     SECTION("as there is after the end") {
         const auto [longer, told] = run(deck, "--restart --until 2e-4");
         CHECK(longer == 2);
