@@ -14,6 +14,8 @@ std::string StepLimit::text() const {
     switch (who) {
         case Who::SHELL:
             return fmt::format("shell {}", id);
+        case Who::STRAIN:
+            return "the start of strained cloth";
         case Who::GAS:
             return fmt::format("gas of bag {}", id);
         case Who::START:
@@ -38,6 +40,9 @@ StepLimit SceneState::shells_step() const {
 
 StepLimit SceneState::stable_step(bool without_start) const {
     StepLimit limit = shells_step();
+    // Whoever asks for steps beyond the stable one gets them from the first on
+    if (!without_start && model.step_factor <= 1.0)
+        limit.tighten(cloth.strained_start.longest(), StepLimit::Who::STRAIN, 0);
     for (const gas::BagGas& bag : airbags.particle)
         limit.tighten(bag.stable_step(), StepLimit::Who::GAS, bag.card().id);
     // Rigid bodies and gas at uniform pressure set no limit: a thousand steps are what a path and a

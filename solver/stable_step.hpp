@@ -14,6 +14,7 @@ struct StepLimit {
     enum class Who {
         NOTHING,  ///< no fabric and no gas: a share of the run
         SHELL,    ///< fabric, `id` is a shell's
+        STRAIN,   ///< fabric that lets go of a great strain
         GAS,      ///< gas, `id` is a bag's
         START,    ///< DTINIT, in the first step
         END       ///< the end of the run

@@ -50,6 +50,7 @@ StepReport Simulation::step(const Observer& observe) {
     scene_.ledger.commit();
     nodes.x.swap(nodes.x_1);
     scene_.clock.advance(dt);
+    scene_.cloth.strained_start.advance();
     if (limit.who == StepLimit::Who::END) scene_.clock.t = scene_.model.end_time;
     return {t, dt, limit};
 }

@@ -3,6 +3,7 @@
 #include "solver/scene/reference_geometry.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "solver/base/error.hpp"
@@ -104,6 +105,23 @@ std::vector<std::array<Vec3, 4>> corners_at(double t, const std::vector<double>&
     for (std::size_t s = 0; s < births.size(); ++s)
         if (births[s] > t) out[s] = corners_of(model.shells[s], model.x);
     return out;
+}
+
+bool is_strained(const Model& model, const std::vector<std::uint8_t>& active,
+                 const std::vector<std::array<Vec3, 4>>& corners, double least) {
+    const auto is_edge_strained = [&](const std::array<Vec3, 4>& now,
+                                      const std::array<Vec3, 4>& rest, std::size_t k) {
+        const std::size_t next = (k + 1) % 4;
+        const double length = (rest[next] - rest[k]).norm();
+        return std::abs((now[next] - now[k]).norm() - length) > least * length;
+    };
+    for (std::size_t s = 0; s < model.shells.size(); ++s) {
+        if (!active[s]) continue;
+        const std::array<Vec3, 4> now = corners_of(model.shells[s], model.x);
+        for (std::size_t k = 0; k < 4; ++k)
+            if (is_edge_strained(now, corners[s], k)) return true;
+    }
+    return false;
 }
 
 double next_birth(double t, const std::vector<double>& births) {

@@ -27,6 +27,11 @@ std::vector<std::array<Vec3, 4>> corners_at(double t, const std::vector<double>&
                                             const std::vector<std::array<Vec3, 4>>& corners,
                                             const Model& model);
 
+/// Does an edge of an `active` shell differ by more than `least` from its length between `corners`?
+/// @param active  E
+bool is_strained(const Model& model, const std::vector<std::uint8_t>& active,
+                 const std::vector<std::array<Vec3, 4>>& corners, double least);
+
 /// The first birth after t; infinite when there is none.                                    [s]
 double next_birth(double t, const std::vector<double>& births);
 

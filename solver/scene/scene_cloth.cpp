@@ -75,6 +75,7 @@ void SceneState::activate_references() {
     ledger.before.external += more;
     ledger.after.external += more;
     cloth.growth.give(more);
+    cloth.strained_start.begin(old.stable_step().dt);
 }
 
 }  // namespace corpuscle

@@ -101,6 +101,10 @@ void SceneState::build_cloth() {
         for (std::size_t n = 0; n < nodes.size(); ++n) nodes.mass[n] += added.node[n];
         cloth.added_mass = added.total;
     }
+    if (cloth.membranes &&
+        is_strained(model, cloth.active, corners_at(0.0, cloth.births, cloth.reference, model),
+                    StrainedStart::LITTLE))
+        cloth.strained_start.begin(cloth.membranes->stable_step().dt);
     if (ties.empty()) return;
     ties.share_mass(nodes.mass);
     ties.hold(nodes.v);

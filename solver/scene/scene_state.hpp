@@ -23,6 +23,7 @@
 #include "solver/energy/growth_monitor.hpp"
 #include "solver/energy/impulse_book.hpp"
 #include "solver/energy/ledger.hpp"
+#include "solver/energy/strained_start.hpp"
 #include "solver/loads.hpp"
 #include "solver/model.hpp"
 #include "solver/stable_step.hpp"
@@ -51,6 +52,7 @@ struct SceneCloth {
     double next_birth = INF;     ///< the first of `births` to come; INF: none             [s]
     std::optional<fabric::Membranes> membranes;  ///< none: no shell is strained
     GrowthMonitor growth;                        ///< where there are membranes
+    StrainedStart strained_start;                        ///< likewise
 };
 
 /// Bags of the scene, by card.
@@ -137,7 +139,7 @@ struct SceneState {
     void find_damped_mass();
 
     /// The next step and who limits it.
-    /// @param without_start  as if there were no DTINIT
+    /// @param without_start  as if there were no DTINIT, and no strain to let go
     [[nodiscard]] StepLimit stable_step(bool without_start = false) const;
     /// What the shells alone allow.
     [[nodiscard]] StepLimit shells_step() const;
@@ -167,9 +169,9 @@ struct SceneState {
         archive(cloth.next_birth);
         if (cloth.next_birth != next_birth && cloth.membranes)  // read: references that count now
             cloth.membranes = membranes_at(clock.t);
-        archive(cloth.membranes, cloth.growth, supports, bodies.all, airbags.particle,
-                airbags.uniform, obstacles.contact, obstacles.walls, impulses.walls,
-                impulses.contacts, impulses.joints, impulses.turnings);
+        archive(cloth.membranes, cloth.growth, cloth.strained_start, supports, bodies.all,
+                airbags.particle, airbags.uniform, obstacles.contact, obstacles.walls,
+                impulses.walls, impulses.contacts, impulses.joints, impulses.turnings);
     }
 
     Model model;                   ///< what the scene was built from
