@@ -165,7 +165,7 @@ std::string random_airbag_recipe(unsigned seed) {
 
 std::string random_small_recipe(unsigned seed, SmallBag kind) {
     Draw draw(seed);
-    const double element = draw.in(0.020, 0.028), gap = draw.in(0.7e-3, 1.2e-3);
+    const double element = draw.in(0.020, 0.0243), gap = draw.in(0.7e-3, 1.2e-3);
     const double half = draw.in(0.11, 0.17);
     std::string text = "[pattern]\n";
     if (draw.below(2) > 0)
@@ -185,14 +185,14 @@ std::string random_small_recipe(unsigned seed, SmallBag kind) {
     if (place == 2) text += "[inflator]\nat = [0.0, 0.0]\ndiameter = 0.08\n";
     for (int i = kind.has_vents ? 1 + draw.below(2) : 0; i > 0; --i)
         text += fmt::format("[[vent]]\nat = [{}, 0.06]\ndiameter = {}\n", i == 1 ? 0.045 : -0.045,
-                            draw.in(1.8, 2.0) * element);
+                            draw.in(2.2, 2.4) * element);
     if (draw.below(4) == 0) {
         const double length = draw.in(0.13, 0.15);
         text += fmt::format("[[tether]]\nfrom = [{}, 0]\nlength = {}\nwidth = {}\n", -0.5 * length,
                             length, draw.in(0.025, 0.04));
     }
     const bool is_oblique = draw.below(4) == 0;
-    const int folds = 1 + draw.below(is_oblique ? 2 : 3);
+    const int folds = 1 + draw.below(2) + (draw.chance(0.15) ? 1 : 0);
     for (int i = 0, axis = draw.below(2); i < folds; ++i, axis = 1 - axis)
         text += small_fold(draw, half, is_oblique ? draw.in(-90.0, 90.0) : 90.0 * axis,
                            place == 3 && draw.below(3) == 0);
