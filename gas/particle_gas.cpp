@@ -152,7 +152,8 @@ void ParticleGas::prepare(double dt, const Points& x_0, const Points& x_1) {
     if (const double far = displacement_over_size(lists_, x_0, x_1); !(far < FARTHEST))
         throw PhysicsError(bag_.time,
                            fmt::format("{}: its fabric goes {:.3g} times the bag's size in "
-                                       "one step: it is too light for its load",
+                                       "one step: it is too light for its load, "
+                                       "or what moves it is too fast",
                                        bag_.name(), far));
     const double reach = REACH * cells_.speed() * dt;
     const bool is_thin = 2.0 * bag_.enclosure.volume(x_0) < reach * bag_.enclosure.area(x_0);

@@ -25,7 +25,7 @@ install(FILES ${CMAKE_BINARY_DIR}/corpuscle-config.cmake ${CMAKE_BINARY_DIR}/cor
 file(RELATIVE_PATH CORPUSCLE_PC_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" CORPUSCLE_PC_PREFIX "${CORPUSCLE_PC_PREFIX}")
 if(CORPUSCLE_THREADS)
-    set(CORPUSCLE_PC_LIBS -fopenmp)
+    set(CORPUSCLE_PC_LIBS -pthread)
 else()
     set(CORPUSCLE_PC_LIBS "")
 endif()
