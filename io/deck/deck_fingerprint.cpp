@@ -41,6 +41,17 @@ bool is_of_name(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
+/// A parameter by its name, where there is one.
+void take_parameter(std::string_view name, std::uint32_t file, const Parameters& parameters,
+                    Hash& hash) {
+    const Parameter* p = name.empty() ? nullptr : parameters.find(name, file);
+    if (p == nullptr) return;
+    if (p->type == 'C')
+        hash.take(p->text);
+    else
+        hash.take(p->value.number);
+}
+
 /// The parameters that a line names, wherever it does: &name, <name * 2>.
 void take_parameters(std::string_view line, std::uint32_t file, const Parameters& parameters,
                      Hash& hash) {
@@ -48,12 +59,7 @@ void take_parameters(std::string_view line, std::uint32_t file, const Parameters
     for (std::size_t at = 0; at < line.size();) {
         std::size_t end = at;
         while (end < line.size() && is_of_name(line[end])) ++end;
-        if (const auto* p = parameters.find(line.substr(at, end - at), file); end > at && p) {
-            if (p->type == 'C')
-                hash.take(p->text);
-            else
-                hash.take(p->value.number);
-        }
+        take_parameter(line.substr(at, end - at), file, parameters, hash);
         at = end + 1;
     }
 }
@@ -80,11 +86,9 @@ std::uint64_t scene_fingerprint(const DeckText& text, Parameters& parameters) {
         }
     }
     // what no card but a parameter or -D says
-    for (const char* name :
-         {"<DIALECT>", "<COLLISION>", "<MEAN_FREE_PATH>", "<CLOSE>", "<UNITS>"}) {
-        const std::string_view bracketed = name;
-        take_parameters(bracketed, 0, parameters, hash);
-        hash.take(parameters.take_override(bracketed.substr(1, bracketed.size() - 2)).value_or(""));
+    for (const char* name : {"DIALECT", "COLLISION", "MEAN_FREE_PATH", "CLOSE", "UNITS"}) {
+        take_parameter(name, 0, parameters, hash);
+        hash.take(parameters.take_override(name).value_or(""));
     }
     return hash.value();
 }

@@ -18,9 +18,8 @@ namespace corpuscle {
 /// Nothing for linear elements; of cloth that swings about its rest, gained and lost in turns. Folds
 /// that are pressed to half of their length let go of it within some ten stable steps, and have lost
 /// some for good when they come to rest: 2 % in steps of 0.7 of the stable one. From rest, steps of
-/// FIRST that grow by RISE carry them through it at a third of the strain a step, with a thirtieth
-/// of the error. They grow once, and never shrink for the strain's sake: steps that follow the
-/// breath of cloth pump energy into it.
+/// FIRST that grow by RISE carry them through it at less strain a step. They grow once, and never
+/// shrink for the strain's sake: steps that follow the breath of cloth pump energy into it.
 class StrainedStart {
 public:
     /// Strain of an edge up to which cloth begins unstrained: the first step's error is at most

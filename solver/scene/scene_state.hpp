@@ -52,7 +52,7 @@ struct SceneCloth {
     double next_birth = INF;     ///< the first of `births` to come; INF: none             [s]
     std::optional<fabric::Membranes> membranes;  ///< none: no shell is strained
     GrowthMonitor growth;                        ///< where there are membranes
-    StrainedStart strained_start;                        ///< likewise
+    StrainedStart strained_start;                ///< likewise
 };
 
 /// Bags of the scene, by card.
