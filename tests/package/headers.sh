@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Compiles every header by itself, without the precompiled ones: what it uses, it includes. Eigen alone is
 # compiled once, for those that come to it by their own includes.
-# usage: headers.sh BUILD   (CXX: the compiler)
+# By clang++ where it is installed, which reads faster than g++.
+# usage: headers.sh BUILD   (CXX: the compiler, where there is no clang++)
 set -euo pipefail
 build=${1:?the build folder}
 cd "$(dirname "$0")/../.."
@@ -9,16 +10,18 @@ if ! git rev-parse --is-inside-work-tree >/dev/null 2>&1; then
     echo "headers: no git here to list the sources"
     exit 77
 fi
+compiler=$(command -v clang++ || echo "${CXX:-c++}")
 alone() {
-    if ! "${CXX:-c++}" -fsyntax-only -x c++ "$@" >/dev/null 2>&1; then
+    if ! "$compiler" -fsyntax-only -x c++ "$@" >/dev/null 2>&1; then
         echo "headers: ${!#} needs a header that it does not include"
         return 1
     fi
 }
 export -f alone
+export compiler
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-# shellcheck disable=SC2046
+# shellcheck disable=SC2046,SC2207
 options=(-std=c++20 -O0 -w -I. "-I$build/places" "-I$build/tools" $(pkg-config --cflags eigen3 hdf5))
 git ls-files 'solver/*.hpp' 'fabric/*.hpp' 'gas/*.hpp' 'contact/*.hpp' 'io/*.hpp' 'tools/*.hpp' 'tests/*.hpp' | sort >"$work/left"
 # Those that come to an external header by their own includes
@@ -39,7 +42,7 @@ check() { xargs -P "$(nproc)" -I{} bash -c 'alone "$@"' alone "${options[@]}" "$
 for external in Eigen/Geometry Eigen/Core; do
     begin=$work/${external#*/}.hpp
     echo "#include <$external>" >"$begin"
-    "${CXX:-c++}" -x c++-header "${options[@]}" "$begin" -o "$begin.gch"
+    "$compiler" -x c++-header "${options[@]}" "$begin" -o "$begin.gch"
     come_to $external >"$work/these"
     check -include "$begin" <"$work/these"
     comm -23 "$work/left" "$work/these" >"$work/others"
