@@ -19,14 +19,15 @@ double SceneState::mass_damping() const {
 void SceneState::find_damping() {
     if (forces.damping.f.empty()) return;
     const double d = mass_damping();
-    for (std::size_t n = 0; n < nodes.size(); ++n)
-        forces.damping.f[n] = -d * nodes.mass[n] * nodes.v[n];
-    for (std::size_t k = 0; k < forces.damped_mass.size(); ++k) {
-        const double own = part_damping(k);
-        for (std::size_t n = 0; n < nodes.size(); ++n)
-            if (nodes.mass[n] > 0.0)  // no rigid body's
-                forces.damping.f[n] -= own * forces.damped_mass[k][n] * nodes.v[n];
-    }
+    std::vector<double> own(forces.damped_mass.size());
+    for (std::size_t k = 0; k < own.size(); ++k) own[k] = part_damping(k);
+    parallel::for_each(nodes.size(), [&](std::size_t n) {
+        Vec3& f = forces.damping.f[n];
+        f = -d * nodes.mass[n] * nodes.v[n];
+        if (!(nodes.mass[n] > 0.0)) return;  // a rigid body's
+        for (std::size_t k = 0; k < own.size(); ++k)
+            f -= own[k] * forces.damped_mass[k][n] * nodes.v[n];
+    });
 }
 
 double SceneState::part_damping(std::size_t k) const {

@@ -2,65 +2,34 @@
 // SPDX-License-Identifier: MIT
 #include "contact/broad_phase/broad_phase.hpp"
 
-#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
-#include <fcl/narrowphase/collision_object.h>
+#include <fcl/broadphase/detail/hierarchy_tree.h>
+#include <fcl/math/bv/AABB.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <deque>
+#include <cstdint>
 #include <stdexcept>
 
 namespace corpuscle::contact {
 namespace {
 
 using Pairs = std::vector<std::pair<Index, Index>>;
+using Hierarchy = fcl::detail::HierarchyTree<fcl::AABBd>;
+using Node = fcl::detail::NodeBase<fcl::AABBd>;
 
-/// FCL wants a shape behind every box; all boxes share this one, which is never asked anything.
-struct NoShape : fcl::CollisionGeometryd {
-    void computeLocalAABB() override {}
-};
+/// Updates from one building of a tree to the next: it is refitted between them, for a fifth of the
+/// time, and its nodes come to overlap.
+constexpr int REFITS = 16;
 
-/// A box that FCL can hold: the collision object's own box is written directly.
-class BoxObject : public fcl::CollisionObjectd {
-public:
-    BoxObject(const std::shared_ptr<fcl::CollisionGeometryd>& shape, Index index)
-        : fcl::CollisionObjectd(shape), row(index) {}
-
-    void set(const Box& box) {
-        aabb.min_ = box.low;
-        aabb.max_ = box.high;
-    }
-
-    const Index row;
-};
-
-Index row_of(const fcl::CollisionObjectd* object) {
-    return static_cast<const BoxObject*>(object)->row;
+Index row_of(const Node& leaf) {
+    return static_cast<Index>(reinterpret_cast<std::intptr_t>(leaf.data));
 }
 
-bool keep_ascending(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* out) {
-    static_cast<Pairs*>(out)->push_back(std::minmax(row_of(a), row_of(b)));
-    return false;  // true would end the search
-}
-
-/// What FCL hands over first: an object of the manager that was asked, or of the other one? It
-/// swaps them in some branches, so the object's side tells.
-struct TwoSided {
-    Pairs* pairs;
-    const fcl::CollisionGeometryd* my_shape;
-};
-
-bool keep_mine_first(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* data) {
-    const auto& out = *static_cast<TwoSided*>(data);
-    const bool a_is_mine = a->collisionGeometry().get() == out.my_shape;
-    out.pairs->emplace_back(row_of(a_is_mine ? a : b), row_of(a_is_mine ? b : a));
-    return false;
-}
-
-bool keep_other(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* data) {
-    const Index row = row_of(a);
-    static_cast<std::vector<Index>*>(data)->push_back(row >= 0 ? row : row_of(b));
-    return false;
+fcl::AABBd aabb(const Box& box) {
+    fcl::AABBd out;
+    out.min_ = box.low;
+    out.max_ = box.high;
+    return out;
 }
 
 void check(std::span<const Box> boxes) {
@@ -76,74 +45,82 @@ void check(std::span<const Box> boxes) {
 }  // namespace
 
 struct BroadPhase::Tree {
-    std::shared_ptr<NoShape> shape = std::make_shared<NoShape>();
-    std::deque<BoxObject> object;  ///< never moves: FCL keeps pointers
-    std::vector<fcl::CollisionObjectd*> in_use;
-    mutable fcl::DynamicAABBTreeCollisionManagerd
-        manager;  ///< its collide(other) is not const-correct
+    Hierarchy hierarchy;
+    std::vector<Node*> leaf;  ///< by row; the hierarchy's own
+    int refits = 0;           ///< since it was built
 
-    void grow(std::size_t n) {
-        while (object.size() < n) object.emplace_back(shape, static_cast<Index>(object.size()));
-    }
+    void build(std::span<const Box> boxes);
+    void find(const fcl::AABBd& box, std::vector<Index>& out) const;
 };
 
-BroadPhase::BroadPhase(std::size_t capacity_hint) : tree_(std::make_unique<Tree>()) {
-    tree_->grow(capacity_hint);
-    tree_->in_use.reserve(capacity_hint);
-}
+BroadPhase::BroadPhase() : tree_(std::make_unique<Tree>()) {}
 BroadPhase::~BroadPhase() = default;
 BroadPhase::BroadPhase(BroadPhase&&) noexcept = default;
 BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
 
 void BroadPhase::update(std::span<const Box> boxes) {
     check(boxes);
-    clear();
     Tree& tree = *tree_;
-    tree.grow(boxes.size());
+    if (boxes.size() != tree.leaf.size() || tree.refits == REFITS) return tree.build(boxes);
+    for (std::size_t i = 0; i < boxes.size(); ++i) tree.leaf[i]->bv = aabb(boxes[i]);
+    tree.hierarchy.refit();
+    ++tree.refits;
+}
+
+void BroadPhase::Tree::build(std::span<const Box> boxes) {
+    hierarchy.clear();
+    leaf.clear();
+    refits = 0;
+    if (boxes.empty()) return;
     Box all;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        tree.object[i].set(boxes[i]);
-        tree.in_use.push_back(&tree.object[i]);
+        leaf.push_back(new Node);  // the hierarchy's from init() on
+        leaf.back()->bv = aabb(boxes[i]);
+        leaf.back()->data = reinterpret_cast<void*>(static_cast<std::intptr_t>(i));
         all.include(boxes[i]);
     }
     // Level 2 sorts by Morton codes, three times as fast as the top-down split of level 0, but
     // divides by the extent of the scene in each direction: a flat scene has none.
-    const bool is_flat = !boxes.empty() && ((all.high - all.low).array() <= 0.0).any();
-    tree.manager.tree_init_level = is_flat ? 0 : 2;
-    tree.manager.registerObjects(tree.in_use);
-    tree.manager.setup();
+    const bool is_flat = ((all.high - all.low).array() <= 0.0).any();
+    std::vector<Node*> sorted = leaf;
+    hierarchy.init(sorted, is_flat ? 0 : 2);
 }
 
-void BroadPhase::clear() {
-    if (tree_->in_use.empty()) return;
-    tree_->in_use.clear();
-    tree_->manager.clear();
+void BroadPhase::Tree::find(const fcl::AABBd& box, std::vector<Index>& out) const {
+    thread_local std::vector<const Node*> left;
+    left.assign(1, hierarchy.getRoot());
+    while (!left.empty()) {
+        const Node& node = *left.back();
+        left.pop_back();
+        if (!node.bv.overlap(box)) continue;
+        if (node.isLeaf())
+            out.push_back(row_of(node));
+        else
+            left.insert(left.end(), {node.children[0], node.children[1]});
+    }
 }
 
-void BroadPhase::self_pairs(Pairs& out) const {
+void BroadPhase::overlapping(const Box& box, std::vector<Index>& out) const {
     out.clear();
-    if (tree_->in_use.size() < 2) return;
-    tree_->manager.collide(&out, keep_ascending);
-    // FCL's order depends on addresses
+    if (tree_->leaf.empty()) return;
+    tree_->find(aabb(box), out);
     std::sort(out.begin(), out.end());
 }
 
 void BroadPhase::pairs(const BroadPhase& other, Pairs& out) const {
     out.clear();
-    if (tree_->in_use.empty() || other.tree_->in_use.empty()) return;
-    TwoSided data{&out, tree_->shape.get()};
-    tree_->manager.collide(&other.tree_->manager, &data, keep_mine_first);
+    std::vector<Index> found;
+    for (std::size_t i = 0; i < tree_->leaf.size() && !other.tree_->leaf.empty(); ++i) {
+        found.clear();
+        other.tree_->find(tree_->leaf[i]->bv, found);
+        for (const Index j : found) out.emplace_back(static_cast<Index>(i), j);
+    }
     std::sort(out.begin(), out.end());
 }
 
-void BroadPhase::overlapping(const Box& box, std::vector<Index>& out) const {
-    out.clear();
-    if (tree_->in_use.empty()) return;
-    constexpr Index WHO_ASKS = -1;
-    thread_local BoxObject asking(std::make_shared<NoShape>(), WHO_ASKS);
-    asking.set(box);
-    tree_->manager.collide(&asking, &out, keep_other);
-    std::sort(out.begin(), out.end());
+void BroadPhase::self_pairs(Pairs& out) const {
+    pairs(*this, out);
+    std::erase_if(out, [](const auto& pair) { return pair.first >= pair.second; });
 }
 
 }  // namespace corpuscle::contact

@@ -16,11 +16,12 @@ namespace corpuscle::contact {
 
 /// Which boxes overlap, found by FCL's dynamic AABB tree.
 ///
-/// Objects are made once and reused; the tree is built anew by every update(), because refitting an
-/// old one to a bag that has moved costs up to 45 times the query. `tests/support/geometry/brute_force.hpp` is the oracle.
+/// Boxes of the same number are taken to be the old ones, moved: the tree is refitted to them, and
+/// built anew now and then, because one that is as old as a deployment costs up to 45 times the
+/// query. Answers do not depend on it. `tests/support/geometry/brute_force.hpp` is the oracle.
 class BroadPhase {
 public:
-    explicit BroadPhase(std::size_t capacity_hint = 0);
+    BroadPhase();
     ~BroadPhase();
     BroadPhase(BroadPhase&&) noexcept;
     BroadPhase& operator=(BroadPhase&&) noexcept;
@@ -30,9 +31,6 @@ public:
     /// NaN
     ///         overlap everything
     void update(std::span<const Box> boxes);
-
-    /// Takes the boxes away; update() does so too. For who has threads beside that need none.
-    void clear();
 
     /// Overlapping pairs i < j among the boxes, sorted.
     void self_pairs(std::vector<std::pair<Index, Index>>& out) const;

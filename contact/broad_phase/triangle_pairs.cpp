@@ -20,10 +20,7 @@ float above(double x) {
 }  // namespace
 
 TrianglePairs::TrianglePairs(const Patches& patches)
-    : patches_(patches),
-      tree_(patches.size()),
-      patch_box_(patches.size()),
-      patch_bounds_(patches.size()) {
+    : patches_(patches), patch_box_(patches.size()), patch_bounds_(patches.size()) {
     for (auto& side : low_) side.resize(patches.triangle.size());
     for (auto& side : high_) side.resize(patches.triangle.size());
 }

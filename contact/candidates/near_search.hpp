@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -155,6 +157,11 @@ private:
     Vec3 origin_ = Vec3::Zero();  ///< of single precision                                    [m]
     double rounding_ = 0.0;       ///< of that, at most                                       [m]
     bool knows_boxes_ = false;    ///< not after a restart
+    struct Renewed {
+        std::vector<Index> blocks;
+        std::vector<std::uint8_t> is_taken;  ///< by block
+    };
+    std::array<Renewed, 3> renewed_;  ///< of nodes, edges, triangles: kept for its memory
 };
 
 }  // namespace corpuscle::contact

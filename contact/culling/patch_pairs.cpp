@@ -67,8 +67,7 @@ void PatchPairs::find(const Points& x, double steps) {
         middle_[p] = 0.5 * (box_[p].low + box_[p].high);
         box_[p].inflate(room_[p] + margin_[p]);
     };
-    parallel::side_by_side(parallel::alone([&] { tree_.clear(); }),
-                           parallel::each(room_.size(), bound, PATCHES_A_CHUNK));
+    parallel::for_each(room_.size(), bound, PATCHES_A_CHUNK);
     tree_.update(box_);
     find_pairs();
     drop_apart(x);

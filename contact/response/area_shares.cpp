@@ -3,6 +3,7 @@
 #include "contact/response/area_shares.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace corpuscle::contact {
@@ -21,6 +22,8 @@ AreaShares::AreaShares(const Cloth& cloth)
     : cloth_(cloth),
       area_(cloth.inverse_mass.size(), 0.0),
       normal_(area_.size(), Vec3::Zero()),
+      vector_area_(cloth.triangles.size()),
+      in_contact_(area_.size(), 0),
       sum_(area_.size()),
       looked_at_(area_.size(), 0) {
     for (const Triangle& t : cloth.triangles) {
@@ -32,7 +35,7 @@ AreaShares::AreaShares(const Cloth& cloth)
 
 void AreaShares::find(const Points& x, const ColumnColouring& columns, ContactList& contacts) {
     if (columns.size() == 0) return;
-    set_normals(x, columns, contacts);
+    set_normals(x, contacts);
     set_sides(contacts);
     for (int pass = 0; pass < PASSES; ++pass) {
         add_up(columns, contacts);
@@ -59,20 +62,28 @@ void AreaShares::find(const Points& x, const ColumnColouring& columns, ContactLi
 }
 
 /// Of the contacts' nodes.
-void AreaShares::set_normals(const Points& x, const ColumnColouring& columns,
-                             const ContactList& contacts) {
-    ++look_;
-    columns.for_each(contacts, [&](const Contact& c) {
-        for (const Index node : c.node) {
-            if (!is_first_look(node)) continue;
-            Vec3 sum = Vec3::Zero();
-            for (const Index t : cloth_.triangles_of(node)) {
-                const Triangle& n = cloth_.triangles[t];
-                sum += (x[n[1]] - x[n[0]]).cross(x[n[2]] - x[n[0]]);
-            }
-            normal_[node] = sum;
-        }
-    });
+void AreaShares::set_normals(const Points& x, const ContactList& contacts) {
+    constexpr std::size_t CHUNKS = 8, A_CHUNK = 256;
+    const auto mark = [&](std::size_t chunk) {
+        for (const ContactList::Brief& brief : contacts.briefs(chunk))
+            for (const Index node : brief.node)
+                std::atomic_ref(in_contact_[node]).store(1, std::memory_order_relaxed);
+    };
+    const auto measure = [&](std::size_t t) {
+        const Triangle& n = cloth_.triangles[t];
+        if ((in_contact_[n[0]] | in_contact_[n[1]] | in_contact_[n[2]]) != 0)
+            vector_area_[t] = (x[n[1]] - x[n[0]]).cross(x[n[2]] - x[n[0]]);
+    };
+    const auto sum_up = [&](std::size_t i) {
+        const Index node = cloth_.nodes[i];
+        if (std::exchange(in_contact_[node], 0) == 0) return;
+        Vec3 sum = Vec3::Zero();
+        for (const Index t : cloth_.triangles_of(node)) sum += vector_area_[t];
+        normal_[node] = sum;
+    };
+    parallel::in_turn(parallel::each(contacts.chunks(), mark, parallel::Cut(CHUNKS)),
+                      parallel::each(cloth_.triangles.size(), measure, parallel::Cut(A_CHUNK)),
+                      parallel::each(cloth_.nodes.size(), sum_up, parallel::Cut(A_CHUNK)));
 }
 
 /// A quarter of the area of the nodes of its smaller place.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -34,7 +35,7 @@ public:
     void find(const Points& x, const ColumnColouring& columns, ContactList& contacts);
 
 private:
-    void set_normals(const Points& x, const ColumnColouring& columns, const ContactList& contacts);
+    void set_normals(const Points& x, const ContactList& contacts);
     bool is_first_look(Index node) { return std::exchange(looked_at_[node], look_) != look_; }
     [[nodiscard]] double first_area(const Contact& contact) const;
     void set_sides(ContactList& contacts) const;
@@ -43,6 +44,8 @@ private:
     const Cloth& cloth_;
     std::vector<double> area_;                ///< by node                               [m^2]
     Points normal_;                           ///< by node: twice the area around it     [m^2]
+    Points vector_area_;                      ///< by triangle that has such a node: twice [m^2]
+    std::vector<std::uint8_t> in_contact_;    ///< by node
     std::vector<std::array<double, 2>> sum_;  ///< by node and side: S                   [m^2]
     std::vector<unsigned> looked_at_;         ///< by node: in which look last
     unsigned look_ = 0;

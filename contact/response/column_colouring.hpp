@@ -75,6 +75,15 @@ public:
         tasks_.run(shares_, before, over_task, is_worth_threads(), where);
         body(COUNT);
     }
+    /// Likewise, of bodies that change nothing of the nodes: no column waits for another.
+    template <class Body>
+    void for_each_column_apart(Body&& body,
+                               parallel::Cut::Where where = parallel::Cut::Where::current()) const {
+        tasks_.run(
+            shares_, [](std::size_t, auto&&) {},
+            [&](std::size_t task) { body(std::size_t{task_[task]}); }, is_worth_threads(), where);
+        body(COUNT);
+    }
     /// Likewise of one thread, for what those bodies have found.
     template <class Body>
     void for_each_in_turn(Body&& body) const {
@@ -85,7 +94,7 @@ public:
 private:
     static constexpr std::uint16_t NONE = COUNT;
     [[nodiscard]] bool is_worth_threads() const {
-        constexpr std::size_t FEW = 256;  // contacts that one thread is done with sooner
+        constexpr std::size_t FEW = 64;  // contacts that one thread is done with sooner
         return order_.size() > FEW;
     }
 

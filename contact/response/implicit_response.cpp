@@ -181,7 +181,7 @@ void ImplicitResponse::add_to_bodies(const Vec3& impulse, const Row& row,
 /// and remembers them.
 void ImplicitResponse::close(double span, const ColumnColouring& columns, Candidates& pairs,
                              VelocityState& motion, std::vector<ImpulseBooks>& books) {
-    columns.for_each_column([&](std::size_t column) {
+    columns.for_each_column_apart([&](std::size_t column) {
         Share& share = share_[column];
         for (ImpulseBooks& book : share.books) book = {};
         share.on_bodies.assign(motion.bodies().size(), {});

@@ -148,7 +148,7 @@ std::optional<RigidWall::Stop> RigidWall::stop_of(std::size_t i, const Points& x
     if (!plane) return {};
     const double spare = plane->normal.dot(v[node]) + plane->gap / dt;
     if (!(spare < plane->normal.dot(velocity_))) return {};
-    return Stop{node, plane->normal, spare};
+    return Stop{node, plane->normal, spare, false};
 }
 
 /// The common speed of a wall that has mass and of the nodes that it meets: the root of
@@ -177,21 +177,40 @@ void RigidWall::slow_down(std::span<const double> mass) {
 }
 
 void RigidWall::stop(std::span<const double> mass, Points& v, Vec3& impulse) {
-    for (const Stop& stop : stops_) {
+    constexpr std::size_t A_CHUNK = 64;
+    struct Taken {
+        double stopping = 0.0, friction = 0.0;  ///< [J]
+        Vec3 impulse = Vec3::Zero();
+    };
+    const auto stop_one = [&](Taken& taken, std::size_t i) {
+        Stop& stop = stops_[i];
         const double push = stop.normal.dot(velocity_) - stop.spare;
-        if (!(push > 0.0)) continue;  // the wall was slowed down before it met this node
+        stop.has_met = push > 0.0;  // else the wall was slowed down before it met this node
+        if (!stop.has_met) return;
         Vec3& now = v[stop.node];
         const double m = mass[stop.node];
         // as seen from the wall
         const Vec3 before = now - velocity_;
         const Vec3 slid = before + push * stop.normal;
         const Vec3 after = rubbed(slid, stop.normal, push);
-        stopping_energy_ += 0.5 * m * (before.squaredNorm() - slid.squaredNorm());
-        friction_energy_ += 0.5 * m * (slid.squaredNorm() - after.squaredNorm());
-        impulse += m * (before - after);
-        touching_.push_back(stop.node);
+        taken.stopping += 0.5 * m * (before.squaredNorm() - slid.squaredNorm());
+        taken.friction += 0.5 * m * (slid.squaredNorm() - after.squaredNorm());
+        taken.impulse += m * (before - after);
         now = after + velocity_;
-    }
+    };
+    const Taken all = parallel::fold(
+        stops_.size(), Taken{}, stop_one,
+        [](Taken& sum, const Taken& own) {
+            sum.stopping += own.stopping;
+            sum.friction += own.friction;
+            sum.impulse += own.impulse;
+        },
+        A_CHUNK);
+    stopping_energy_ += all.stopping;
+    friction_energy_ += all.friction;
+    impulse += all.impulse;
+    for (const Stop& stop : stops_)
+        if (stop.has_met) touching_.push_back(stop.node);
 }
 
 /// Velocity after friction, `stop` being the normal velocity that the wall took away.

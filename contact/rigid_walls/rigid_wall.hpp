@@ -96,6 +96,7 @@ private:
         Index node;
         Vec3 normal;
         double spare;  ///< n·v + gap / dt: the wall's speed at which it is just not stopped
+        bool has_met;  ///< it was
     };
     struct Bump {  ///< of a body's node
         Index node;
@@ -137,7 +138,8 @@ private:
     std::vector<Stop> stops_;
     parallel::Gathered<Stop> found_stops_;
     parallel::Gathered<std::size_t> found_near_;
-    std::vector<std::size_t> near_;  ///< rows in card_.nodes
+    std::vector<std::size_t> near_;                      ///< rows in card_.nodes
+    std::optional<std::vector<std::size_t>> of_bodies_;  ///< rows of bodies' nodes in card_.nodes
     std::vector<Bump> bumps_;
     std::vector<Index> touching_;
     Vec3 force_ = Vec3::Zero(), impulse_ = Vec3::Zero();

@@ -23,15 +23,19 @@ constexpr double REACH = 2.0;
 double RigidWall::find_bumps(const Points& x, double dt, const Points& v,
                              const WallBodies& bodies) {
     bumps_.clear();
+    if (!of_bodies_) {
+        of_bodies_.emplace();
+        for (std::size_t i = 0; i < card_.nodes.size(); ++i)
+            if (bodies.has(card_.nodes[i])) of_bodies_->push_back(i);
+    }
     double fastest = 0.0;
     const auto seen = [&](Index node) {
         return Vec3(v[node] + bodies.of(node).change_at(x[node]) - velocity_);
     };
-    for (const Index node : card_.nodes)
-        if (bodies.has(node)) fastest = std::max(fastest, seen(node).norm());
-    for (std::size_t i = 0; i < card_.nodes.size(); ++i) {
+    for (const std::size_t i : *of_bodies_)
+        fastest = std::max(fastest, seen(card_.nodes[i]).norm());
+    for (const std::size_t i : *of_bodies_) {
         const Index node = card_.nodes[i];
-        if (!bodies.has(node)) continue;
         const Vec3 at = x[node] - shift_, u = seen(node);
         auto plane = plane_before(i, at, dt * u);
         if (!plane && !is_behind_[i]) {

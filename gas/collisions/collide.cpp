@@ -35,7 +35,7 @@ std::vector<RoomGroups> Collider::groups_of_rooms(std::size_t rooms, std::size_t
     const auto room_of = [&](std::span<const Index> rows) {
         return particles.room_of(static_cast<std::size_t>(rows[0]));
     };
-    constexpr std::size_t GROUPS_A_CHUNK = 16, COUNTED_A_CHUNK = 256;
+    constexpr std::size_t GROUPS_A_CHUNK = 16, COUNTED_A_CHUNK = 64;
     using Rooms = std::vector<RoomGroups>;
     Rooms none(rooms);
     for (RoomGroups& room : none) room.count.assign(kinds, 0.0);

@@ -183,19 +183,19 @@ void Groups::find(CellSort& sorted, const FabricInCells& fabric, const Particles
         [&](std::size_t c, auto&& take) {
             if (size(c) == 0) return;
             begins_[static_cast<std::size_t>(cells.start[c])] = 1;
-            if (size(c) > 1 && fabric.lists && !fabric.lists->is_empty(c)) take(c);
+            if (size(c) > 1 && fabric.lists && !fabric.lists->is_empty(c))
+                take({c, size(c) * fabric.lists->in(c).size()});
         },
         CELLS_A_CHUNK);
     // Those that may take long first: every particle is held against every facet
-    const auto work = [&](std::size_t c) { return size(c) * fabric.lists->in(c).size(); };
-    const auto is_long = [&](std::size_t c) { return work(c) > LONG_CELL; };
+    const auto is_long = [](const FabricCell& cell) { return cell.work > LONG_CELL; };
     const auto end_of_long = std::partition(with_fabric_.begin(), with_fabric_.end(), is_long);
-    std::sort(with_fabric_.begin(), end_of_long, [&](std::size_t a, std::size_t b) {
-        return std::pair(work(b), a) < std::pair(work(a), b);
+    std::sort(with_fabric_.begin(), end_of_long, [](const FabricCell& a, const FabricCell& b) {
+        return std::pair(b.work, a.cell) < std::pair(a.work, b.cell);
     });
     const auto divided = [&](std::size_t i) {
         thread_local Divider divider;
-        const std::size_t c = with_fabric_[i];
+        const std::size_t c = with_fabric_[i].cell;
         const auto begin = static_cast<std::size_t>(cells.start[c]);
         const auto rows = order_.subspan(begin, size(c));
         divider.work_among(fabric, particles, reach);

@@ -46,9 +46,12 @@ private:
     std::span<Index> order_;
     std::vector<std::uint8_t> begins_;  ///< does a group begin at this place of order_?
     std::vector<std::size_t> count_;    ///< per chunk
-    parallel::Gathered<std::size_t> found_;
-    std::vector<std::size_t> with_fabric_;  ///< cells that several particles and facets are in
-    std::size_t divided_cells_ = 0;         ///< that hold more than one group
+    struct FabricCell {
+        std::size_t cell, work;  ///< its number; particles times facets
+    };
+    parallel::Gathered<FabricCell> found_;
+    std::vector<FabricCell> with_fabric_;  ///< cells that several particles and facets are in
+    std::size_t divided_cells_ = 0;        ///< that hold more than one group
 };
 
 }  // namespace corpuscle::gas

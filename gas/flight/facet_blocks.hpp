@@ -121,8 +121,7 @@ void FacetPatches::update(std::span<const Triangle> triangles, std::span<const V
         }
         box_[p] = all;
     };
-    parallel::side_by_side(parallel::alone([&] { tree_.clear(); }),
-                           parallel::each(patches_.size(), bound, PATCHES));
+    parallel::for_each(patches_.size(), bound, PATCHES);
     all_ = {};
     for (const contact::Box& box : box_) all_.include(box);
     tree_.update(box_);

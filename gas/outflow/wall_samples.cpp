@@ -170,7 +170,7 @@ void WallSamples::add(const WallHits::Met& met, const Particles& particles, Samp
 }
 
 void WallSamples::measure(std::span<const Vec3> x) {
-    constexpr std::size_t A_CHUNK = 8;  // samples, of some ten facets each
+    constexpr std::size_t A_CHUNK = 2;  // samples, of some ten facets each
     parallel::for_each(
         samples_.size(),
         [&](std::size_t k) {

@@ -166,8 +166,9 @@ void RigidBody::foresee(double dt) {
 
 void RigidBody::carry(double dt, fabric::Nodes& nodes) {
     foresee(dt);
+    const Mat3 turn = next_turn_.toRotationMatrix();
     for (std::size_t i = 0; i < nodes_.size(); ++i)
-        nodes.v[nodes_[i]] = (next_centre_ + next_turn_ * arm_[i] - nodes.x[nodes_[i]]) / dt;
+        nodes.v[nodes_[i]] = (next_centre_ + turn * arm_[i] - nodes.x[nodes_[i]]) / dt;
 }
 
 /// R_1: W by fixed-point sweeps, which gain a factor of some dt |spin| each.
