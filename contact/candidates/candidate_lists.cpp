@@ -182,10 +182,12 @@ void Candidates::bar_crossing_pairs(const Points& x) {
 /// last build are in order, those made since come behind them.
 void Candidates::sort_memories() {
     const auto by_key = [](const PairMemory& a, const PairMemory& b) { return a.key < b.key; };
-    const auto made = memories_.begin() + static_cast<std::ptrdiff_t>(sorted_);
-    const auto end =
-        std::remove_if(made, memories_.end(), [](const PairMemory& m) { return m.is_empty(); });
-    std::sort(made, end, by_key);
+    memories_.erase(
+        std::remove_if(memories_.begin() + static_cast<std::ptrdiff_t>(sorted_), memories_.end(),
+                       [](const PairMemory& m) { return m.is_empty(); }),
+        memories_.end());
+    const std::span<const PairMemory> made = std::span(memories_).subspan(sorted_);
+    parallel::sort(std::span(memories_).subspan(sorted_), merging_.merged, by_key);
     std::vector<std::size_t>& kept = merging_.kept;
     std::vector<PairMemory>& merged = merging_.merged;
     kept.clear();
@@ -196,23 +198,23 @@ void Candidates::sort_memories() {
         },
         MEMORIES);
     // Each goes where those of lower keys end, of its own kind and of the other.
-    merged.resize(kept.size() + static_cast<std::size_t>(end - made));
+    merged.resize(kept.size() + made.size());
     const auto place_kept = [&](std::size_t i) {
         const PairMemory& memory = memories_[kept[i]];
-        const auto before = std::lower_bound(made, end, memory, by_key) - made;
+        const auto before =
+            std::lower_bound(made.begin(), made.end(), memory, by_key) - made.begin();
         merged[i + static_cast<std::size_t>(before)] = memory;
     };
     const auto place_made = [&](std::size_t i) {
-        const PairMemory& memory = made[static_cast<std::ptrdiff_t>(i)];
+        const PairMemory& memory = made[i];
         const auto before =
             std::partition_point(kept.begin(), kept.end(),
                                  [&](std::size_t m) { return memories_[m].key <= memory.key; }) -
             kept.begin();
         merged[i + static_cast<std::size_t>(before)] = memory;
     };
-    parallel::side_by_side(
-        parallel::each(kept.size(), place_kept, MEMORIES),
-        parallel::each(static_cast<std::size_t>(end - made), place_made, MEMORIES));
+    parallel::side_by_side(parallel::each(kept.size(), place_kept, MEMORIES),
+                           parallel::each(made.size(), place_made, MEMORIES));
     memories_.swap(merged);
     sorted_ = memories_.size();
 }

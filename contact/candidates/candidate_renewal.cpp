@@ -3,6 +3,7 @@
 //
 // Listing the pairs of a few nodes anew, while the lists of all others live on.
 #include <algorithm>
+#include <functional>
 
 #include "contact/candidates/candidates.hpp"
 #include "solver/base/parallel.hpp"
@@ -52,7 +53,7 @@ void Candidates::drop_renewed_pairs() {
     renewal_.dropped.find(list_.size(), renewal_.handed_on, drop, ROWS);
     dead_ += renewal_.handed_on.size();
     std::erase_if(renewal_.handed_on, [](const auto& dropped) { return dropped.second < 0; });
-    std::sort(renewal_.handed_on.begin(), renewal_.handed_on.end());
+    parallel::sort(std::span(renewal_.handed_on), renewal_.sorting, std::less<>());
 }
 
 void Candidates::list_renewed_pairs(const Points& x) {

@@ -240,8 +240,8 @@ private:
     struct Renewal {
         std::vector<Index> strayed, renewed;   ///< nodes, triangles, ascending
         std::vector<std::uint8_t> is_renewed;  ///< by triangle
-        std::vector<std::pair<std::uint64_t, Index>>
-            handed_on;  ///< key and memory of dropped pairs
+        std::vector<std::pair<std::uint64_t, Index>> handed_on,
+            sorting;  ///< key and memory of dropped pairs
         parallel::Gathered<std::pair<std::uint64_t, Index>> dropped;
         std::vector<Index> known;  ///< by pair listed anew: row there, or -1
         Points predicted;          ///< N × 3                [m]

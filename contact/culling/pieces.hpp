@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact/culling/patch_motion.hpp"
+#include "solver/base/parallel.hpp"
 
 namespace corpuscle::contact {
 
@@ -23,6 +24,7 @@ struct Pieces {
 
 private:
     std::vector<std::uint8_t> is_met_;  ///< patches, nodes, or triangles
+    parallel::Gathered<Index> met_;
 };
 
 }  // namespace corpuscle::contact

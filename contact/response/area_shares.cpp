@@ -35,8 +35,7 @@ AreaShares::AreaShares(const Cloth& cloth)
 
 void AreaShares::find(const Points& x, const ColumnColouring& columns, ContactList& contacts) {
     if (columns.size() == 0) return;
-    set_normals(x, contacts);
-    set_sides(contacts);
+    set_sides(x, contacts);
     for (int pass = 0; pass < PASSES; ++pass) {
         add_up(columns, contacts);
         contacts.for_each_apart([&](Contact& c) {
@@ -61,8 +60,9 @@ void AreaShares::find(const Points& x, const ColumnColouring& columns, ContactLi
     }
 }
 
-/// Of the contacts' nodes.
-void AreaShares::set_normals(const Points& x, const ContactList& contacts) {
+/// On which side of its nodes each contact is, from these nodes' normals; and a first area for those
+/// that are new.
+void AreaShares::set_sides(const Points& x, ContactList& contacts) {
     constexpr std::size_t CHUNKS = 8, A_CHUNK = 256;
     const auto mark = [&](std::size_t chunk) {
         for (const ContactList::Brief& brief : contacts.briefs(chunk))
@@ -81,9 +81,13 @@ void AreaShares::set_normals(const Points& x, const ContactList& contacts) {
         for (const Index t : cloth_.triangles_of(node)) sum += vector_area_[t];
         normal_[node] = sum;
     };
+    const auto set = [&](std::size_t chunk) {
+        for (Contact& c : contacts.chunk(chunk)) set_side(c);
+    };
     parallel::in_turn(parallel::each(contacts.chunks(), mark, parallel::Cut(CHUNKS)),
                       parallel::each(cloth_.triangles.size(), measure, parallel::Cut(A_CHUNK)),
-                      parallel::each(cloth_.nodes.size(), sum_up, parallel::Cut(A_CHUNK)));
+                      parallel::each(cloth_.nodes.size(), sum_up, parallel::Cut(A_CHUNK)),
+                      parallel::each(contacts.chunks(), set, parallel::Cut(1)));
 }
 
 /// A quarter of the area of the nodes of its smaller place.
@@ -94,18 +98,15 @@ double AreaShares::first_area(const Contact& c) const {
     return 0.25 * std::min(mean[0], mean[1]);
 }
 
-/// On which side of its nodes a contact is; and a first area for those that are new.
-void AreaShares::set_sides(ContactList& contacts) const {
-    contacts.for_each_apart([&](Contact& c) {
-        c.sides = 0;
-        c.is_known = c.area > 0.0 && c.exposure > 0.0;
-        for (int i = 0; i < 4; ++i) {
-            const bool is_first = c.weight[i] > 0.0;
-            const bool is_above = (normal_[c.node[i]].dot(c.normal) > 0.0) != is_first;
-            c.sides |= static_cast<std::uint8_t>((is_above ? 1U : 0U) << static_cast<unsigned>(i));
-        }
-        if (!c.is_known) c.area = first_area(c);
-    });
+void AreaShares::set_side(Contact& c) const {
+    c.sides = 0;
+    c.is_known = c.area > 0.0 && c.exposure > 0.0;
+    for (int i = 0; i < 4; ++i) {
+        const bool is_first = c.weight[i] > 0.0;
+        const bool is_above = (normal_[c.node[i]].dot(c.normal) > 0.0) != is_first;
+        c.sides |= static_cast<std::uint8_t>((is_above ? 1U : 0U) << static_cast<unsigned>(i));
+    }
+    if (!c.is_known) c.area = first_area(c);
 }
 
 void AreaShares::add_up(const ColumnColouring& columns, const ContactList& contacts) {

@@ -35,10 +35,10 @@ public:
     void find(const Points& x, const ColumnColouring& columns, ContactList& contacts);
 
 private:
-    void set_normals(const Points& x, const ContactList& contacts);
+    void set_sides(const Points& x, ContactList& contacts);
+    void set_side(Contact& contact) const;
     bool is_first_look(Index node) { return std::exchange(looked_at_[node], look_) != look_; }
     [[nodiscard]] double first_area(const Contact& contact) const;
-    void set_sides(ContactList& contacts) const;
     void add_up(const ColumnColouring& columns, const ContactList& contacts);
 
     const Cloth& cloth_;

@@ -18,15 +18,22 @@ namespace corpuscle::contact {
 /// the column that the mean of its nodes is in, if all of them lie within half a column's width of
 /// it. So two columns with another between them have no node in common, and there are four colours
 /// of columns, each of which waits only for those of the eight around it that have a colour before
-/// its own; of a colour the fullest first. What reaches farther (large facets), and what touches a
-/// rigid body that may move, is worked on alone, after all others. The order in which contacts with
-/// a node in common are worked on does not depend on the number of threads.
+/// its own; of a colour the fullest first. What reaches farther is of a column twice as wide, after
+/// all narrow ones near it. What reaches farther still (large facets), and what touches a rigid body
+/// that may move, is worked on alone, after all others. The order in which contacts with a node in
+/// common are worked on does not depend on the number of threads.
 class ColumnColouring {
 public:
     static constexpr std::size_t COUNT =
         Contact::ALONE;  ///< names of columns; those that are far apart share
 
     explicit ColumnColouring(const Cloth& cloth) : cloth_(cloth) {}
+
+    /// Of a column: 0-3; of a wide one 4-7.
+    [[nodiscard]] static unsigned colour(unsigned column) {
+        return column < WIDE.first ? column / NARROW.of_one()
+                                   : Width::colours() + (column - WIDE.first) / WIDE.of_one();
+    }
 
     /// Lays the columns for cloth at x.
     void lay(const Points& x);
@@ -68,7 +75,7 @@ public:
                          parallel::Cut::Where where = parallel::Cut::Where::current()) const {
         const auto over_task = [&](std::size_t task) { body(std::size_t{task_[task]}); };
         const auto before = [&](std::size_t task, auto&& visit) {
-            for_each_neighbour(task_[task], [&](std::size_t column) {
+            for_each_near(task_[task], [&](std::size_t column) {
                 if (task_of_[column] < task) visit(std::size_t{task_of_[column]});
             });
         };
@@ -99,27 +106,49 @@ private:
     }
 
     void sort_by_size();
+    void sort_by_size(std::size_t first, std::size_t count);
     void deal_out();
-    /// visit(column) for the eight around one.
-    template <class Visit>
-    static void for_each_neighbour(std::size_t column, Visit&& visit) {
-        const auto [i, j] = place(static_cast<unsigned>(column));
-        for (unsigned k = 0; k < 9; ++k)
-            if (k != 4) visit(std::size_t{name(i + k / 3 + ACROSS - 1, j + k % 3 + ACROSS - 1)});
-    }
-    static constexpr unsigned APART = 2;           ///< from a column to the next of its colour
-    static constexpr unsigned ACROSS = 8 * APART;  ///< names along each axis, then used again
+    /// Columns of one width, whose names follow each other, those of one colour first.
+    struct Width {
+        unsigned across;  ///< names along each axis, then used again
+        unsigned first;   ///< name
 
-    /// Columns of one colour are next to each other.
-    [[nodiscard]] static std::uint16_t name(unsigned i, unsigned j) {
-        i %= ACROSS;
-        j %= ACROSS;
-        const unsigned colour = i % APART + APART * (j % APART);
-        return static_cast<std::uint16_t>(64 * colour + 8 * (i / APART) + j / APART);
-    }
-    [[nodiscard]] static std::array<unsigned, 2> place(unsigned column) {
-        const unsigned colour = column / 64, within = column % 64;
-        return {APART * (within / 8) + colour % APART, APART * (within % 8) + colour / APART};
+        [[nodiscard]] static constexpr unsigned colours() { return APART * APART; }
+        [[nodiscard]] constexpr unsigned of_one() const { return across * across / colours(); }
+        [[nodiscard]] std::uint16_t name(unsigned i, unsigned j) const {
+            i %= across;
+            j %= across;
+            const unsigned colour = i % APART + APART * (j % APART);
+            return static_cast<std::uint16_t>(first + of_one() * colour +
+                                              across / APART * (i / APART) + j / APART);
+        }
+        [[nodiscard]] std::array<unsigned, 2> place(unsigned column) const {
+            const unsigned colour = (column - first) / of_one();
+            const unsigned within = (column - first) % of_one(), row = across / APART;
+            return {APART * (within / row) + colour % APART,
+                    APART * (within % row) + colour / APART};
+        }
+    };
+    static constexpr unsigned APART = 2;    ///< from a column to the next of its colour
+    static constexpr unsigned ACROSS = 16;  ///< narrow ones
+    static constexpr Width NARROW{ACROSS, 0}, WIDE{ACROSS / 2, ACROSS*ACROSS};
+
+    /// visit(column) for those near one that may have a node in common with it: the eight around it;
+    /// and the narrow ones that lie within a wide one or reach into what it reaches.
+    template <class Visit>
+    static void for_each_near(std::size_t column, Visit&& visit) {
+        const bool is_wide = column >= WIDE.first;
+        const Width& own = is_wide ? WIDE : NARROW;
+        const auto [i, j] = own.place(static_cast<unsigned>(column));
+        for (unsigned k = 0; k < 9; ++k)
+            if (k != 4)
+                visit(
+                    std::size_t{own.name(i + k / 3 + own.across - 1, j + k % 3 + own.across - 1)});
+        if (!is_wide) return;
+        constexpr unsigned REACH = 2, ALL = 2 + 2 * REACH;
+        for (unsigned k = 0; k < ALL * ALL; ++k)
+            visit(std::size_t{
+                NARROW.name(2 * i + k / ALL + ACROSS - REACH, 2 * j + k % ALL + ACROSS - REACH)});
     }
 
     struct Slot {
@@ -128,7 +157,7 @@ private:
 
     const Cloth& cloth_;
     std::array<int, 2> axis_{0, 1};      ///< across the columns
-    std::array<double, 2> per_width_{};  ///< 1 / their width along each                   [1/m]
+    std::array<double, 2> per_width_{};  ///< 1 / the narrow ones' width along each        [1/m]
     std::vector<Slot> order_;
     std::array<std::size_t, COUNT + 2> start_{};  ///< by column, and of those that stand alone
     std::array<std::uint16_t, COUNT> task_{};     ///< columns with contacts

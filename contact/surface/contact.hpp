@@ -11,7 +11,7 @@ namespace corpuscle::contact {
 /// Two places of the cloth, or of rigid bodies, that are near each other: gap = |sum of weight x|,
 /// rate = normal · sum of weight v. The weights add up to zero, so forces along them keep momentum.
 struct Contact {
-    static constexpr std::uint16_t ALONE = 256;  ///< `column` of a contact outside of all columns
+    static constexpr std::uint16_t ALONE = 320;  ///< `column` of a contact outside of all columns
 
     std::array<Index, 4> node;     ///< rows: a node and a triangle's three, or two edges'
     std::array<double, 4> weight;  ///< of x: > 0 on the first place, < 0 on the second

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -53,6 +55,34 @@ template <class T, class Term>
     return fold(
         n, zero, [&](T& all, std::size_t i) { all += term(i); },
         [](T& all, const T& more) { all += more; }, cut);
+}
+
+/// Sorts items by a strict order in which no two are alike: short runs first, then two by two.
+/// @param spare  kept for its memory
+template <class T, class Less>
+void sort(std::span<T> items, std::vector<T>& spare, Less&& less,
+          Cut::Where where = Cut::Where::current()) {
+    constexpr std::size_t RUN = 128;
+    const std::size_t n = items.size();
+    spare.resize(std::max(spare.size(), n));
+    std::size_t merges = 0;
+    while (RUN << merges < n) ++merges;
+    const auto stage = [&](std::size_t k) {
+        const auto over_run = [items, n, k, &spare, &less](std::size_t run) {
+            const std::size_t length = RUN << k, first = run * length,
+                              last = std::min(n, first + length);
+            T* const from = k % 2 == 1 ? items.data() : spare.data();
+            T* const to = k % 2 == 1 ? spare.data() : items.data();
+            if (k == 0) return std::sort(to + first, to + last, less);
+            const std::size_t middle = std::min(n, first + length / 2);
+            std::merge(from + first, from + middle, from + middle, from + last, to + first, less);
+        };
+        return each(chunk_count(n, RUN << k), over_run, Cut(1, where));
+    };
+    in_turn(merges + 1, stage);
+    if (merges % 2 == 1)
+        for_each(
+            n, [&](std::size_t i) { items[i] = spare[i]; }, Cut(where));
 }
 
 /// What a loop finds here and there: by chunk, then put together in the items' order.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "solver/base/parallel.hpp"
+
 namespace corpuscle {
 
 void TouchingNodes::tell_bags(SceneState& scene, double span) {
@@ -24,10 +26,12 @@ void TouchingNodes::tell_bags(SceneState& scene, double span) {
 void TouchingNodes::find_push(const SceneState& scene, double span) {
     if (held_.empty()) held_ = scene.held_nodes();
     const fabric::Nodes& nodes = scene.nodes;
-    push_.assign(nodes.size(), Vec3::Zero());
-    for (std::size_t n = 0; n < nodes.size(); ++n)
-        if (held_[n] == 0)
-            push_[n] = nodes.mass[n] / span * (nodes.v[n] - scene.v.before[n]) - nodes.f[n];
+    push_.resize(nodes.size());
+    parallel::for_each(nodes.size(), [&](std::size_t n) {
+        push_[n] = held_[n] == 0
+                       ? Vec3(nodes.mass[n] / span * (nodes.v[n] - scene.v.before[n]) - nodes.f[n])
+                       : Vec3(Vec3::Zero());
+    });
 }
 
 }  // namespace corpuscle

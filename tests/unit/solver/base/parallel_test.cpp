@@ -6,10 +6,12 @@
 #include <unistd.h>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <thread>
 #include <vector>
 
@@ -47,6 +49,19 @@ TEST_CASE("what a loop finds is in the items' order on any number of threads", "
             CHECK(all == expected);
         }
     }
+}
+
+TEST_CASE("sorted items are those of std::sort, on any number of threads", "[base]") {
+    for (const int n : {1, 2, 5})
+        for (const std::size_t count : {0U, 1U, 127U, 128U, 129U, 257U, 1000U, 5000U}) {
+            const Threads threads(n);
+            std::vector<std::size_t> items, spare;
+            for (std::size_t i = 0; i < count; ++i) items.push_back(i * 7919 % 10007);
+            std::vector<std::size_t> expected = items;
+            std::sort(expected.begin(), expected.end(), std::greater<>());
+            parallel::sort(std::span(items), spare, std::greater<>());
+            CHECK(items == expected);
+        }
 }
 
 TEST_CASE("loops side by side do all that each of them does", "[base]") {
