@@ -71,7 +71,7 @@ void UniformGas::add_load(const Points& x, Points& f) {
 }
 
 void UniformGas::settle(const Points& x) {
-    if (rooms_.settle(x)) return;
+    if (rooms_.settle(x, bag_.volumes)) return;
     for (std::size_t r = 0; r < rooms_.size(); ++r) {
         const ControlVolume& gas = rooms_[r];
         if (gas.volume() > 0.0 && gas.temperature() >= 0.0 && gas.pressure() < INF) continue;

@@ -16,11 +16,10 @@ UniformRooms::UniformRooms(std::shared_ptr<const WettedSurface> surface,
       area_(surface_->points(), Vec3::Zero()),
       force_(node_count, Vec3::Zero()) {}
 
-bool UniformRooms::settle(std::span<const Vec3> x) {
+bool UniformRooms::settle(std::span<const Vec3> x, std::span<const double> volume) {
     surface_->point_areas(x, area_);
-    surface_->volumes(x, volume_);
     bool is_good = true;
-    for (std::size_t r = 0; r < size(); ++r) is_good = rooms_[r].settle(volume_[r]) && is_good;
+    for (std::size_t r = 0; r < size(); ++r) is_good = rooms_[r].settle(volume[r]) && is_good;
     parallel::for_each(by_node_.nodes.size(),
                        [&](std::size_t i) { force_[by_node_.nodes[i]] = force_on(i); });
     return is_good;
@@ -28,7 +27,7 @@ bool UniformRooms::settle(std::span<const Vec3> x) {
 
 void UniformRooms::add_force(std::span<Vec3> f) const {
     parallel::for_each(by_node_.nodes.size(),
-                       [&](std::size_t i) { f[by_node_.nodes[i]] += force_on(i); });
+                       [&](std::size_t i) { f[by_node_.nodes[i]] += force_[by_node_.nodes[i]]; });
 }
 
 /// Of a row of by_node_.                                                                      [N]

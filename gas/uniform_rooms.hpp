@@ -23,9 +23,9 @@ public:
     [[nodiscard]] ControlVolume& operator[](std::size_t room) { return rooms_[room]; }
     [[nodiscard]] const ControlVolume& operator[](std::size_t room) const { return rooms_[room]; }
 
-    /// State of every room at t. False when one has none (ControlVolume::settle).
-    [[nodiscard]] bool settle(std::span<const Vec3> x);
-    void add_force(std::span<Vec3> f) const;              ///< p A of all rooms      [N]
+    /// State of every room at t, of these volumes. False when one has none (ControlVolume::settle).
+    [[nodiscard]] bool settle(std::span<const Vec3> x, std::span<const double> volume);
+    void add_force(std::span<Vec3> f) const;  ///< p A of all rooms, as they were settled  [N]
     void work(std::span<const Vec3> v_mid, double span);  ///< books that of the force
     [[nodiscard]] const Vec3& force(Index node) const { return force_[node]; }  ///< [N]
 
@@ -55,7 +55,6 @@ private:
     NodePoints by_node_;
     Points area_;   ///< points × 3, at t                                                [m^2]
     Points force_;  ///< N × 3, at t                                                     [N]
-    std::vector<double> volume_;
 };
 
 /// Mass that evens out the pressures of two rooms of ideal gas, to first order.             [kg]

@@ -79,9 +79,12 @@ void CcdLimiter::list_dangers(double t, double dt, const Candidates& pairs,
     const std::size_t chunks = parallel::chunk_count(pairs.size(), CANDIDATES_A_CHUNK);
     near_.resize(std::max(near_.size(), chunks));
     found_.resize(near_.size());
-    for (auto& near : near_) near.clear();
-    for (auto& found : found_) found.clear();
+    for (std::size_t c = chunks; c < near_.size(); ++c) {
+        near_[c].clear();
+        found_[c].clear();
+    }
     const auto search = [&](std::size_t begin, std::size_t end, std::size_t c) {
+        near_[c].clear();
         pairs.for_each_meeting(begin, end, [&](std::size_t i) {
             pairs.prefetch(i);
             near_[c].push_back(i);
