@@ -36,24 +36,28 @@ std::vector<RoomGroups> Collider::groups_of_rooms(std::size_t rooms, std::size_t
         return particles.room_of(static_cast<std::size_t>(rows[0]));
     };
     constexpr std::size_t GROUPS_A_CHUNK = 16, COUNTED_A_CHUNK = 64;
-    using Rooms = std::vector<RoomGroups>;
-    Rooms none(rooms);
-    for (RoomGroups& room : none) room.count.assign(kinds, 0.0);
-    Rooms out = parallel::fold(
-        lists.size(), none,
-        [&](Rooms& all, std::size_t g) {
-            RoomGroups& room = all[room_of(lists[g])];
-            room.groups += 1.0;
-            for (const Index row : lists[g])
-                room.count[static_cast<std::size_t>(particles.species[row])] += 1.0;
-        },
-        [&](Rooms& all, const Rooms& more) {
-            for (std::size_t r = 0; r < rooms; ++r) {
-                all[r].groups += more[r].groups;
-                for (std::size_t k = 0; k < kinds; ++k) all[r].count[k] += more[r].count[k];
+    const std::size_t of_room = 1 + kinds,
+                      width = rooms * of_room;  // groups, and particles of each kind
+    const std::size_t chunks = parallel::chunk_count(lists.size(), COUNTED_A_CHUNK);
+    std::vector<double> counts(chunks * width, 0.0);
+    parallel::for_chunks(
+        lists.size(),
+        [&](std::size_t begin, std::size_t end, std::size_t c) {
+            for (std::size_t g = begin; g < end; ++g) {
+                double* const own = counts.data() + c * width + room_of(lists[g]) * of_room;
+                own[0] += 1.0;
+                for (const Index row : lists[g]) own[1 + particles.species[row]] += 1.0;
             }
         },
         COUNTED_A_CHUNK);
+    std::vector<RoomGroups> out(rooms);
+    for (RoomGroups& room : out) room.count.assign(kinds, 0.0);
+    for (std::size_t c = 0; c < chunks; ++c)
+        for (std::size_t r = 0; r < rooms; ++r) {
+            const double* const own = counts.data() + c * width + r * of_room;
+            out[r].groups += own[0];
+            for (std::size_t k = 0; k < kinds; ++k) out[r].count[k] += own[1 + k];
+        }
     for (std::size_t r = 0; r < rooms; ++r)
         out[r].energies = parallel::sum(
             lists.size(), GroupEnergies{},

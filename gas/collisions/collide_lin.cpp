@@ -190,7 +190,7 @@ CollisionReport collide_lin_plainly(const CollisionStep& step, Particles& partic
 
 /// Large groups of one kind of gas by fours; all others one by one.
 CollisionReport collide_lin(const CollisionStep& step, Particles& particles) {
-    constexpr std::size_t GROUPS_A_CHUNK = 8, AHEAD = 2;
+    constexpr std::size_t GROUPS_A_CHUNK = 4, AHEAD = 2;
     const auto plainly = [&](std::size_t g) {
         return collide_one_group(step, g, particles,
                                  [&](CellSample& sample, Random& draw, auto rows) {

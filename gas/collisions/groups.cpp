@@ -173,7 +173,7 @@ void Groups::find(CellSort& sorted, const FabricInCells& fabric, const Particles
                   double reach) {
     const Lists cells = sorted.cells();
     order_ = sorted.order();
-    begins_.assign(order_.size(), 0);
+    begins_.resize(order_.size());
     const auto size = [&](std::size_t c) {
         return static_cast<std::size_t>(cells.start[c + 1] - cells.start[c]);
     };
@@ -182,7 +182,9 @@ void Groups::find(CellSort& sorted, const FabricInCells& fabric, const Particles
         cells.size(), with_fabric_,
         [&](std::size_t c, auto&& take) {
             if (size(c) == 0) return;
-            begins_[static_cast<std::size_t>(cells.start[c])] = 1;
+            std::uint8_t* const begins = begins_.data() + cells.start[c];
+            std::fill(begins, begins + size(c), 0);
+            begins[0] = 1;
             if (size(c) > 1 && fabric.lists && !fabric.lists->is_empty(c))
                 take({c, size(c) * fabric.lists->in(c).size()});
         },

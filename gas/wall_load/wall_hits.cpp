@@ -3,6 +3,7 @@
 #include "gas/wall_load/wall_hits.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "solver/base/parallel.hpp"
 #include "solver/base/surface.hpp"
@@ -10,7 +11,8 @@
 namespace corpuscle::gas {
 namespace {
 
-constexpr std::size_t HIT_LISTS_A_CHUNK = 8;
+constexpr std::size_t GROUPS = 16;    ///< of lists, whose hits are counted and sorted together
+constexpr std::size_t FEW_LISTS = 8;  ///< of a group at least
 
 }  // namespace
 
@@ -21,16 +23,45 @@ void WallHits::list(FlightResult& flight, std::span<const Vec3> x_0, std::span<c
         first_[l + 1] = first_[l] + flight.hits[l].size();
     sides_.resize(first_.back());
     patch_.resize(first_.back());
-    parallel::for_each(
-        flight.hits.size(),
-        [&](std::size_t l) {
+    by_patch_.resize(first_.back());
+    const std::size_t lists = flight.hits.size();
+    const std::size_t lists_a_group = std::max(FEW_LISTS, (lists + GROUPS - 1) / GROUPS);
+    const std::size_t groups = parallel::chunk_count(lists, lists_a_group);
+    const std::size_t rows = patches_.size() + wide_.size() + 1;
+    count_.resize(groups * rows);
+    const auto list_group = [&](std::size_t g) {
+        std::uint32_t* const count = count_.data() + g * rows;
+        std::fill(count, count + rows, 0);
+        for (std::size_t l = g * lists_a_group; l < std::min(lists, (g + 1) * lists_a_group); ++l) {
             const std::vector<Hit>& hits = flight.hits[l];
             for (std::size_t k = 0; k < hits.size(); ++k)
                 sides_[first_[l] + k] = static_cast<Index>(side_of(hits[k], x_0, x_1));
             find_patches(hits, first_[l]);
-        },
-        HIT_LISTS_A_CHUNK);
-    sort(flight);
+            for (std::size_t i = first_[l]; i < first_[l + 1]; ++i) ++count[patch_[i]];
+        }
+    };
+    const auto share_out = [&] { find_starts(groups, rows); };
+    const auto sort_group = [&](std::size_t g) {
+        std::uint32_t* const next = count_.data() + g * rows;
+        for (std::size_t l = g * lists_a_group; l < std::min(lists, (g + 1) * lists_a_group); ++l)
+            for (std::size_t k = 0; k < flight.hits[l].size(); ++k) {
+                const std::size_t i = first_[l] + k;
+                by_patch_[next[patch_[i]]++] = {&flight.hits[l][k], sides_[i]};
+            }
+    };
+    parallel::in_turn(parallel::each(groups, list_group, 1), parallel::alone(share_out),
+                      parallel::each(groups, sort_group, 1));
+}
+
+/// Where hits of each row, and of each group of lists in it, begin.
+void WallHits::find_starts(std::size_t groups, std::size_t rows) {
+    start_.resize(rows + 1);
+    std::uint32_t sum = 0;
+    for (std::size_t row = 0; row < rows; ++row) {
+        start_[row] = sum;
+        for (std::size_t g = 0; g < groups; ++g) sum += std::exchange(count_[g * rows + row], sum);
+    }
+    start_[rows] = sum;
 }
 
 /// On which side a facet was hit: gas pushes away from itself.
@@ -70,21 +101,6 @@ void WallHits::find_patches(const std::vector<Hit>& hits, std::size_t first) {
         std::fill(patch_.begin() + static_cast<std::ptrdiff_t>(first + begin),
                   patch_.begin() + static_cast<std::ptrdiff_t>(first + end), patch);
     }
-}
-
-/// By counting.
-void WallHits::sort(FlightResult& flight) {
-    start_.assign(patches_.size() + wide_.size() + 3, 0);
-    for (const Index patch : patch_) ++start_[patch + 2];
-    for (std::size_t p = 2; p < start_.size(); ++p) start_[p] += start_[p - 1];
-    by_patch_.resize(patch_.size());
-    std::size_t i = 0;
-    for (auto& hits : flight.hits)
-        for (Hit& hit : hits) {
-            by_patch_[start_[patch_[i] + 1]++] = {&hit, sides_[i]};
-            ++i;
-        }
-    start_.pop_back();
 }
 
 }  // namespace corpuscle::gas

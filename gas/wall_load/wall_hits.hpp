@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -57,7 +58,7 @@ private:
     [[nodiscard]] std::size_t side_of(const Hit& hit, std::span<const Vec3> x_0,
                                       std::span<const Vec3> x_1) const;
     void find_patches(const std::vector<Hit>& hits, std::size_t first);
-    void sort(FlightResult& flight);
+    void find_starts(std::size_t groups, std::size_t rows);
 
     const WettedSurface& surface_;
     SidePatches patches_, wide_;
@@ -65,7 +66,8 @@ private:
     std::vector<Index> sides_;        ///< of hits, list by list
     std::vector<Index> patch_;        ///< likewise
     std::vector<Met> by_patch_;
-    std::vector<std::size_t> start_;  ///< of each patch
+    std::vector<std::size_t> start_;    ///< of each patch
+    std::vector<std::uint32_t> count_;  ///< by some lists and patch, then where those are to go
 };
 
 }  // namespace corpuscle::gas
