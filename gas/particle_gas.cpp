@@ -118,9 +118,7 @@ void ParticleGas::add_load(const Points& /*x*/, Points& f) {
     std::vector<double> of_room(bag_.surface->rooms());
     for (std::size_t r = 0; r < of_room.size(); ++r) of_room[r] = pressure(r);
     air_force_.resize(f.size(), Vec3::Zero());
-    bag_.load.press(of_room, air_force_);
-    const auto& nodes = lists_.nodes();
-    parallel::for_each(nodes.size(), [&](std::size_t i) { f[nodes[i]] += air_force_[nodes[i]]; });
+    bag_.load.press(of_room, air_force_, f);
 }
 
 void ParticleGas::book_load(const Points& v_mid, double span) {

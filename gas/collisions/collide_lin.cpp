@@ -190,7 +190,9 @@ CollisionReport collide_lin_plainly(const CollisionStep& step, Particles& partic
 
 /// Large groups of one kind of gas by fours; all others one by one.
 CollisionReport collide_lin(const CollisionStep& step, Particles& particles) {
-    constexpr std::size_t GROUPS_A_CHUNK = 4, AHEAD = 2;
+    constexpr std::size_t AHEAD = 2, LEAST = 4, MOST = 16, CHUNKS = 512;
+    const std::size_t a_chunk =
+        LEAST * std::clamp<std::size_t>(step.groups.size() / (LEAST * CHUNKS), 1, MOST / LEAST);
     const auto plainly = [&](std::size_t g) {
         return collide_one_group(step, g, particles,
                                  [&](CellSample& sample, Random& draw, auto rows) {
@@ -206,8 +208,8 @@ CollisionReport collide_lin(const CollisionStep& step, Particles& particles) {
                 four.collide(particles, [&](std::uint64_t g) { report += plainly(g); });
             for (const double energy : thermal) report.thermal += energy;
         };
-        const std::size_t end = std::min(step.groups.size(), (chunk + 1) * GROUPS_A_CHUNK);
-        for (std::size_t g = chunk * GROUPS_A_CHUNK; g < end; ++g) {
+        const std::size_t end = std::min(step.groups.size(), (chunk + 1) * a_chunk);
+        for (std::size_t g = chunk * a_chunk; g < end; ++g) {
             const auto rows = step.groups[g];
             if (g + AHEAD < end) fetch(step.groups[g + AHEAD], particles);
             const Random draw(step.seed, Stream::COLLISION, step.step, g);
@@ -220,8 +222,8 @@ CollisionReport collide_lin(const CollisionStep& step, Particles& particles) {
         if (four.size() > 0) collide_four();
         return report;
     };
-    return parallel::sum(parallel::chunk_count(step.groups.size(), GROUPS_A_CHUNK),
-                         CollisionReport{}, some, 1);
+    return parallel::sum(parallel::chunk_count(step.groups.size(), a_chunk), CollisionReport{},
+                         some, 1);
 }
 
 }  // namespace corpuscle::gas

@@ -32,9 +32,10 @@ constexpr std::uint64_t MOVE_ROWS_EVERY = 4;
 constexpr std::uint64_t MEASURE_EVERY = 4;
 
 std::size_t occupied(const Lists& cells) {
-    return parallel::sum(cells.size(), std::size_t{0}, [&](std::size_t c) {
-        return static_cast<std::size_t>(!cells[c].empty());
-    });
+    constexpr std::size_t A_CHUNK = 512;
+    return parallel::sum(
+        cells.size(), std::size_t{0},
+        [&](std::size_t c) { return static_cast<std::size_t>(!cells[c].empty()); }, A_CHUNK);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include "gas/wall_load/wall_hits.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "solver/base/parallel.hpp"
 #include "solver/base/surface.hpp"
@@ -11,7 +10,7 @@
 namespace corpuscle::gas {
 namespace {
 
-constexpr std::size_t GROUPS = 16;    ///< of lists, whose hits are counted and sorted together
+constexpr std::size_t GROUPS = 48;    ///< of lists, whose hits are counted and sorted together
 constexpr std::size_t FEW_LISTS = 8;  ///< of a group at least
 
 }  // namespace
@@ -46,22 +45,25 @@ void WallHits::list(FlightResult& flight, std::span<const Vec3> x_0, std::span<c
         for (std::size_t l = g * lists_a_group; l < std::min(lists, (g + 1) * lists_a_group); ++l)
             for (std::size_t k = 0; k < flight.hits[l].size(); ++k) {
                 const std::size_t i = first_[l] + k;
-                by_patch_[next[patch_[i]]++] = {&flight.hits[l][k], sides_[i]};
+                by_patch_[start_[patch_[i]] + next[patch_[i]]++] = {&flight.hits[l][k], sides_[i]};
             }
     };
     parallel::in_turn(parallel::each(groups, list_group, 1), parallel::alone(share_out),
                       parallel::each(groups, sort_group, 1));
 }
 
-/// Where hits of each row, and of each group of lists in it, begin.
+/// Where hits of each row begin, and within it those of each group of lists.
 void WallHits::find_starts(std::size_t groups, std::size_t rows) {
+    sum_.assign(rows, 0);
+    for (std::size_t g = 0; g < groups; ++g)
+        for (std::size_t row = 0; row < rows; ++row) {
+            const std::uint32_t own = count_[g * rows + row];
+            count_[g * rows + row] = sum_[row];
+            sum_[row] += own;
+        }
     start_.resize(rows + 1);
-    std::uint32_t sum = 0;
-    for (std::size_t row = 0; row < rows; ++row) {
-        start_[row] = sum;
-        for (std::size_t g = 0; g < groups; ++g) sum += std::exchange(count_[g * rows + row], sum);
-    }
-    start_[rows] = sum;
+    start_[0] = 0;
+    for (std::size_t row = 0; row < rows; ++row) start_[row + 1] = start_[row] + sum_[row];
 }
 
 /// On which side a facet was hit: gas pushes away from itself.

@@ -81,9 +81,11 @@ void WallLoad::receive(FlightResult& flight, std::span<const double> mass, Parti
     set_right(flight, mass, particles);
     const SidePatches &patches = hits_.patches(), &wide = hits_.wide_patches();
     receive(
-        patches, [&](std::size_t patch) { return hits_.of(patch); }, mass, particles);
+        patches, [&](std::size_t patch) { return hits_.of(patch); }, mass, particles,
+        receiving_.narrow);
     receive(
-        wide, [&](std::size_t patch) { return hits_.of_wide(patch); }, mass, particles);
+        wide, [&](std::size_t patch) { return hits_.of_wide(patch); }, mass, particles,
+        receiving_.wide);
     for (const WallHits::Met& met : hits_.scattered()) {
         Tally tally;
         take_in(met, mass, particles, tally);
@@ -94,7 +96,8 @@ void WallLoad::receive(FlightResult& flight, std::span<const double> mass, Parti
 /// Hits of patches, of which those with points in common are not worked on at once.
 template <class HitsOf>
 void WallLoad::receive(const SidePatches& patches, HitsOf&& hits_of, std::span<const double> mass,
-                       Particles& particles) {
+                       Particles& particles, Receiving& by) {
+    constexpr int DEALT_FOR = 32;
     receiving_.tally.resize(std::max(receiving_.tally.size(), patches.size()));
     const auto receive_patch = [&](std::size_t place) {
         const auto patch = static_cast<std::size_t>(patches.by_colour()[place]);
@@ -111,11 +114,13 @@ void WallLoad::receive(const SidePatches& patches, HitsOf&& hits_of, std::span<c
     };
     std::size_t count = 0;
     for (std::size_t p = 0; p < patches.size(); ++p) count += hits_of(p).size();
-    receiving_.shares.deal(
-        patches.size(), [&](std::size_t patch) { return patches.place(patch); },
-        [&](std::size_t place) { return static_cast<double>(hits_at(place)); });
-    receiving_.tasks.run(receiving_.shares, before, receive_patch, count > FEW_HITS,
-                         parallel::Cut().where);
+    if (by.since-- <= 0 || by.shares.members() != parallel::threads()) {
+        by.since = DEALT_FOR;
+        by.shares.deal(
+            patches.size(), [&](std::size_t patch) { return patches.place(patch); },
+            [&](std::size_t place) { return static_cast<double>(hits_at(place)); });
+    }
+    by.tasks.run(by.shares, before, receive_patch, count > FEW_HITS, parallel::Cut().where);
     for (std::size_t p = 0; p < patches.size(); ++p)
         if (!hits_of(p).empty()) add(receiving_.tally[p], patches.room(p));
 }
@@ -188,7 +193,7 @@ void WallLoad::take_in(const WallHits::Met& met, std::span<const double> mass, P
         account_[points[c]] -= hit.at[c] * (cleared * account_[points[c]] + back);
 }
 
-void WallLoad::press(std::span<const double> pressure, Points& f) const {
+void WallLoad::press(std::span<const double> pressure, Points& f, Points& sum) const {
     parallel::for_each(by_node_.nodes.size(), [&](std::size_t i) {
         Vec3 force = Vec3::Zero();
         for (Index k = by_node_.start[i]; k < by_node_.start[i + 1]; ++k) {
@@ -196,6 +201,7 @@ void WallLoad::press(std::span<const double> pressure, Points& f) const {
             force += pressure[surface_->room_of_point(p)] * area_[p];
         }
         f[by_node_.nodes[i]] = force;
+        sum[by_node_.nodes[i]] += force;
     });
 }
 

@@ -150,10 +150,10 @@ public:
     [[nodiscard]] double time() const { return time_; }
     [[nodiscard]] const WettedSurface& surface() const { return *surface_; }
     [[nodiscard]] std::span<const Vec3> area() const { return area_; }  ///< points × 3 [m^2]
-    /// What a pressure in each room pushes the wall's nodes with.
+    /// What a pressure in each room pushes the wall's nodes with: f is that, and sum += f.
     /// @param pressure  by room                                                            [Pa]
-    /// @param f         N × 3                                                               [N]
-    void press(std::span<const double> pressure, Points& f) const;
+    /// @param f, sum    N × 3                                                               [N]
+    void press(std::span<const double> pressure, Points& f, Points& sum) const;
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
@@ -176,12 +176,18 @@ private:
         Wrench owed, held;
         double taken = 0.0;  ///< [J]
     };
+    /// Hits of patches, narrow or wide, by threads.
+    struct Receiving {
+        parallel::TaskShares shares;  ///< dealt now and then: hits are soon where they were
+        int since = 0;                ///< calls for which they serve
+        parallel::Tasks tasks;
+    };
     void set_right(FlightResult& flight, std::span<const double> mass, Particles& particles) const;
     void take_in(const WallHits::Met& met, std::span<const double> mass, Particles& particles,
                  Tally& tally);
     template <class HitsOf>
     void receive(const SidePatches& patches, HitsOf&& hits_of, std::span<const double> mass,
-                 Particles& particles);
+                 Particles& particles, Receiving& by);
     void add(const Tally& tally, Index room);
     void measure(std::span<const Vec3> x);
     void find_brought(double span, std::span<const Vec3> x, std::span<const Vec3> v,
@@ -193,8 +199,7 @@ private:
     void release_hits(double share, double span, std::span<const Vec3> x, std::span<const Vec3> v,
                       std::span<const double> mass, std::span<Vec3> f);
     void come_to_rest();
-    double book_hits(std::span<const Vec3> v_mid, double span);
-    void pass_on_accounts();
+    double book_hits(std::size_t room, std::span<const Vec3> v_mid, double span);
     void balance_momentum(double share, double span, std::span<const Vec3> x);
     [[nodiscard]] Vec3 normal(std::size_t p) const {
         return size_[p] > 0.0 ? Vec3(area_[p] / size_[p]) : Vec3(Vec3::Zero());
@@ -223,8 +228,7 @@ private:
     WallHits hits_;
     struct {
         std::vector<Tally> tally;  ///< by patch
-        parallel::TaskShares shares;
-        parallel::Tasks tasks;
+        Receiving narrow, wide;
     } receiving_;
     double taken_ = 0.0;        ///< [J]
     double since_hits_ = -1.0;  ///< that were the last; below 0: more may come [s]

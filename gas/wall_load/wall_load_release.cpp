@@ -20,20 +20,33 @@ constexpr double ANSWER = 4.0;
 /// Share of a room's free wall that must be wet to bear the correction of momentum alone.
 constexpr double LEAST_WET = 0.25;
 
-using Two = Eigen::Vector2d;
+/// What points can bear.
+struct Lever {
+    double area = 0.0;           ///< [m^2]
+    Vec3 first = Vec3::Zero();   ///< moment of the area, from an origin                    [m^3]
+    Mat3 second = Mat3::Zero();  ///< likewise                                              [m^4]
+    void add(double size, const Vec3& from_origin) {
+        area += size;
+        first += size * from_origin;
+        second += size * from_origin * from_origin.transpose();
+    }
+    Lever& operator+=(const Lever& o) {
+        area += o.area;
+        first += o.first;
+        second += o.second;
+        return *this;
+    }
+};
 
 /// Of a room's wall: what it was given and keeps, and the lever that its points have.
 struct Sums {
     Wrench given, kept;
-    double area = 0.0;
-    Vec3 first = Vec3::Zero();
-    Mat3 second = Mat3::Zero();
+    Lever wet, dry;
     Sums& operator+=(const Sums& o) {
         given += o.given;
         kept += o.kept;
-        area += o.area;
-        first += o.first;
-        second += o.second;
+        wet += o.wet;
+        dry += o.dry;
         return *this;
     }
 };
@@ -176,15 +189,6 @@ void WallLoad::balance_momentum(double share, double span, std::span<const Vec3>
         const auto counts = [&](std::size_t p) {
             return surface_->room_of_point(p) == room && held_[p] == 0;
         };
-        // A few wet points have no lever: then all of the wall bears it.
-        const Two wet_and_free = parallel::sum(size_.size(), Two(Two::Zero()), [&](std::size_t p) {
-            const double free = counts(p) ? size_[p] : 0.0;
-            return Two(takes_part_[p] != 0 ? free : 0.0, free);
-        });
-        const bool is_spread = wet_and_free[0] > LEAST_WET * wet_and_free[1];
-        const auto bears = [&](std::size_t p) {
-            return counts(p) && size_[p] > 0.0 && (!is_spread || takes_part_[p] != 0);
-        };
         const Sums sums = parallel::sum(size_.size(), Sums{}, [&](std::size_t p) {
             Sums own;
             if (!counts(p)) return own;
@@ -192,22 +196,26 @@ void WallLoad::balance_momentum(double share, double span, std::span<const Vec3>
             own.given.add(at, span * released_.force[p]);
             own.kept.add(
                 at, (deferred_.normal[p] + deferred_.answered[p]) * normal(p) + deferred_.along[p]);
-            if (!bears(p)) return own;
-            const Vec3 d = at - origin;
-            own.area = size_[p];
-            own.first = size_[p] * d;
-            own.second = size_[p] * d * d.transpose();
+            (takes_part_[p] != 0 ? own.wet : own.dry).add(size_[p], at - origin);
             return own;
         });
+        Lever lever = sums.wet;
+        lever += sums.dry;
+        // A few wet points have no lever: then all of the wall bears it.
+        const bool is_spread = sums.wet.area > LEAST_WET * lever.area;
+        if (is_spread) lever = sums.wet;
+        const auto bears = [&](std::size_t p) {
+            return counts(p) && size_[p] > 0.0 && (!is_spread || takes_part_[p] != 0);
+        };
         Wrench& owed = owed_[r];
         owed -= sums.given;
-        if (!(sums.area > 0.0)) continue;
-        const Vec3 centre = sums.first / sums.area;  // from origin
-        const Mat3 second = sums.second - sums.area * centre * centre.transpose();
+        if (!(lever.area > 0.0)) continue;
+        const Vec3 centre = lever.first / lever.area;  // from origin
+        const Mat3 second = lever.second - lever.area * centre * centre.transpose();
         const Mat3 inertia = second.trace() * Mat3::Identity() - second;
         Wrench rest = owed;
         rest -= sums.kept;
-        const Vec3 a = share * rest.linear / sums.area;
+        const Vec3 a = share * rest.linear / lever.area;
         const Vec3 moment = share * (rest.angular - (origin + centre).cross(rest.linear));
         constexpr double FLAT = 1e-3;  // of its size³: points on a line have no moment about it
         const double size = inertia.trace();
@@ -219,62 +227,10 @@ void WallLoad::balance_momentum(double share, double span, std::span<const Vec3>
             released_.force[p] += size_[p] / span * (a + b.cross(d));
         });
         Wrench corrected;
-        corrected.linear = sums.area * a;
+        corrected.linear = lever.area * a;
         corrected.angular = (origin + centre).cross(corrected.linear) + inertia * b;
         owed -= corrected;
     }
-}
-
-double WallLoad::book(std::span<const Vec3> v_mid, double span) {
-    double work = is_at_rest() ? 0.0 : book_hits(v_mid, span);
-    for (std::size_t j = 0; j < jets_.nodes.size(); ++j) {
-        const double own = span * jets_.force[j].dot(v_mid[jets_.nodes[j]]);
-        jets_.account -= own;
-        work += own;
-    }
-    if (!hits_are_over()) pass_on_accounts();
-    return work;
-}
-
-double WallLoad::book_hits(std::span<const Vec3> v_mid, double span) {
-    return span * parallel::sum(size_.size(), 0.0, [&](std::size_t p) {
-               const double own = released_.force[p].dot(v_mid[surface_->node(p)]);
-               account_[p] += fresh_[p] - span * own;
-               fresh_[p] = 0.0;
-               return own;
-           });
-}
-
-/// Accounts of points that gas has left go to those of their room where it is, by area: a few
-/// particles would leave gains at one place, pay losses at another, and owe more than they hold.
-void WallLoad::pass_on_accounts() {
-    for (std::size_t r = 0; r < owed_.size(); ++r) {
-        const auto is_of_room = [&](std::size_t p) {
-            return surface_->room_of_point(p) == static_cast<Index>(r);
-        };
-        const Two wet_and_left =
-            parallel::sum(account_.size(), Two(Two::Zero()), [&](std::size_t p) {
-                if (!is_of_room(p)) return Two(0.0, 0.0);
-                return is_wet(p) ? Two(size_[p], 0.0) : Two(0.0, account_[p]);
-            });
-        if (!(wet_and_left[0] > 0.0)) continue;
-        const double per_area = wet_and_left[1] / wet_and_left[0];
-        parallel::for_each(account_.size(), [&](std::size_t p) {
-            if (is_of_room(p)) account_[p] = is_wet(p) ? account_[p] + per_area * size_[p] : 0.0;
-        });
-    }
-}
-
-double WallLoad::drain(std::size_t room, double share) {
-    double sum = 0.0;
-    for (std::size_t p = 0; p < account_.size(); ++p) {
-        if (surface_->room_of_point(p) != static_cast<Index>(room)) continue;
-        const double own = share * account_[p];
-        account_[p] -= own;
-        sum += own;
-    }
-    taken_ -= sum;
-    return sum;
 }
 
 double WallLoad::pressure_at_node(Index node) const {
