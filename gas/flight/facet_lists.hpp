@@ -111,6 +111,12 @@ public:
                    visit(here, enters, leaves);
         });
     }
+    /// Whether a short straight way is free of facets as long as the lists hold for them; false where
+    /// that is not known.
+    [[nodiscard]] bool is_clear(const Vec3& from, const Vec3& to) const {
+        return !clearance_.is_empty() &&
+               clearance_.at(from) > (to - from).cwiseAbs().maxCoeff() + margin_;
+    }
     /// How far particles may fly before these facets can be in their way.
     [[nodiscard]] const Clearance& clearance() const { return clearance_; }
     /// Farthest that a node has moved along an axis since the lists were built.              [m]

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "gas/flight/crossing.hpp"
+#include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {
 namespace {
@@ -150,22 +151,24 @@ bool is_near(const Path& path, const Triangle& facet, std::span<const Vec3> x_0,
 
 int Orifices::passed_by_fabric(const FacetLists& lists, std::span<const Vec3> x_0,
                                std::span<const Vec3> x_1) const {
-    for (std::size_t o = 0; o < size(); ++o) {
-        if (!on_[o].empty() && cards_[o].offset == 0.0) continue;
+    const auto is_passed = [&](std::size_t o) {
+        if (!on_[o].empty() && cards_[o].offset == 0.0) return false;
         const Path path{place(o, x_0), place(o, x_1)};
+        if (lists.is_clear(path.at_0, path.at_1)) return false;
         const auto is_crossed_by = [&](const Triangle& facet) {
             return is_near(path, facet, x_0, x_1) && cross(path, facet, x_0.data(), x_1.data());
         };
-        if (lists.any_slab(path.at_0, path.at_1, [&](const Slab& slab, double, double) {
-                bool is_passed = false;
-                lists.for_each_in(slab, [&](Index facet) {
-                    is_passed = is_passed || is_crossed_by(lists.triangles()[facet]);
-                });
-                return is_passed;
-            }))
-            return static_cast<int>(o);
-    }
-    return -1;
+        return lists.any_slab(path.at_0, path.at_1, [&](const Slab& slab, double, double) {
+            bool is_crossed = false;
+            lists.for_each_in(slab, [&](Index facet) {
+                is_crossed = is_crossed || is_crossed_by(lists.triangles()[facet]);
+            });
+            return is_crossed;
+        });
+    };
+    const parallel::Least first = parallel::least(
+        size(), 0.0, [&](std::size_t o) { return is_passed(o) ? -1.0 : 0.0; }, 1);
+    return first.value < 0.0 ? static_cast<int>(first.at) : -1;
 }
 
 }  // namespace corpuscle::gas
