@@ -14,7 +14,7 @@ namespace corpuscle::fabric {
 
 namespace {
 
-constexpr std::size_t TASK_ELEMENTS = 128;  // smaller spreads better over threads, costs more calls
+constexpr std::size_t TASK_ELEMENTS = 32;  // smaller spreads better over threads, costs more calls
 
 ElementKind kind_of(const Part& part, int corners) {
     if (corners == 3) return ElementKind::TRIANGLE;

@@ -12,7 +12,7 @@ namespace corpuscle::fabric {
 
 namespace {
 
-constexpr std::size_t GATHER_NODES = 128;  // a chunk
+constexpr std::size_t GATHER_NODES = 64;  // a chunk
 
 Vec3 gathered(const std::vector<std::uint32_t>& places, std::uint32_t begin, std::uint32_t end,
               const double* corner) {

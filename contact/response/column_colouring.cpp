@@ -18,7 +18,7 @@ namespace {
 constexpr double NARROWEST = 1.1, WIDEST = 2.2;
 constexpr double FARTHEST = 1e9;  ///< columns from the origin that have a name
 
-constexpr std::size_t CHUNKS = 4;                    ///< of contacts that are sorted together
+constexpr std::size_t CHUNKS = 8;                    ///< of contacts that are sorted together
 constexpr std::size_t FEW_GROUPS = 8, COLUMNS = 16;  ///< of those; a chunk
 
 }  // namespace

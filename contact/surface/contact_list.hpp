@@ -23,7 +23,7 @@ struct NearPair {
 /// order.
 class ContactList {
 public:
-    static constexpr std::size_t CHUNK = 512;  ///< candidates; most are skipped, or none
+    static constexpr std::size_t CHUNK = 256;  ///< candidates; most are skipped, or none
 
     /// Room for what so many candidates have, each chunk of which is yet to be cleared.
     void lay_out(std::size_t candidates) {

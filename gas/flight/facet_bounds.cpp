@@ -14,7 +14,7 @@ constexpr float REACH = 3.0F;
 /// Of the largest coordinate: some 60 units in the last place of a float.
 constexpr float BOUNDS_ROUNDING = 4e-6F;
 
-constexpr std::size_t EIGHTS_A_CHUNK = 16;
+constexpr std::size_t EIGHTS_A_CHUNK = 8;
 
 EightPoints cross_product(const EightPoints& a, const EightPoints& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};

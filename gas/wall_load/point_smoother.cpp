@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t PASSES = 9;
 
 constexpr std::size_t FEW_POINTS = 128;  ///< that one thread is done with sooner
-constexpr std::size_t POINTS_A_CHUNK = 32;
+constexpr std::size_t POINTS_A_CHUNK = 16;
 
 /// Cosines of the angle between two points' normals at which a gate begins to open, and is open.
 constexpr double SHUT = 0.6, OPEN = 0.85;

@@ -10,8 +10,9 @@
 namespace corpuscle::gas {
 namespace {
 
-constexpr std::size_t GROUPS = 48;    ///< of lists, whose hits are counted and sorted together
-constexpr std::size_t FEW_LISTS = 8;  ///< of a group at least
+constexpr std::size_t LISTS_AT_ONCE = 2;
+constexpr std::size_t GROUPS = 16;      ///< of hits that are counted and sorted together
+constexpr std::size_t LEAST_HITS = 64;  ///< of a group at least
 
 }  // namespace
 
@@ -23,36 +24,42 @@ void WallHits::list(FlightResult& flight, std::span<const Vec3> x_0, std::span<c
     sides_.resize(first_.back());
     patch_.resize(first_.back());
     by_patch_.resize(first_.back());
-    const std::size_t lists = flight.hits.size();
-    const std::size_t lists_a_group = std::max(FEW_LISTS, (lists + GROUPS - 1) / GROUPS);
-    const std::size_t groups = parallel::chunk_count(lists, lists_a_group);
     const std::size_t rows = patches_.size() + wide_.size() + 1;
+    const std::size_t hits_a_group = std::max(LEAST_HITS, (patch_.size() + GROUPS - 1) / GROUPS);
+    const std::size_t groups = parallel::chunk_count(patch_.size(), hits_a_group);
     count_.resize(groups * rows);
-    const auto list_group = [&](std::size_t g) {
+    const auto find_places = [&](std::size_t l) {
+        const std::vector<Hit>& hits = flight.hits[l];
+        for (std::size_t k = 0; k < hits.size(); ++k)
+            sides_[first_[l] + k] = static_cast<Index>(side_of(hits[k], x_0, x_1));
+        find_patches(hits, first_[l]);
+    };
+    const auto end_of = [&](std::size_t g) {
+        return std::min(patch_.size(), (g + 1) * hits_a_group);
+    };
+    const auto count_group = [&](std::size_t g) {
         std::uint32_t* const count = count_.data() + g * rows;
         std::fill(count, count + rows, 0);
-        for (std::size_t l = g * lists_a_group; l < std::min(lists, (g + 1) * lists_a_group); ++l) {
-            const std::vector<Hit>& hits = flight.hits[l];
-            for (std::size_t k = 0; k < hits.size(); ++k)
-                sides_[first_[l] + k] = static_cast<Index>(side_of(hits[k], x_0, x_1));
-            find_patches(hits, first_[l]);
-            for (std::size_t i = first_[l]; i < first_[l + 1]; ++i) ++count[patch_[i]];
-        }
+        for (std::size_t i = g * hits_a_group; i < end_of(g); ++i) ++count[patch_[i]];
     };
     const auto share_out = [&] { find_starts(groups, rows); };
     const auto sort_group = [&](std::size_t g) {
         std::uint32_t* const next = count_.data() + g * rows;
-        for (std::size_t l = g * lists_a_group; l < std::min(lists, (g + 1) * lists_a_group); ++l)
-            for (std::size_t k = 0; k < flight.hits[l].size(); ++k) {
-                const std::size_t i = first_[l] + k;
-                by_patch_[start_[patch_[i]] + next[patch_[i]]++] = {&flight.hits[l][k], sides_[i]};
-            }
+        std::size_t i = g * hits_a_group;
+        auto l = static_cast<std::size_t>(std::upper_bound(first_.begin(), first_.end(), i) -
+                                          first_.begin() - 1);
+        for (; i < end_of(g); ++i) {
+            while (i >= first_[l + 1]) ++l;
+            by_patch_[start_[patch_[i]] + next[patch_[i]]++] = {&flight.hits[l][i - first_[l]],
+                                                                sides_[i]};
+        }
     };
-    parallel::in_turn(parallel::each(groups, list_group, 1), parallel::alone(share_out),
+    parallel::in_turn(parallel::each(flight.hits.size(), find_places, LISTS_AT_ONCE),
+                      parallel::each(groups, count_group, 1), parallel::alone(share_out),
                       parallel::each(groups, sort_group, 1));
 }
 
-/// Where hits of each row begin, and within it those of each group of lists.
+/// Where hits of each row begin, and within it those of each group.
 void WallHits::find_starts(std::size_t groups, std::size_t rows) {
     sum_.assign(rows, 0);
     for (std::size_t g = 0; g < groups; ++g)

@@ -67,7 +67,7 @@ private:
     std::vector<Index> patch_;        ///< likewise
     std::vector<Met> by_patch_;
     std::vector<std::size_t> start_;    ///< of each patch
-    std::vector<std::uint32_t> count_;  ///< by some lists and patch, then where those are to go
+    std::vector<std::uint32_t> count_;  ///< by some hits and patch, then where those are to go
     std::vector<std::uint32_t> sum_;    ///< of those, by patch
 };
 
