@@ -32,10 +32,10 @@ void gather(const Hdf5Reader& results, const std::string& group, const std::stri
 
 /// A name or unit in a heading never holds a comma or a quote.
 std::string heading(const History& history, std::size_t column) {
-    constexpr std::array AXES{"x", "y", "z"};
+    constexpr std::array COMPONENTS{"x", "y", "z"};
     return history.columns == 1
                ? fmt::format("{} [{}]", history.path, history.unit)
-               : fmt::format("{}.{} [{}]", history.path, AXES.at(column), history.unit);
+               : fmt::format("{}.{} [{}]", history.path, COMPONENTS.at(column), history.unit);
 }
 
 }  // namespace
