@@ -121,16 +121,9 @@ void ParticleGas::add_load(const Points& /*x*/, Points& f) {
     bag_.load.press(of_room, air_force_, f);
 }
 
-void ParticleGas::book_load(const Points& v_mid, double span) {
-    const WettedSurface& wall = *bag_.surface;
-    for (std::size_t r = 0; r < bag_.air.size(); ++r) {
-        const double opened = span * parallel::sum(wall.points(), 0.0, [&](std::size_t p) {
-                                  return wall.room_of_point(p) == static_cast<Index>(r)
-                                             ? bag_.load.area()[p].dot(v_mid[wall.node(p)])
-                                             : 0.0;
-                              });
-        bag_.air[r].add(-pressure(r) * opened);
-    }
+void ParticleGas::book_load(const Points& /*v_mid*/, double span) {
+    for (std::size_t r = 0; r < bag_.air.size(); ++r)
+        bag_.air[r].add(-pressure(r) * (span * bag_.load.swept(r)));
 }
 
 double ParticleGas::pressure() const {

@@ -35,37 +35,34 @@ std::vector<RoomGroups> Collider::groups_of_rooms(std::size_t rooms, std::size_t
     const auto room_of = [&](std::span<const Index> rows) {
         return particles.room_of(static_cast<std::size_t>(rows[0]));
     };
-    constexpr std::size_t GROUPS_A_CHUNK = 16, COUNTED_A_CHUNK = 64;
-    const std::size_t of_room = 1 + kinds,
-                      width = rooms * of_room;  // groups, and particles of each kind
-    const std::size_t chunks = parallel::chunk_count(lists.size(), COUNTED_A_CHUNK);
-    std::vector<double> counts(chunks * width, 0.0);
+    constexpr std::size_t GROUPS_A_CHUNK = 16;
+    // Of each chunk and room: groups, their thermal energy and mean motion, particles of each kind
+    constexpr std::size_t FIXED = 3;
+    const std::size_t of_room = FIXED + kinds, width = rooms * of_room;
+    const std::size_t chunks = parallel::chunk_count(lists.size(), GROUPS_A_CHUNK);
+    std::vector<double> sums(chunks * width, 0.0);
     parallel::for_chunks(
         lists.size(),
         [&](std::size_t begin, std::size_t end, std::size_t c) {
             for (std::size_t g = begin; g < end; ++g) {
-                double* const own = counts.data() + c * width + room_of(lists[g]) * of_room;
+                const GroupEnergies energies = energies_of(lists[g], mixture_, particles);
+                double* const own = sums.data() + c * width + room_of(lists[g]) * of_room;
                 own[0] += 1.0;
-                for (const Index row : lists[g]) own[1 + particles.species[row]] += 1.0;
+                own[1] += energies.thermal;
+                own[2] += energies.mean_motion;
+                for (const Index row : lists[g]) own[FIXED + particles.species[row]] += 1.0;
             }
         },
-        COUNTED_A_CHUNK);
+        GROUPS_A_CHUNK);
     std::vector<RoomGroups> out(rooms);
     for (RoomGroups& room : out) room.count.assign(kinds, 0.0);
     for (std::size_t c = 0; c < chunks; ++c)
         for (std::size_t r = 0; r < rooms; ++r) {
-            const double* const own = counts.data() + c * width + r * of_room;
+            const double* const own = sums.data() + c * width + r * of_room;
             out[r].groups += own[0];
-            for (std::size_t k = 0; k < kinds; ++k) out[r].count[k] += own[1 + k];
+            out[r].energies += GroupEnergies{own[1], own[2]};
+            for (std::size_t k = 0; k < kinds; ++k) out[r].count[k] += own[FIXED + k];
         }
-    for (std::size_t r = 0; r < rooms; ++r)
-        out[r].energies = parallel::sum(
-            lists.size(), GroupEnergies{},
-            [&](std::size_t g) {
-                return room_of(lists[g]) == r ? energies_of(lists[g], mixture_, particles)
-                                              : GroupEnergies{};
-            },
-            GROUPS_A_CHUNK);
     return out;
 }
 

@@ -71,6 +71,7 @@ WallLoad::WallLoad(std::shared_ptr<const WettedSurface> surface, std::span<const
     deferred_.age.assign(points, INF);
     released_.on_node.assign(held.size(), Vec3::Zero());
     owed_.resize(surface_->rooms());
+    released_.swept.assign(owed_.size(), 0.0);
     jets_.owed.assign(jets_.nodes.size(), Vec3::Zero());
     jets_.force.assign(jets_.nodes.size(), Vec3::Zero());
 }

@@ -52,6 +52,7 @@ struct WallRelease {
     Points force;                  ///< points × 3                                  [N]
     Points on_node;                ///< N × 3                                       [N]
     std::vector<double> pressure;  ///< by point                                    [Pa]
+    std::vector<double> swept;     ///< by its room's wall, as it was booked        [m^3/s]
     Wrench wrench;
     double share =
         0.0;  ///< of what was kept; BEGINS: none has been, and the next spans half a step
@@ -126,6 +127,8 @@ public:
                  std::span<const double> mass, std::span<Vec3> f);
     /// Books the work of the last release on accounts; returns it.                       [J]
     double book(std::span<const Vec3> v_mid, double span);
+    /// What a room's wall sweeps, sum of A·v_mid at the last book() before the end of hits. [m^3/s]
+    [[nodiscard]] double swept(std::size_t room) const { return released_.swept[room]; }
     /// Force of the last release on a node.                                              [N]
     [[nodiscard]] const Vec3& force(Index node) const { return released_.on_node[node]; }
 

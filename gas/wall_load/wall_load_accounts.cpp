@@ -24,10 +24,11 @@ double WallLoad::book(std::span<const Vec3> v_mid, double span) {
 /// particles would leave gains at one place, pay losses at another, and owe more than they hold.
 double WallLoad::book_hits(std::size_t room, std::span<const Vec3> v_mid, double span) {
     struct Sums {
-        double work = 0.0, wet = 0.0, left = 0.0;  ///< [W], [m^2], [J]
-        std::size_t leavers = 0;                   ///< points that gas has left, with an account
+        double work = 0.0, swept = 0.0, wet = 0.0, left = 0.0;  ///< [W], [m^3/s], [m^2], [J]
+        std::size_t leavers = 0;  ///< points that gas has left, with an account
         Sums& operator+=(const Sums& o) {
             work += o.work;
+            swept += o.swept;
             wet += o.wet;
             left += o.left;
             leavers += o.leavers;
@@ -40,7 +41,9 @@ double WallLoad::book_hits(std::size_t room, std::span<const Vec3> v_mid, double
     const Sums all = parallel::sum(size_.size(), Sums{}, [&](std::size_t p) {
         Sums own;
         if (!is_of_room(p)) return own;
-        own.work = released_.force[p].dot(v_mid[surface_->node(p)]);
+        const Vec3& v = v_mid[surface_->node(p)];
+        own.work = released_.force[p].dot(v);
+        own.swept = area_[p].dot(v);
         account_[p] += fresh_[p] - span * own.work;
         fresh_[p] = 0.0;
         if (is_wet(p)) {
@@ -51,6 +54,7 @@ double WallLoad::book_hits(std::size_t room, std::span<const Vec3> v_mid, double
         }
         return own;
     });
+    released_.swept[room] = all.swept;
     if (all.leavers > 0 && all.wet > 0.0 && !hits_are_over()) {
         const double per_area = all.left / all.wet;
         parallel::for_each(account_.size(), [&](std::size_t p) {
