@@ -13,7 +13,7 @@ namespace corpuscle::contact {
 namespace {
 
 constexpr std::size_t CANDIDATES_A_CHUNK = 512;  ///< candidates
-constexpr int ROUNDS = 8;                         ///< of impulses before impact zones are made
+constexpr int ROUNDS = 8;                        ///< of impulses before impact zones are made
 constexpr int LOOKS = 4;      ///< at new dangers, before they are met with impact zones at once
 constexpr double KEPT = 0.5;  ///< share of the path to the impact that a stopped pair may still go
 
