@@ -17,8 +17,7 @@ using Pairs = std::vector<std::pair<Index, Index>>;
 using Hierarchy = fcl::detail::HierarchyTree<fcl::AABBd>;
 using Node = fcl::detail::NodeBase<fcl::AABBd>;
 
-/// Updates from one building of a tree to the next: it is refitted between them, for a fifth of the
-/// time, and its nodes come to overlap.
+/// Updates between two buildings of a tree: refitting takes less time, but its nodes come to overlap.
 constexpr int REFITS = 16;
 
 Index row_of(const Node& leaf) {
