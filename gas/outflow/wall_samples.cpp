@@ -97,14 +97,13 @@ Index WallSamples::add(std::vector<Index> sides, bool drifts) {
     return static_cast<Index>(samples_.size()) - 1;
 }
 
-/// Patches that each sample has sides of, and after them those that are scattered.
+/// Patches that each sample has sides of.
 void WallSamples::list_patches(const SidePatches& patches) {
     patches_of_.resize(samples_.size());
     for (std::size_t k = 0; k < samples_.size(); ++k) {
         std::vector<Index>& some = patches_of_[k];
         for (const Index s : samples_[k].sides)
             some.push_back(patches.of(static_cast<std::size_t>(s)));
-        some.push_back(static_cast<Index>(patches.size()));
         std::sort(some.begin(), some.end());
         some.erase(std::unique(some.begin(), some.end()), some.end());
     }

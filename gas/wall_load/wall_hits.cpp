@@ -14,6 +14,15 @@ constexpr std::size_t LISTS_AT_ONCE = 2;
 constexpr std::size_t GROUPS = 16;      ///< of hits that are counted and sorted together
 constexpr std::size_t LEAST_HITS = 64;  ///< of a group at least
 
+/// Where hit k of a list is the last of a particle, the number of its hits; else 0.
+Index settles(const std::vector<Hit>& hits, std::size_t k) {
+    const Index who = hits[k].who;
+    if (k + 1 < hits.size() && hits[k + 1].who == who) return 0;
+    std::size_t begin = k;
+    while (begin > 0 && hits[begin - 1].who == who) --begin;
+    return static_cast<Index>(k + 1 - begin);
+}
+
 }  // namespace
 
 void WallHits::list(FlightResult& flight, std::span<const Vec3> x_0, std::span<const Vec3> x_1) {
@@ -22,45 +31,46 @@ void WallHits::list(FlightResult& flight, std::span<const Vec3> x_0, std::span<c
     for (std::size_t l = 0; l < flight.hits.size(); ++l)
         first_[l + 1] = first_[l] + flight.hits[l].size();
     sides_.resize(first_.back());
-    patch_.resize(first_.back());
     by_patch_.resize(first_.back());
-    const std::size_t rows = patches_.size() + wide_.size() + 1;
-    const std::size_t hits_a_group = std::max(LEAST_HITS, (patch_.size() + GROUPS - 1) / GROUPS);
-    const std::size_t groups = parallel::chunk_count(patch_.size(), hits_a_group);
-    count_.resize(groups * rows);
-    const auto find_places = [&](std::size_t l) {
+    const std::size_t hits_a_group = std::max(LEAST_HITS, (sides_.size() + GROUPS - 1) / GROUPS);
+    const std::size_t groups = parallel::chunk_count(sides_.size(), hits_a_group);
+    count_.resize(groups * patches_.size());
+    const auto patch = [&](std::size_t i) { return patches_.of(sides_[i]); };
+    const auto find_sides = [&](std::size_t l) {
         const std::vector<Hit>& hits = flight.hits[l];
         for (std::size_t k = 0; k < hits.size(); ++k)
             sides_[first_[l] + k] = static_cast<Index>(side_of(hits[k], x_0, x_1));
-        find_patches(hits, first_[l]);
     };
     const auto end_of = [&](std::size_t g) {
-        return std::min(patch_.size(), (g + 1) * hits_a_group);
+        return std::min(sides_.size(), (g + 1) * hits_a_group);
     };
     const auto count_group = [&](std::size_t g) {
-        std::uint32_t* const count = count_.data() + g * rows;
-        std::fill(count, count + rows, 0);
-        for (std::size_t i = g * hits_a_group; i < end_of(g); ++i) ++count[patch_[i]];
+        std::uint32_t* const count = count_.data() + g * patches_.size();
+        std::fill(count, count + patches_.size(), 0);
+        for (std::size_t i = g * hits_a_group; i < end_of(g); ++i) ++count[patch(i)];
     };
-    const auto share_out = [&] { find_starts(groups, rows); };
+    const auto share_out = [&] { find_starts(groups); };
     const auto sort_group = [&](std::size_t g) {
-        std::uint32_t* const next = count_.data() + g * rows;
+        std::uint32_t* const next = count_.data() + g * patches_.size();
         std::size_t i = g * hits_a_group;
         auto l = static_cast<std::size_t>(std::upper_bound(first_.begin(), first_.end(), i) -
                                           first_.begin() - 1);
         for (; i < end_of(g); ++i) {
             while (i >= first_[l + 1]) ++l;
-            by_patch_[start_[patch_[i]] + next[patch_[i]]++] = {&flight.hits[l][i - first_[l]],
-                                                                sides_[i]};
+            std::vector<Hit>& hits = flight.hits[l];
+            const std::size_t k = i - first_[l];
+            by_patch_[start_[patch(i)] + next[patch(i)]++] = {&hits[k], sides_[i],
+                                                              settles(hits, k)};
         }
     };
-    parallel::in_turn(parallel::each(flight.hits.size(), find_places, LISTS_AT_ONCE),
+    parallel::in_turn(parallel::each(flight.hits.size(), find_sides, LISTS_AT_ONCE),
                       parallel::each(groups, count_group, 1), parallel::alone(share_out),
                       parallel::each(groups, sort_group, 1));
 }
 
-/// Where hits of each row begin, and within it those of each group.
-void WallHits::find_starts(std::size_t groups, std::size_t rows) {
+/// Where hits of each patch begin, and within it those of each group.
+void WallHits::find_starts(std::size_t groups) {
+    const std::size_t rows = patches_.size();
     sum_.assign(rows, 0);
     for (std::size_t g = 0; g < groups; ++g)
         for (std::size_t row = 0; row < rows; ++row) {
@@ -84,32 +94,6 @@ std::size_t WallHits::side_of(const Hit& hit, std::span<const Vec3> x_0,
         x[c] = 0.5 * (x_0[n] + x_1[n]);
     }
     return surface_.side(facet, hit.impulse.dot(vector_area(x[0], x[1], x[2])) < 0.0);
-}
-
-/// Row of start_ of a particle's hits.
-Index WallHits::patch_of(std::span<const Index> sides) const {
-    const auto common = [&](const SidePatches& patches) {
-        const Index patch = patches.of(static_cast<std::size_t>(sides[0]));
-        return std::all_of(
-                   sides.begin() + 1, sides.end(),
-                   [&](Index side) { return patches.of(static_cast<std::size_t>(side)) == patch; })
-                   ? patch
-                   : -1;
-    };
-    const auto scattered = static_cast<Index>(patches_.size());
-    if (const Index patch = common(patches_); patch >= 0) return patch;
-    if (const Index patch = common(wide_); patch >= 0) return scattered + patch;
-    return scattered + static_cast<Index>(wide_.size());
-}
-
-/// @param first  of the list, among all
-void WallHits::find_patches(const std::vector<Hit>& hits, std::size_t first) {
-    for (std::size_t begin = 0, end = 0; begin < hits.size(); begin = end) {
-        while (end < hits.size() && hits[end].who == hits[begin].who) ++end;
-        const Index patch = patch_of(std::span(sides_).subspan(first + begin, end - begin));
-        std::fill(patch_.begin() + static_cast<std::ptrdiff_t>(first + begin),
-                  patch_.begin() + static_cast<std::ptrdiff_t>(first + end), patch);
-    }
 }
 
 }  // namespace corpuscle::gas

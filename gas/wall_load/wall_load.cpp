@@ -32,9 +32,9 @@ double bearable(double internal, double motion) {
     return internal + MOST_DEBT * motion;
 }
 
-/// What a particle pays of `due`, or is paid where that is above zero.                        [J]
-double paid_of(double due, double internal, double motion) {
-    const double most = MOST_PAID * std::max(0.0, motion + internal);
+/// What a particle pays of `due`, or is paid where that is above zero, after so many hits.    [J]
+double paid_of(double due, double internal, double motion, int hits = 1) {
+    const double most = hits * MOST_PAID * std::max(0.0, motion + internal);
     return std::clamp(due, -std::min(most, std::max(0.0, bearable(internal, motion))), most);
 }
 
@@ -79,51 +79,33 @@ WallLoad::WallLoad(std::shared_ptr<const WettedSurface> surface, std::span<const
 // ---- what comes
 
 void WallLoad::receive(FlightResult& flight, std::span<const double> mass, Particles& particles) {
-    set_right(flight, mass, particles);
-    const SidePatches &patches = hits_.patches(), &wide = hits_.wide_patches();
-    receive(
-        patches, [&](std::size_t patch) { return hits_.of(patch); }, mass, particles,
-        receiving_.narrow);
-    receive(
-        wide, [&](std::size_t patch) { return hits_.of_wide(patch); }, mass, particles,
-        receiving_.wide);
-    for (const WallHits::Met& met : hits_.scattered()) {
-        Tally tally;
-        take_in(met, mass, particles, tally);
-        add(tally, surface_->room(static_cast<std::size_t>(met.side)));
-    }
-}
-
-/// Hits of patches, of which those with points in common are not worked on at once.
-template <class HitsOf>
-void WallLoad::receive(const SidePatches& patches, HitsOf&& hits_of, std::span<const double> mass,
-                       Particles& particles, Receiving& by) {
     constexpr int DEALT_FOR = 32;
-    receiving_.tally.resize(std::max(receiving_.tally.size(), patches.size()));
+    set_right(flight, mass, particles);
+    const SidePatches& patches = hits_.patches();
+    receiving_.tally.resize(patches.size());
     const auto receive_patch = [&](std::size_t place) {
         const auto patch = static_cast<std::size_t>(patches.by_colour()[place]);
-        if (hits_of(patch).empty()) return;
+        if (hits_.of(patch).empty()) return;
         Tally tally;
-        for (const WallHits::Met& met : hits_of(patch)) take_in(met, mass, particles, tally);
+        for (const WallHits::Met& met : hits_.of(patch)) take_in(met, mass, particles, tally);
         receiving_.tally[patch] = tally;
     };
     const auto before = [&](std::size_t place, auto&& visit) {
         for (const Index other : patches.before(place)) visit(static_cast<std::size_t>(other));
     };
     const auto hits_at = [&](std::size_t place) {
-        return hits_of(static_cast<std::size_t>(patches.by_colour()[place])).size();
+        return hits_.of(static_cast<std::size_t>(patches.by_colour()[place])).size();
     };
-    std::size_t count = 0;
-    for (std::size_t p = 0; p < patches.size(); ++p) count += hits_of(p).size();
-    if (by.since-- <= 0 || by.shares.members() != parallel::threads()) {
-        by.since = DEALT_FOR;
-        by.shares.deal(
+    if (receiving_.since-- <= 0 || receiving_.shares.members() != parallel::threads()) {
+        receiving_.since = DEALT_FOR;
+        receiving_.shares.deal(
             patches.size(), [&](std::size_t patch) { return patches.place(patch); },
             [&](std::size_t place) { return static_cast<double>(hits_at(place)); });
     }
-    by.tasks.run(by.shares, before, receive_patch, count > FEW_HITS, parallel::Cut().where);
+    receiving_.tasks.run(receiving_.shares, before, receive_patch, hits_.size() > FEW_HITS,
+                         parallel::Cut().where);
     for (std::size_t p = 0; p < patches.size(); ++p)
-        if (!hits_of(p).empty()) add(receiving_.tally[p], patches.room(p));
+        if (!hits_.of(p).empty()) add(receiving_.tally[p], patches.room(p));
 }
 
 void WallLoad::add(const Tally& tally, Index room) {
@@ -180,16 +162,25 @@ void WallLoad::take_in(const WallHits::Met& met, std::span<const double> mass, P
     tally.owed.angular += hit.moment;
     tally.held.add(hit.where, (1.0 - free) * hit.impulse);
     tally.taken += hit.energy;
-    if (hit.has_left()) return;
-    double& internal = particles.e[row];
-    const double motion = 0.5 * m * particles.v[row].squaredNorm();
-    const double paid = paid_of(due, internal, motion),
-                 back =
-                     std::clamp(-bearable(internal, motion) - paid, 0.0, std::max(0.0, hit.energy));
+    if (met.settles > 0 && !hit.has_left()) settle(met, m, due, particles, tally);
+}
+
+/// A particle's last hit in a flight pays, and is paid, for all of them: of hits at points of
+/// several patches, which are taken in at once, one alone changes the particle.
+/// @param due  that the points where it hits are owed, each in its share                   [J]
+void WallLoad::settle(const WallHits::Met& met, double m, double due, Particles& particles,
+                      Tally& tally) {
+    const Hit& hit = *met.hit;
+    double& internal = particles.e[hit.row()];
+    const double motion = 0.5 * m * particles.v[hit.row()].squaredNorm();
+    const double paid = paid_of(due, internal, motion, met.settles),
+                 back = std::clamp(-bearable(internal, motion) - paid, 0.0,
+                                   std::max(0.0, met.energy()));
     if (paid == 0.0 && back == 0.0) return;
     internal += paid + back;
     tally.taken -= paid + back;
     const double cleared = due != 0.0 ? paid / due : 0.0;
+    const std::array<Index, 3>& points = surface_->points(static_cast<std::size_t>(met.side));
     for (int c = 0; c < 3; ++c)
         account_[points[c]] -= hit.at[c] * (cleared * account_[points[c]] + back);
 }

@@ -104,7 +104,7 @@ public:
     /// The hits by side and patch.
     [[nodiscard]] const WallHits& hits() const { return hits_; }
     /// Takes in a flight's hits, patch by patch in their order, pays accounts to the particles that
-    /// hit. After find_sides(). Where cloth recoils, hits and particles are set right for it
+    /// hit, each at its last hit of the flight. After find_sides(). Where cloth recoils, hits and particles are set right for it
     /// (recoil.hpp).
     void receive(FlightResult& flight, std::span<const double> mass, Particles& particles);
     /// Takes in a jet's push on a node, and the energy that goes with it.
@@ -179,18 +179,10 @@ private:
         Wrench owed, held;
         double taken = 0.0;  ///< [J]
     };
-    /// Hits of patches, narrow or wide, by threads.
-    struct Receiving {
-        parallel::TaskShares shares;  ///< dealt now and then: hits are soon where they were
-        int since = 0;                ///< calls for which they serve
-        parallel::Tasks tasks;
-    };
     void set_right(FlightResult& flight, std::span<const double> mass, Particles& particles) const;
     void take_in(const WallHits::Met& met, std::span<const double> mass, Particles& particles,
                  Tally& tally);
-    template <class HitsOf>
-    void receive(const SidePatches& patches, HitsOf&& hits_of, std::span<const double> mass,
-                 Particles& particles, Receiving& by);
+    void settle(const WallHits::Met& met, double m, double due, Particles& particles, Tally& tally);
     void add(const Tally& tally, Index room);
     void measure(std::span<const Vec3> x);
     void find_brought(double span, std::span<const Vec3> x, std::span<const Vec3> v,
@@ -230,8 +222,10 @@ private:
     Wrench held_owed_;          ///< of held points: given at the next release
     WallHits hits_;
     struct {
-        std::vector<Tally> tally;  ///< by patch
-        Receiving narrow, wide;
+        std::vector<Tally> tally;     ///< by patch
+        parallel::TaskShares shares;  ///< dealt now and then: hits are soon where they were
+        int since = 0;                ///< calls for which they serve
+        parallel::Tasks tasks;
     } receiving_;
     double taken_ = 0.0;        ///< [J]
     double since_hits_ = -1.0;  ///< that were the last; below 0: more may come [s]

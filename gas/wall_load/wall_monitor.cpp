@@ -26,7 +26,7 @@ WallMonitor::WallMonitor(std::shared_ptr<const WettedSurface> surface, const Bag
 
 void WallMonitor::record(const WallHits& hits, std::span<const Vec3> x_1) {
     const auto take = [&](std::size_t patch) {
-        for (const auto& [hit, side] : hits.of(patch)) {
+        for (const auto& [hit, side, settles] : hits.of(patch)) {
             const auto& [a, b, c] = surface_->triangles()[hit->facet];
             impulse_[side] +=
                 surface_->closes(static_cast<std::size_t>(hit->facet))
@@ -35,7 +35,6 @@ void WallMonitor::record(const WallHits& hits, std::span<const Vec3> x_1) {
         }
     };
     parallel::for_each(hits.patches().size(), take, HIT_PATCHES_A_CHUNK);
-    take(hits.patches().size());  // scattered
 }
 
 /// Hands impulses on to parts and triangles.
