@@ -9,6 +9,7 @@
 
 #include "fabric/element_frequency.hpp"
 #include "fabric/element_pack.hpp"
+#include "fabric/materials/stretch.hpp"
 #include "fabric/membrane_block.hpp"
 #include "fabric/point_history.hpp"
 
@@ -226,22 +227,16 @@ private:
         store_corners(damping + p * STRIDE, pack.shape.spread(motion, load, time));
     }
 
-    /// How much (2/dt)² may have grown since rest.
+    /// How much (2/dt)² may have grown since rest: the most of all points.
     Lanes stiffening(const auto& strain) const {
-        if constexpr (requires { law_.stiffening(strain[0]); }) {
-            Lanes most{};
-            for (const Strain<Lanes>& e : strain) most = greater(most, law_.stiffening(e));
-            return liner_ ? greater(most, 1.0 + 3.0 * greatest_extension(strain)) : most;
-        } else {
-            return 1.0 + 3.0 * greatest_extension(strain);
-        }
-    }
-
-    /// Bound of the largest principal strain over all points, not below 0 [Gershgorin].
-    static Lanes greatest_extension(const auto& strain) {
         Lanes most{};
-        for (const Strain<Lanes>& e : strain)
-            most = greater(most, greater(e.warp, e.weft) + 0.5 * magnitude(e.shear));
+        for (const Strain<Lanes>& e : strain) {
+            if constexpr (requires { law_.stiffening(e); }) {
+                most = greater(most, law_.stiffening(e));
+                if (!liner_) continue;
+            }
+            most = greater(most, stretch_stiffening(e, moduli_));
+        }
         return most;
     }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "fabric/materials/plane_stress.hpp"
+#include "fabric/materials/stretch.hpp"
 #include "solver/base/vec.hpp"
 
 namespace corpuscle::fabric {
@@ -27,12 +28,9 @@ public:
     [[nodiscard]] virtual Stress<double> stress(const Strain<double>& e) const = 0;
 
     /// How much stiffer than moduli() the sheet may be in space at this strain, >= 1: the stable
-    /// step shrinks with its root. By default that of a linear law, 1 + 3 E_max, E_max bounded by
-    /// Gershgorin's circles.                                                                   [-]
+    /// step shrinks with its root. By default that of a linear law (stretch.hpp).               [-]
     [[nodiscard]] virtual double stiffening(const Strain<double>& e) const {
-        const double side = e.warp > e.weft ? e.warp : e.weft;
-        const double most = side + 0.5 * (e.shear < 0.0 ? -e.shear : e.shear);
-        return 1.0 + 3.0 * (most > 0.0 ? most : 0.0);
+        return stretch_stiffening(e, moduli());
     }
 };
 

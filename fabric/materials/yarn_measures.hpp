@@ -7,6 +7,7 @@
 
 #include "fabric/lanes.hpp"
 #include "fabric/materials/plane_stress.hpp"
+#include "fabric/materials/stretch.hpp"
 
 /// What the abscissa and the ordinate of a stress-strain curve are. A measure turns Green strain
 /// into the strains ε of warp, weft and angle, and the stresses σ along them into second
@@ -22,10 +23,9 @@ public:
     [[nodiscard]] static Stress<double> stress(double warp, double weft, double shear) {
         return {warp, weft, shear, 0.0};
     }
-    /// Bound of the stiffness by that at rest: 1 + 3·E_max, as without curves.
-    [[nodiscard]] double stiffening(const PlaneModuli&) const {
-        const double most = std::max(e_.warp, e_.weft) + 0.5 * std::abs(e_.shear);
-        return 1.0 + 3.0 * std::max(0.0, most);
+    /// Bound of the stiffness by that at rest, as without curves.
+    [[nodiscard]] double stiffening(const PlaneModuli& d) const {
+        return stretch_stiffening(e_, d);
     }
 
 private:
