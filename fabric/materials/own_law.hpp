@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "fabric/materials/plane_stress.hpp"
-#include "fabric/materials/stretch.hpp"
 #include "solver/base/vec.hpp"
 
 namespace corpuscle::fabric {
@@ -29,9 +28,7 @@ public:
 
     /// How much stiffer than moduli() the sheet may be in space at this strain, >= 1: the stable
     /// step shrinks with its root. By default that of a linear law (stretch.hpp).               [-]
-    [[nodiscard]] virtual double stiffening(const Strain<double>& e) const {
-        return stretch_stiffening(e, moduli());
-    }
+    [[nodiscard]] virtual double stiffening(const Strain<double>& e) const;
 };
 
 /// Material of an OwnLaw; warp runs along the shell's first side.
