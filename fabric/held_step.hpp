@@ -15,7 +15,7 @@ namespace corpuscle::fabric {
 /// than half.
 class HeldStep {
 public:
-    static constexpr int HELD = 250;  ///< 200 do as well as 3000 on crumpled films
+    static constexpr int HELD = 1000;  ///< 200 do as well as 3000 on crumpled films
 
     HeldStep() = default;
     /// @param dt     the step held at first                                                   [s]
