@@ -28,7 +28,7 @@ int report(const ReportArguments& arguments) {
                1e-6 * static_cast<double>(page.size()));
     if (!arguments.png.empty()) {
         std::filesystem::create_directories(arguments.png);
-        for (const report::Picture& picture : report::pictures(page)) {
+        for (const report::PictureFile& picture : report::pictures(page)) {
             const std::filesystem::path to = std::filesystem::path(arguments.png) / picture.name;
             io::replace_text(to, picture.bytes);
             fmt::print("{}\n", to.string());

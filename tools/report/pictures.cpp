@@ -66,7 +66,7 @@ std::string browser() {
     return "";
 }
 
-std::vector<Picture> pictures(std::string page) {
+std::vector<PictureFile> pictures(std::string page) {
     const std::string program = browser();
     if (program.empty())
         throw SystemError(
@@ -80,7 +80,7 @@ std::vector<Picture> pictures(std::string page) {
         printed_by(dump_command(program, desk.path / "page.html", desk.path / "profile"));
 
     constexpr std::string_view BEGIN = "<pre id=\"pictures\">", URL = " data:image/png;base64,";
-    std::vector<Picture> all;
+    std::vector<PictureFile> all;
     std::size_t at = text.find(BEGIN);
     if (at == std::string::npos)
         throw SystemError(fmt::format("--png: {} showed nothing of the page", program));

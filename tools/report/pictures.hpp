@@ -8,14 +8,14 @@
 namespace corpuscle::report {
 
 /// A picture as a file: "strip.png" and its bytes.
-struct Picture {
+struct PictureFile {
     std::string name, bytes;
 };
 
 /// Up to eight frames of a page's first run, picture_00.png and so on, and all of them in
 /// strip.png, as a headless Chromium on the PATH draws them.
 /// @throws SystemError if there is no Chromium, or if it cannot draw the page
-[[nodiscard]] std::vector<Picture> pictures(std::string page);
+[[nodiscard]] std::vector<PictureFile> pictures(std::string page);
 
 /// Name of the Chromium on the PATH; empty: there is none.
 [[nodiscard]] std::string browser();

@@ -55,7 +55,7 @@ TEST_CASE("pictures of a run are drawn without a window and are not blank", "[re
     }
     const scene::Folder folder("pictures");
     test::write_results(folder.path);
-    const std::vector<report::Picture> all = report::pictures(report::page({folder.path}));
+    const std::vector<report::PictureFile> all = report::pictures(report::page({folder.path}));
     constexpr double BLANK = 0.004;  // twice what the first line of an even area leaves
     REQUIRE(all.size() == 5);        // four frames and the strip
     for (std::size_t k = 0; k < 4; ++k) {
