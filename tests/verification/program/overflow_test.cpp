@@ -75,7 +75,7 @@ std::vector<Overflow> overflows() {
             by_cards("driven wall",
                      "*RIGIDWALL_GEOMETRIC_FLAT_MOTION\n0\n0.0, 0.0, -0.05, 0.0, 0.0, 1.0\n"
                      "0.0, 0.0, 0.0, 0.0, 0.0\n77, 0, 0.0, 0.0, 1.0\n",
-                     {" is not finite"})};
+                     {"velocity of node 1 is not finite in single precision"})};
 }
 
 /// The values that both have of a history, up to the end of the shorter one, are the same bits.
