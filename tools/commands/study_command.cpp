@@ -7,11 +7,13 @@
 #include <cmath>
 #include <filesystem>
 
+#include "io/system/atomic_file.hpp"
 #include "io/text/progress.hpp"
 #include "io/text/text.hpp"
 #include "solver/base/cores.hpp"
 #include "solver/base/error.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/study/convergence.hpp"
 #include "tools/study/machine_share.hpp"
 #include "tools/study/slurm.hpp"
 #include "tools/study/table.hpp"
@@ -66,6 +68,13 @@ int tell(const study::Study& study) {
     study::write_csv(table);
     study::write_h5(table);
     fmt::print("{}", study::table_text(table));
+    std::string files = fmt::format("{0}/study.csv, {0}/study.h5", study.folder.string());
+    if (study.plan == study::Plan::STAR) {
+        const std::string text = study::convergence_text(table);
+        fmt::print("\n{}", text);
+        io::replace_text(study.folder / "convergence.md", text);
+        files += fmt::format(", {}/convergence.md", study.folder.string());
+    }
     std::size_t bad = 0;
     for (std::size_t k = 0; k < table.rows.size(); ++k) {
         const study::Outcome& outcome = table.outcomes[k];
@@ -74,7 +83,7 @@ int tell(const study::Study& study) {
         fmt::print(stderr, "run {}: {}\n", table.rows[k].number,
                    outcome.is_finished ? outcome.reason : "missing");
     }
-    fmt::print("{0}/study.csv, {0}/study.h5\n", study.folder.string());
+    fmt::print("{}\n", files);
     return bad == 0 ? 0 : 1;
 }
 

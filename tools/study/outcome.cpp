@@ -77,7 +77,21 @@ void read_responses(const Study& study, const fs::path& folder, Outcome& outcome
     if (!outcome.reason.empty()) outcome.status = 1;
 }
 
+/// The mesh of a row; null where the study has one deck.
+const Mesh* mesh_of(const Study& study, const Row& row) {
+    for (std::size_t f = 0; f < study.factors.size(); ++f)
+        if (study.factors[f].is_mesh)
+            for (const Mesh& mesh : study.meshes)
+                if (mesh.size == row.values[f]) return &mesh;
+    return nullptr;
+}
+
 }  // namespace
+
+fs::path deck_of(const Study& study, const Row& row) {
+    const Mesh* const mesh = mesh_of(study, row);
+    return mesh != nullptr ? mesh->deck : study.deck;
+}
 
 fs::path folder_of(const Study& study, const Row& row) {
     return study.folder / fmt::format("run_{:04}", row.number);
@@ -87,13 +101,17 @@ std::vector<std::string> definitions_of(const Study& study, const Row& row) {
     std::vector<std::string> all;
     for (const auto& [name, value] : study.fixed) all.push_back(fmt::format("{}={}", name, value));
     for (std::size_t f = 0; f < study.factors.size(); ++f)
-        all.push_back(fmt::format("{}={}", study.factors[f].name, row.values[f]));
+        if (!study.factors[f].is_mesh)
+            all.push_back(fmt::format("{}={}", study.factors[f].name, row.values[f]));
     return all;
 }
 
 std::string key_of(const Study& study, const Row& row) {
-    return fmt::format("deck {} {:016x}, {}, seed {}, until {}", study.deck.filename().string(),
-                       study.deck_fingerprint, fmt::join(definitions_of(study, row), " "), row.seed,
+    const Mesh* const mesh = mesh_of(study, row);
+    return fmt::format("deck {} {:016x}, {}, seed {}, until {}",
+                       deck_of(study, row).filename().string(),
+                       mesh != nullptr ? mesh->fingerprint : study.deck_fingerprint,
+                       fmt::join(definitions_of(study, row), " "), row.seed,
                        study.until ? fmt::format("{}", *study.until) : "its end");
 }
 

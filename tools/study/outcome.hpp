@@ -28,6 +28,9 @@ struct Outcome {
 
 [[nodiscard]] std::filesystem::path folder_of(const Study& study, const Row& row);
 
+/// The deck of a row: the study's, or that of its mesh.
+[[nodiscard]] std::filesystem::path deck_of(const Study& study, const Row& row);
+
 /// All that decides what a run computes, in one line: a finished run of another key is not this
 /// one. The deck stands in it by the fingerprint of its text when the study was read.
 [[nodiscard]] std::string key_of(const Study& study, const Row& row);

@@ -52,6 +52,18 @@ Table latin(const Study& study) {
     return table;
 }
 
+Table star(const std::vector<Factor>& factors) {
+    std::vector<double> centre;
+    for (const Factor& factor : factors) centre.push_back(factor.values.front());
+    Table table{centre};
+    for (std::size_t f = 0; f < factors.size(); ++f)
+        for (std::size_t k = 1; k < factors[f].values.size(); ++k) {
+            table.push_back(centre);
+            table.back()[f] = factors[f].values[k];
+        }
+    return table;
+}
+
 }  // namespace
 
 Table points(const Study& study) {
@@ -60,6 +72,8 @@ Table points(const Study& study) {
             return full(study.factors);
         case Plan::LATIN:
             return latin(study);
+        case Plan::STAR:
+            return star(study.factors);
         case Plan::POINTS:
             break;
     }

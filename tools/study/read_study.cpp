@@ -66,8 +66,8 @@ Factor read_factor(const std::string& name, const toml::node& node, TableReader&
         factor.from = at.real("from");
         factor.to = at.real("to");
         if (!(factor.from < factor.to)) at.fault("to", "a number above from");
-        if (plan == Plan::FULL && !at.has("count"))
-            at.fault("count", "how many values of the range a full plan takes");
+        if (plan != Plan::LATIN && !at.has("count"))
+            at.fault("count", "how many values of the range are taken");
         spread(factor, at.whole_or("count", 1, 1, MOST_RUNS));
         at.finish();
     } else {
@@ -117,6 +117,53 @@ void read_points(Study& study, const fs::path& file, RecipeFaults& faults) {
     if (study.listed.empty()) fault(2, "no points, expected a line of numbers each");
 }
 
+/// The deck, or [[mesh]]: decks in its place, as values of the factor MESH.
+void read_decks(Study& study, TableReader& top, RecipeFaults& faults) {
+    const fs::path here = fs::absolute(study.file).parent_path();
+    const auto deck_of = [&](TableReader& at) {
+        const std::string name = at.text_or("deck", "");
+        if (name.empty() || !fs::exists(here / name)) at.fault("deck", "a deck beside the study");
+        return here / name;
+    };
+    const std::vector<const toml::table*> meshes = top.tables("mesh");
+    if (meshes.empty()) {
+        study.deck = deck_of(top);
+        return;
+    }
+    if (top.has("deck")) top.fault("deck", "none beside [[mesh]]: each has its own");
+    if (study.plan == Plan::POINTS) top.fault("mesh", "none: the points name what varies");
+    Factor sizes;
+    sizes.name = "MESH";
+    sizes.is_mesh = true;
+    for (const toml::table* const one : meshes) {
+        TableReader at(*one, "[[mesh]]", faults);
+        const Mesh mesh{deck_of(at), 0, at.positive("size")};
+        if (std::count(sizes.values.begin(), sizes.values.end(), mesh.size) > 0)
+            at.fault("size", "a size that no other mesh has");
+        at.finish();
+        study.meshes.push_back(mesh);
+        sizes.values.push_back(mesh.size);
+    }
+    study.deck = study.meshes.front().deck;
+    study.factors.push_back(std::move(sizes));
+}
+
+/// [orders]: how the error falls with a factor of a star.
+void read_orders(Study& study, TableReader& top, RecipeFaults& faults) {
+    const toml::table* table = top.table("orders");
+    if (!table) return;
+    if (study.plan != Plan::STAR) top.fault("orders", "none but for plan = \"star\"");
+    TableReader at(*table, "[orders]", faults);
+    for (Factor& factor : study.factors) {
+        if (!at.has(factor.name)) continue;
+        factor.order = at.real(factor.name);
+        if (factor.order == 0.0) at.fault(factor.name, "an order that is not 0");
+        for (const double value : factor.values)
+            if (!(value > 0.0)) at.fault(factor.name, "an order of a factor that is above 0");
+    }
+    at.finish();
+}
+
 void read_factors(Study& study, TableReader& top, RecipeFaults& faults) {
     const toml::table* table = top.table("factors");
     if (study.plan == Plan::POINTS) {
@@ -126,10 +173,13 @@ void read_factors(Study& study, TableReader& top, RecipeFaults& faults) {
         if (!file.empty()) read_points(study, study.file.parent_path() / file, faults);
         return;
     }
+    if (!table && !study.meshes.empty()) return;
     if (!table || table->empty()) return top.fault("factors", "a table [factors] of what varies");
     TableReader at(*table, "[factors]", faults);
-    for (const std::string& name : in_file_order(*table))
+    for (const std::string& name : in_file_order(*table)) {
+        if (name == "MESH" && !study.meshes.empty()) at.fault(name, "another name: it is [[mesh]]");
         study.factors.push_back(read_factor(name, *table->get(name), at, study.plan, faults));
+    }
 }
 
 void read_fixed(Study& study, TableReader& top, RecipeFaults& faults) {
@@ -165,13 +215,14 @@ Study read_study(const fs::path& file) {
     TableReader top(table, "the study", faults);
     Study s;
     s.file = file;
-    const std::string deck = top.text_or("deck", "");
-    s.deck = fs::absolute(file).parent_path() / deck;
-    if (deck.empty() || !fs::exists(s.deck)) top.fault("deck", "a deck beside the study");
     s.folder = top.text_or("output", "");
     if (s.folder.empty()) s.folder = file.filename().replace_extension("").string() + ".study";
-    const std::string plan = top.choice("plan", {"full", "latin", "points"});
-    s.plan = plan == "full" ? Plan::FULL : plan == "latin" ? Plan::LATIN : Plan::POINTS;
+    const std::string plan = top.choice("plan", {"full", "latin", "points", "star"});
+    s.plan = plan == "full"    ? Plan::FULL
+             : plan == "latin" ? Plan::LATIN
+             : plan == "star"  ? Plan::STAR
+                               : Plan::POINTS;
+    read_decks(s, top, faults);
     if (s.plan == Plan::LATIN) {
         if (!top.has("samples")) top.fault("samples", "how many points a Latin hypercube has");
         s.samples = top.whole_or("samples", 1, 1, MOST_RUNS);
@@ -186,6 +237,7 @@ Study read_study(const fs::path& file) {
     s.workers = top.whole_or("workers", std::max(1, parallel::processors() / s.threads), 1, 1024);
     if (top.has("until")) s.until = top.positive("until");
     read_factors(s, top, faults);
+    read_orders(s, top, faults);
     read_fixed(s, top, faults);
     read_responses(s, table, top);
     top.finish();
@@ -200,6 +252,7 @@ Study read_study(const fs::path& file) {
     }
     if (!faults.all.empty()) throw InputError(faults.all);
     s.deck_fingerprint = io::deck_fingerprint(s.deck);
+    for (Mesh& mesh : s.meshes) mesh.fingerprint = io::deck_fingerprint(mesh.deck);
     return s;
 }
 

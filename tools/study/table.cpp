@@ -9,6 +9,7 @@
 
 #include "io/results/hdf5.hpp"
 #include "io/system/atomic_file.hpp"
+#include "tools/study/estimate.hpp"
 
 namespace corpuscle::study {
 namespace {
@@ -35,18 +36,15 @@ std::string state_of(const Outcome& outcome) {
     return outcome.status == 0 ? "normal" : fmt::format("failed ({})", outcome.status);
 }
 
-/// The unit of a response, as any run tells it.
-std::string unit_of(const Table& table, std::size_t response) {
-    for (const Outcome& outcome : table.outcomes)
-        if (!outcome.units.empty() && !outcome.units[response].empty())
-            return outcome.units[response];
-    return "";
-}
-
 std::vector<double> column(const Table& table, std::size_t response) {
     std::vector<double> values;
     for (const Outcome& outcome : table.outcomes) values.push_back(outcome.responses[response]);
     return values;
+}
+
+/// Half of the 95 % interval of the mean.
+double interval(const Spread& s) {
+    return student_95(s.count - 1) * s.deviation / std::sqrt(static_cast<double>(s.count));
 }
 
 /// A response's name as a name in HDF5.
@@ -57,6 +55,13 @@ std::string flat_name(std::string name) {
 }
 
 }  // namespace
+
+std::string unit_of(const Table& table, std::size_t response) {
+    for (const Outcome& outcome : table.outcomes)
+        if (!outcome.units.empty() && !outcome.units[response].empty())
+            return outcome.units[response];
+    return "";
+}
 
 Table gather(const Study& study) {
     Table table{study, rows(study), {}};
@@ -177,7 +182,8 @@ std::string table_text(const Table& table) {
                 study.responses[r].size() + unit_of(table, r).size() + 3;  // of the heading
             std::string shown = s.count == 0 ? "-" : fmt::format("{:.5g}", s.mean);
             if (s.count > 1 && s.mean != 0.0)
-                shown += fmt::format(" +- {:.2g} %", 100.0 * s.deviation / std::abs(s.mean));
+                shown += fmt::format(" +- {:.2g} ({:.2g} %)", interval(s),
+                                     100.0 * s.deviation / std::abs(s.mean));
             text += fmt::format("  {:>{}}", shown, width);
         }
         text += '\n';

@@ -18,12 +18,15 @@ struct Table {
 
 [[nodiscard]] Table gather(const Study& study);
 
+/// The unit of a response, as any run tells it.
+[[nodiscard]] std::string unit_of(const Table& table, std::size_t response);
+
 /// study.csv and study.h5, each renewed in one stroke.
 void write_csv(const Table& table);
 void write_h5(const Table& table);
 
-/// A line a point: its values, runs that are there, and of each response the mean over the seeds
-/// and their spread (sample standard deviation over the mean).
+/// A line a point: its values, runs that are there, and of each response the mean over the seeds,
+/// half of its 95 % interval and the seeds' spread (sample standard deviation over the mean).
 [[nodiscard]] std::string table_text(const Table& table);
 
 /// Mean and sample standard deviation of what is not NaN.

@@ -44,7 +44,7 @@ std::vector<std::string> command_of(const Study& study, const Row& row, const st
                                     bool goes_on) {
     std::vector<std::string> words{program,
                                    "run",
-                                   study.deck.string(),
+                                   deck_of(study, row).string(),
                                    "-o",
                                    folder_of(study, row).string(),
                                    "--seed",

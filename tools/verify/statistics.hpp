@@ -7,21 +7,13 @@
 #include <span>
 #include <vector>
 
+#include "tools/study/estimate.hpp"
+
 namespace corpuscle::verify {
 
-/// A value that chance has a part in, with half the width of its 95 % interval; NaN: unknown.
-struct Estimate {
-    double value, half_width;
-};
-
-/// Student's t that |t| stays below in 95 of 100 cases.
-///
-/// Tables to 10 degrees of freedom, beyond by Cornish and Fisher's expansion [Abramowitz and
-/// Stegun, 26.7.5], exact to 1e-4 there.
-[[nodiscard]] double student_95(std::size_t degrees_of_freedom);
-
-/// Mean of independent samples, and t s / sqrt(n); the width of one sample is not known.
-[[nodiscard]] Estimate mean_of(std::span<const double> samples);
+using study::Estimate;
+using study::mean_of;
+using study::student_95;
 
 /// An estimate that takes all n samples at once, with its interval by the jackknife:
 ///     s² = (n - 1) / n · sum (of(k) - mean of(k))²,   of(k) without sample k   [Tukey 1958]

@@ -13,12 +13,13 @@
 #include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/base/vec.hpp"
-#include "tests/unit/io/results/results_scene.hpp"
+#include "tests/unit/tools/study/desk.hpp"
 #include "tools/study/slurm.hpp"
 #include "tools/study/table.hpp"
 #include "tools/study/workers.hpp"
 
 using namespace corpuscle;
+using study_test::Desk;
 namespace fs = std::filesystem;
 
 namespace {
@@ -29,38 +30,6 @@ std::string text_of(const fs::path& file) {
     text << in.rdbuf();
     return text.str();
 }
-
-/// A folder with a deck and a study in it.
-struct Desk {
-    scene::Folder folder;
-    explicit Desk(const std::string& name) : folder("study_" + name) {
-        fs::create_directories(folder.path);
-        put("bag.k", "*KEYWORD\n*END\n");
-    }
-    void put(const std::string& name, const std::string& text) const {
-        std::ofstream(folder.path / name) << text;
-    }
-    [[nodiscard]] study::Study study(const std::string& text) const {
-        put("s.toml", text);
-        study::Study s = study::read_study(folder.path / "s.toml");
-        s.folder = folder.path / "out";
-        return s;
-    }
-    [[nodiscard]] std::vector<std::string> faults(const std::string& text) const {
-        try {
-            (void)study(text);
-        } catch (const InputError& error) {
-            return error.faults;
-        }
-        return {};
-    }
-    /// A program in corpuscle's place: shell text that sees the run's words.
-    [[nodiscard]] std::string program(const std::string& text) const {
-        put("program.sh", "#!/bin/sh\n" + text);
-        fs::permissions(folder.path / "program.sh", fs::perms::owner_all);
-        return (folder.path / "program.sh").string();
-    }
-};
 
 const std::string HEAD = "deck = \"bag.k\"\nresponses = [\"20.peak_force\"]\n";
 
@@ -242,7 +211,7 @@ TEST_CASE("the table tells responses, means and spread", "[study]") {
     CHECK(h5.read<std::int32_t>("/status") == std::vector<std::int32_t>{0, 0, 0, -1});
     CHECK(h5.read<double>("/responses/20.peak_force")[2] == Approx(30.0));
     CHECK(h5.text("/responses/20.peak_force", "unit") == "kN");
-    CHECK(study::table_text(table).find("15 +- 47 %") != std::string::npos);
+    CHECK(study::table_text(table).find("15 +- 64 (47 %)") != std::string::npos);
 }
 
 TEST_CASE("a study for Slurm without sbatch says so, with one it is an array and a table after it",
