@@ -78,6 +78,13 @@ public:
         if (list_[i].memory >= 0) __builtin_prefetch(&memories_[list_[i].memory], 1);
     }
 
+    /// Likewise a memory; of none nothing.
+    void prefetch_memory_at(Index row) const {
+        if (row < 0) return;
+        __builtin_prefetch(&memories_[row]);
+        __builtin_prefetch(&memories_[row].step);
+    }
+
     /// Row of the card by which pair i touches.
     [[nodiscard]] int card(std::size_t i) const { return list_[i].card; }
 

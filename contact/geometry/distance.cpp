@@ -130,14 +130,4 @@ double separation(const Pair& pair, const Vec3& direction, const Corners& x) {
                          : at[0] - std::max({at[1], at[2], at[3]});
 }
 
-double greatest_approach(const Pair& pair, const Corners& v) {
-    const Vec3 mean = 0.25 * (v[0] + v[1] + v[2] + v[3]);
-    std::array<double, 4> square;
-    for (int k = 0; k < 4; ++k) square[k] = (v[k] - mean).squaredNorm();
-    return pair.is_edges
-               ? std::sqrt(std::max(square[0], square[1])) +
-                     std::sqrt(std::max(square[2], square[3]))
-               : std::sqrt(square[0]) + std::sqrt(std::max({square[1], square[2], square[3]}));
-}
-
 }  // namespace corpuscle::contact

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "solver/base/vec.hpp"
 
@@ -71,7 +73,15 @@ using Corners = std::array<Vec3, 4>;
 
 /// Bound of the rate at which the gap of a pair shrinks while its nodes move at v, or of how much
 /// if they move by that: seen from their mean, both sides' fastest nodes head on.
-[[nodiscard]] double greatest_approach(const Pair& pair, const Corners& v);
+[[nodiscard]] inline double greatest_approach(const Pair& pair, const Corners& v) {
+    const Vec3 mean = 0.25 * (v[0] + v[1] + v[2] + v[3]);
+    std::array<double, 4> square;
+    for (int k = 0; k < 4; ++k) square[k] = (v[k] - mean).squaredNorm();
+    return pair.is_edges
+               ? std::sqrt(std::max(square[0], square[1])) +
+                     std::sqrt(std::max(square[2], square[3]))
+               : std::sqrt(square[0]) + std::sqrt(std::max({square[1], square[2], square[3]}));
+}
 
 /// Separation of a pair's two sides along a direction: no node of the first is nearer to one of the
 /// second than that, seen along it. Along the line between their nearest places it is the gap. [m]

@@ -14,12 +14,8 @@ using FourCorners = std::array<FourPoints, 4>;
 /// As in contact/geometry/distance.cpp: angles and areas below which only that will do.
 constexpr double PARALLEL = 1e-12, SLIVER = 1e-12;
 
-struct Weighed {
-    NearestFour places;
-    FourBits is_degenerate;
-};
-
-Weighed of_edges(const FourCorners& x) {
+/// @returns lanes for which that does not do
+FourBits of_edges(const FourCorners& x, NearestFour& out) {
     const FourPoints d = x[1] - x[0], e = x[3] - x[2], r = x[0] - x[2];
     const Four dd = dot(d, d), ee = dot(e, e), de = dot(d, e), dr = dot(d, r), er = dot(e, r);
     const Four cross = dd * ee - de * de;
@@ -28,16 +24,14 @@ Weighed of_edges(const FourCorners& x) {
     const FourBits is_within = (second >= 0.0) & (second <= 1.0);
     const Four t = share_of(second);
     const Four s = is_within ? first : share_of((de * t - dr) / dd);
-    Weighed out;
-    out.places.weight = {1.0 - s, s, t - 1.0, -t};
-    out.places.apart = r + s * d - t * e;
+    out.weight = {1.0 - s, s, t - 1.0, -t};
+    out.apart = r + s * d - t * e;
     const FourBits is_inside = (inner > 0.0) & (inner < 1.0) & (second > 0.0) & (second < 1.0);
-    out.places.is_inside = bits_of(is_inside);
-    out.is_degenerate = ~(cross > PARALLEL * dd * ee);
-    return out;
+    out.is_inside = bits_of(is_inside);
+    return ~(cross > PARALLEL * dd * ee);
 }
 
-Weighed of_node_and_triangle(const FourCorners& x) {
+FourBits of_node_and_triangle(const FourCorners& x, NearestFour& out) {
     const auto& [p, a, b, c] = x;
     const FourPoints ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
     const Four d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp);
@@ -61,14 +55,12 @@ Weighed of_node_and_triangle(const FourCorners& x) {
     take((d1 <= 0.0) & (d2 <= 0.0), zero, zero);
 
     const Four u = one - v - w;
-    Weighed out;
-    out.places.weight = {one, -u, -v, -w};
-    out.places.apart = p - u * a - v * b - w * c;
-    out.places.is_inside = ~0U;
+    out.weight = {one, -u, -v, -w};
+    out.apart = p - u * a - v * b - w * c;
+    out.is_inside = ~0U;
     const FourPoints normal = {ab[1] * ac[2] - ab[2] * ac[1], ab[2] * ac[0] - ab[0] * ac[2],
                                ab[0] * ac[1] - ab[1] * ac[0]};
-    out.is_degenerate = ~(dot(normal, normal) > SLIVER * dot(ab, ab) * dot(ac, ac));
-    return out;
+    return ~(dot(normal, normal) > SLIVER * dot(ab, ab) * dot(ac, ac));
 }
 
 void put(NearestFour& out, std::size_t l, const Nearest& one) {
@@ -86,8 +78,9 @@ NearestFour nearest(const std::array<const Pair*, FOUR>& pairs, const Points& x)
         const Vec3 &c = x[pairs[2]->node[k]], &d = x[pairs[3]->node[k]];
         for (int i = 0; i < 3; ++i) corners[k][i] = Four{a[i], b[i], c[i], d[i]};
     }
-    auto [out, is_degenerate] =
-        pairs[0]->is_edges ? of_edges(corners) : of_node_and_triangle(corners);
+    NearestFour out;
+    const FourBits is_degenerate =
+        pairs[0]->is_edges ? of_edges(corners, out) : of_node_and_triangle(corners, out);
     for (unsigned bits = bits_of(is_degenerate); bits != 0; bits &= bits - 1) {
         const auto l = static_cast<std::size_t>(std::countr_zero(bits));
         put(out, l, nearest(*pairs[l], x));

@@ -27,7 +27,7 @@ void ImplicitResponse::apply(double span, double dt, ContactList& contacts,
                              const std::function<void(bool is_last)>& hold) {
     for (ImpulseBooks& book : books) book.given.setZero();
     ++step_;
-    take_up(dt, contacts, columns, pairs, motion);
+    take_up(dt, contacts, columns, motion);
     columns.sort(contacts);
     if (columns.size() == 0) return;
     motion.begin();
@@ -43,7 +43,7 @@ void ImplicitResponse::apply(double span, double dt, ContactList& contacts,
 /// Makes contacts of pairs that are near and whose nodes are so fast that they may come within
 /// rest.
 void ImplicitResponse::take_up(double dt, ContactList& contacts, const ColumnColouring& columns,
-                               const Candidates& pairs, const VelocityState& motion) {
+                               const VelocityState& motion) {
     contacts.for_each_chunk([&](std::size_t chunk) {
         for (const NearPair& near : contacts.near(chunk)) {
             const Pair& pair = near.nodes;
@@ -54,12 +54,12 @@ void ImplicitResponse::take_up(double dt, ContactList& contacts, const ColumnCol
                 contact_at(cloth_, motion.bodies(), motion.x(), pair, near.places, near.gap);
             Contact& c = contacts.add(chunk, columns.of(found, motion.x()), found);
             c.pair = near.pair;
-            c.memory = pairs.memory_row(near.pair);
-            c.card = pairs.card(near.pair);
-            c.side = pairs.side(near.pair);
+            c.memory = near.memory;
+            c.card = near.card;
+            c.side = near.side;
             c.rest = near.rest;
             c.thickness = near.rest;
-            c.modulus = pairs.modulus(near.pair);
+            c.modulus = near.modulus;
         }
     });
 }

@@ -116,14 +116,14 @@ private:
         std::size_t active = 0;
     };
     void take_up(double dt, ContactList& contacts, const ColumnColouring& columns,
-                 const Candidates& pairs, const VelocityState& motion);
+                 const VelocityState& motion);
     void set_rows(double span, double dt, ContactList& contacts, const ColumnColouring& columns,
                   Candidates& pairs, VelocityState& motion);
-    void recall(const Points& x, ContactList& contacts, Candidates& pairs);
+    void recall(double span, const Points& x, ContactList& contacts, Candidates& pairs);
     [[nodiscard]] const PairMemory* last(const Contact& contact, Candidates& pairs) const;
     [[nodiscard]] Row row_of(double span, double dt, Contact& contact,
                              const VelocityState& motion) const;
-    static void warm(double span, const PairMemory& memory, Row& row);
+    static void warm(const Contact& before, Row& row);
     void begin(Row& row, VelocityState& motion);
     /// Sweeps until little changes; returns what the last one did, over all impulses.
     double solve_all(const ColumnColouring& columns, VelocityState& motion,

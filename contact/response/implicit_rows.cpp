@@ -23,13 +23,15 @@ const PairMemory* ImplicitResponse::last(const Contact& c, Candidates& pairs) co
     return memory.step + 1 == step_ ? &memory : nullptr;
 }
 
-/// Makes sure that each contact has a memory, and gives it the area of the step before and its
-/// exposure.
-void ImplicitResponse::recall(const Points& x, ContactList& contacts, Candidates& pairs) {
+/// Makes sure that each contact has a memory, and gives it the area and impulses of the step before
+/// and its exposure.
+void ImplicitResponse::recall(double span, const Points& x, ContactList& contacts,
+                              Candidates& pairs) {
     fresh_.clear();
     found_fresh_.find(
         contacts.chunks(), fresh_,
         [&](std::size_t chunk, auto&& take) {
+            for (const Contact& c : contacts.chunk(chunk)) pairs.prefetch_memory_at(c.memory);
             for (Contact& c : contacts.chunk(chunk)) {
                 c.exposure = exposure(cloth_, x, c);
                 if (c.memory < 0) {
@@ -37,7 +39,10 @@ void ImplicitResponse::recall(const Points& x, ContactList& contacts, Candidates
                     continue;
                 }
                 const PairMemory* const memory = last(c, pairs);
-                c.area = memory != nullptr ? memory->area : 0.0;
+                if (memory == nullptr) continue;
+                c.area = memory->area;
+                c.impulse = span * memory->force;
+                c.rubbed = span * memory->friction;
             }
         },
         NEW_CONTACT_CHUNKS);
@@ -51,7 +56,7 @@ void ImplicitResponse::recall(const Points& x, ContactList& contacts, Candidates
 void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
                                 const ColumnColouring& columns, Candidates& pairs,
                                 VelocityState& motion) {
-    recall(motion.x(), contacts, pairs);
+    recall(span, motion.x(), contacts, pairs);
     areas_.find(motion.x(), columns, contacts);
     rows_.resize(columns.size());
     parallel::for_each(
@@ -59,7 +64,7 @@ void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
         [&](std::size_t i) {
             Contact& c = columns.at(i, contacts);
             rows_[i] = row_of(span, dt, c, motion);
-            if (const PairMemory* const memory = last(c, pairs)) warm(span, *memory, rows_[i]);
+            warm(c, rows_[i]);
         },
         NEW_ROWS_A_CHUNK);
     columns.for_each_column([&](std::size_t column) {
@@ -102,10 +107,10 @@ ImplicitResponse::Row ImplicitResponse::row_of(double span, double dt, Contact& 
 }
 
 /// Starts a row with what it did in the step before, and no more than its law gives where it is.
-void ImplicitResponse::warm(double span, const PairMemory& memory, Row& row) {
+void ImplicitResponse::warm(const Contact& before, Row& row) {
     const double offer = row.given + row.push * (row.rest / row.gap - 1.0);
-    row.impulse = std::clamp(span * memory.force, 0.0, std::max(0.0, offer));
-    row.rubbed = span * memory.friction;
+    row.impulse = std::clamp(before.impulse, 0.0, std::max(0.0, offer));
+    row.rubbed = before.rubbed;
     row.rubbed -= row.normal.dot(row.rubbed) * row.normal;
     const double most = std::max(row.friction_static, row.friction_dynamic) * row.impulse;
     const double strength = row.rubbed.norm();

@@ -103,7 +103,8 @@ void NarrowPhase::take(const NearPair& found, const Scene& scene, const ColumnCo
     PairMemory* const memory = pairs.memory(row);
     const RestGap rest = rest_gap(thickness, scene.t, memory);
     if (gap >= rest.now) {
-        contacts.near(chunk).push_back({pairs[row], row, gap, rest.now, places});
+        contacts.near(chunk).push_back({pairs[row], pairs.memory_row(row), card, pairs.side(row),
+                                        row, gap, rest.now, pairs.modulus(row), places});
         return;
     }
     const Contact touching = contact_at(cloth_, scene.bodies, scene.x, pairs[row], places, gap);

@@ -11,11 +11,14 @@
 
 namespace corpuscle::contact {
 
-/// A pair within reach that does not push.
+/// A pair within reach that does not push, with what a Contact has of its candidate.
 struct NearPair {
     Pair nodes;
+    Index memory;  ///< row, or -1
+    int card, side;
     std::size_t pair;  ///< candidate row
     double gap, rest;  ///< [m]
+    double modulus;    ///< [Pa]
     Nearest places;
 };
 
