@@ -131,10 +131,11 @@ void SurfaceContact::State::count() {
         [&](Tally& own, std::size_t c) {
             for (const Contact& touching : contacts.chunk(c))
                 own.least = std::min(own.least, touching.gap / touching.rest);
-            for (const NearPair& near : contacts.near(c))
+            for (const NearPair& near : contacts.near(c)) {
                 if (near.rest > 0.0) own.least = std::min(own.least, near.gap / near.rest);
+                (near.gap < near.rest ? own.touching : own.near) += 1;
+            }
             own.touching += contacts.chunk(c).size();
-            own.near += contacts.near(c).size();
         },
         [](Tally& sum, const Tally& own) {
             sum.least = std::min(sum.least, own.least);
@@ -206,11 +207,16 @@ double SurfaceContact::energy_of(int card) const {
 }
 SurfaceContact::Depth SurfaceContact::depth(int card) const {
     Depth now;
-    state_->contacts.for_each([&](const Contact& c) {
+    const auto take = [&](const auto& c) {
         if (c.card != card || c.gap >= c.rest) return;
         ++now.pairs;
         now.greatest = std::max(now.greatest, 1.0 - c.gap / c.rest);
-    });
+    };
+    const ContactList& contacts = state_->contacts;
+    for (std::size_t chunk = 0; chunk < contacts.chunks(); ++chunk) {
+        std::for_each(contacts.chunk(chunk).begin(), contacts.chunk(chunk).end(), take);
+        std::for_each(contacts.near(chunk).begin(), contacts.near(chunk).end(), take);
+    }
     return now;
 }
 std::vector<double> SurfaceContact::take_facet_forces(const Points& x) {

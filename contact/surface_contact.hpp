@@ -23,7 +23,7 @@ struct ContactCounts {
     std::size_t searched = 0;      ///< facets that these lists are for: others lie open
     std::size_t candidates = 0;    ///< pairs in the lists now
     std::size_t near = 0;          ///< pairs within reach in this step
-    std::size_t touching = 0;      ///< pairs that push now
+    std::size_t touching = 0;      ///< pairs nearer than rest now: those with exposure push
     std::size_t close_starts = 0;  ///< pairs nearer than the contact thickness at the start
     double least_gap = INF;        ///< smallest gap over its rest value so far                 [-]
     std::size_t impacts = 0;       ///< pairs stopped at the last moment, so far

@@ -41,19 +41,22 @@ double rise_round_node(const Cloth& cloth, const Points& x, Index a, const Vec3&
 
 }  // namespace
 
-double exposure(const Cloth& cloth, const Points& x, const Contact& c) {
+double exposure(const Cloth& cloth, const Points& x, const Pair& pair, const Nearest& places,
+                double gap) {
+    const Vec3 normal = places.apart / gap;
+    const auto& node = pair.node;
     double most = -1.0;
-    if (c.is_edges) {
-        most = std::max(rise_beside_edge(cloth, x, c.node[0], c.node[1], -c.normal),
-                        rise_beside_edge(cloth, x, c.node[2], c.node[3], c.normal));
+    if (pair.is_edges) {
+        most = std::max(rise_beside_edge(cloth, x, node[0], node[1], -normal),
+                        rise_beside_edge(cloth, x, node[2], node[3], normal));
     } else {
         std::array<Index, 3> on{};
         int count = 0;
         for (int k = 1; k < 4; ++k)
-            if (c.weight[k] < -LEAST_WEIGHT) on[count++] = c.node[k];
-        if (count == 1) most = rise_round_node(cloth, x, on[0], c.normal);
-        if (count == 2) most = rise_beside_edge(cloth, x, on[0], on[1], c.normal);
-        if (count < 3) most = std::max(most, rise_round_node(cloth, x, c.node[0], -c.normal));
+            if (places.weight[k] < -LEAST_WEIGHT) on[count++] = node[k];
+        if (count == 1) most = rise_round_node(cloth, x, on[0], normal);
+        if (count == 2) most = rise_beside_edge(cloth, x, on[0], on[1], normal);
+        if (count < 3) most = std::max(most, rise_round_node(cloth, x, node[0], -normal));
     }
     return std::clamp((NONE - most) / (NONE - FULL), 0.0, 1.0);
 }

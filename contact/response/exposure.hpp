@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "contact/geometry/distance.hpp"
 #include "contact/surface/cloth.hpp"
-#include "contact/surface/contact.hpp"
 
 namespace corpuscle::contact {
 
-/// How far the places of a contact are the nearest of the cloth round them.
+/// How far the nearest places of a pair are the nearest of the cloth round them.
 ///
 /// Let n point from a place to the other one, and u, of length one, from the edge or node that it
 /// lies on into a triangle that has it, or along an edge. Where n · u > 0 the cloth beside the place
@@ -18,8 +18,10 @@ namespace corpuscle::contact {
 /// of the pressure. A node facing a triangle's inside has 1.
 ///
 /// Source: the Voronoi regions of a surface's faces, edges and nodes [Ericson 2005, 5.1.5], softened.
-/// @param x  node positions, N × 3                                                       [m]
+/// @param x    node positions, N × 3                                                     [m]
+/// @param gap  between the places, above 0                                                [m]
 /// @returns 0 to 1                                                                        [-]
-[[nodiscard]] double exposure(const Cloth& cloth, const Points& x, const Contact& contact);
+[[nodiscard]] double exposure(const Cloth& cloth, const Points& x, const Pair& pair,
+                              const Nearest& places, double gap);
 
 }  // namespace corpuscle::contact

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/response/exposure.hpp"
+
 namespace corpuscle::contact {
 namespace {
 
@@ -40,8 +42,9 @@ void ImplicitResponse::apply(double span, double dt, ContactList& contacts,
     close(span, columns, pairs, motion, books);
 }
 
-/// Makes contacts of pairs that are near and whose nodes are so fast that they may come within
-/// rest.
+/// Makes contacts of pairs that are near and come within rest as their nodes move now; of pairs
+/// without exposure, which do not push, if they come nearer than a step may bring them. Seen along
+/// the line between their nearest places no node of the one is nearer to the other than `left`.
 void ImplicitResponse::take_up(double dt, ContactList& contacts, const ColumnColouring& columns,
                                const VelocityState& motion) {
     contacts.for_each_chunk([&](std::size_t chunk) {
@@ -50,9 +53,18 @@ void ImplicitResponse::take_up(double dt, ContactList& contacts, const ColumnCol
             Corners v;
             for (int k = 0; k < 4; ++k) v[k] = motion.velocity(pair.node[k]);
             if (dt * greatest_approach(pair, v) <= near.gap - near.rest) continue;
+            Corners late;
+            for (int k = 0; k < 4; ++k) late[k] = motion.x()[pair.node[k]] + dt * v[k];
+            const double left = separation(pair, near.places.apart / near.gap, late);
+            if (left >= near.rest) continue;
+            const double exposed = near.gap < near.rest
+                                       ? 0.0
+                                       : exposure(cloth_, motion.x(), pair, near.places, near.gap);
+            if (exposed == 0.0 && left >= least_gap(near.gap, near.rest)) continue;
             const Contact found =
                 contact_at(cloth_, motion.bodies(), motion.x(), pair, near.places, near.gap);
             Contact& c = contacts.add(chunk, columns.of(found, motion.x()), found);
+            c.exposure = exposed;
             c.pair = near.pair;
             c.memory = near.memory;
             c.card = near.card;

@@ -66,6 +66,10 @@ public:
     }
 
 private:
+    /// Least gap at the end of a step that begins with `gap`.                                [m]
+    [[nodiscard]] static double least_gap(double gap, double rest) {
+        return gap > 0.25 * rest ? 0.5 * (gap + 0.25 * rest) : gap;
+    }
     struct Row {
         std::array<Index, 4> node;
         std::array<double, 4> weight;
@@ -92,9 +96,7 @@ private:
         [[nodiscard]] bool rubs() const { return friction_static > 0.0 || friction_dynamic > 0.0; }
 
         /// Least gap at the end of the step.                                                  [m]
-        [[nodiscard]] double floor() const {
-            return gap > 0.25 * rest ? 0.5 * (gap + 0.25 * rest) : gap;
-        }
+        [[nodiscard]] double floor() const { return least_gap(gap, rest); }
         /// Change of the impulse that brings the row to its law, the rate being as it is.
         [[nodiscard]] double change(double rate) const {
             if (impulse == 0.0 && gap + dt * rate >= rest) return 0.0;
@@ -119,7 +121,7 @@ private:
                  const VelocityState& motion);
     void set_rows(double span, double dt, ContactList& contacts, const ColumnColouring& columns,
                   Candidates& pairs, VelocityState& motion);
-    void recall(double span, const Points& x, ContactList& contacts, Candidates& pairs);
+    void recall(double span, ContactList& contacts, Candidates& pairs);
     [[nodiscard]] const PairMemory* last(const Contact& contact, Candidates& pairs) const;
     [[nodiscard]] Row row_of(double span, double dt, Contact& contact,
                              const VelocityState& motion) const;

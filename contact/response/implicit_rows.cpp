@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/response/exposure.hpp"
 #include "contact/response/implicit_response.hpp"
 
 namespace corpuscle::contact {
@@ -23,17 +22,14 @@ const PairMemory* ImplicitResponse::last(const Contact& c, Candidates& pairs) co
     return memory.step + 1 == step_ ? &memory : nullptr;
 }
 
-/// Makes sure that each contact has a memory, and gives it the area and impulses of the step before
-/// and its exposure.
-void ImplicitResponse::recall(double span, const Points& x, ContactList& contacts,
-                              Candidates& pairs) {
+/// Makes sure that each contact has a memory, and gives it the area and impulses of the step before.
+void ImplicitResponse::recall(double span, ContactList& contacts, Candidates& pairs) {
     fresh_.clear();
     found_fresh_.find(
         contacts.chunks(), fresh_,
         [&](std::size_t chunk, auto&& take) {
             for (const Contact& c : contacts.chunk(chunk)) pairs.prefetch_memory_at(c.memory);
             for (Contact& c : contacts.chunk(chunk)) {
-                c.exposure = exposure(cloth_, x, c);
                 if (c.memory < 0) {
                     take(&c);
                     continue;
@@ -56,7 +52,7 @@ void ImplicitResponse::recall(double span, const Points& x, ContactList& contact
 void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
                                 const ColumnColouring& columns, Candidates& pairs,
                                 VelocityState& motion) {
-    recall(span, motion.x(), contacts, pairs);
+    recall(span, contacts, pairs);
     areas_.find(motion.x(), columns, contacts);
     rows_.resize(columns.size());
     parallel::for_each(

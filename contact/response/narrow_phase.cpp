@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact/geometry/nearest_four.hpp"
+#include "contact/response/exposure.hpp"
 
 namespace corpuscle::contact {
 namespace {
@@ -102,13 +103,16 @@ void NarrowPhase::take(const NearPair& found, const Scene& scene, const ColumnCo
     }
     PairMemory* const memory = pairs.memory(row);
     const RestGap rest = rest_gap(thickness, scene.t, memory);
-    if (gap >= rest.now) {
+    const double exposed =
+        gap < rest.now ? exposure(cloth_, scene.x, pairs[row], places, gap) : 0.0;
+    if (exposed == 0.0) {
         contacts.near(chunk).push_back({pairs[row], pairs.memory_row(row), card, pairs.side(row),
                                         row, gap, rest.now, pairs.modulus(row), places});
         return;
     }
     const Contact touching = contact_at(cloth_, scene.bodies, scene.x, pairs[row], places, gap);
     Contact& contact = contacts.add(chunk, columns.of(touching, scene.x), touching);
+    contact.exposure = exposed;
     contact.pair = row;
     contact.memory = pairs.memory_row(row);
     contact.card = card;

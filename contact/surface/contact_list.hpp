@@ -11,7 +11,8 @@
 
 namespace corpuscle::contact {
 
-/// A pair within reach that does not push, with what a Contact has of its candidate.
+/// A pair within reach that does not push, with what a Contact has of its candidate: its gap is
+/// rest or more, or the cloth beside its places is nearer (exposure 0).
 struct NearPair {
     Pair nodes;
     Index memory;  ///< row, or -1
