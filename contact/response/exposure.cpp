@@ -47,8 +47,9 @@ double exposure(const Cloth& cloth, const Points& x, const Pair& pair, const Nea
     const auto& node = pair.node;
     double most = -1.0;
     if (pair.is_edges) {
-        most = std::max(rise_beside_edge(cloth, x, node[0], node[1], -normal),
-                        rise_beside_edge(cloth, x, node[2], node[3], normal));
+        most = rise_beside_edge(cloth, x, node[0], node[1], -normal);
+        if (most < NONE)
+            most = std::max(most, rise_beside_edge(cloth, x, node[2], node[3], normal));
     } else {
         std::array<Index, 3> on{};
         int count = 0;
@@ -56,7 +57,8 @@ double exposure(const Cloth& cloth, const Points& x, const Pair& pair, const Nea
             if (places.weight[k] < -LEAST_WEIGHT) on[count++] = node[k];
         if (count == 1) most = rise_round_node(cloth, x, on[0], normal);
         if (count == 2) most = rise_beside_edge(cloth, x, on[0], on[1], normal);
-        if (count < 3) most = std::max(most, rise_round_node(cloth, x, node[0], -normal));
+        if (count < 3 && most < NONE)
+            most = std::max(most, rise_round_node(cloth, x, node[0], -normal));
     }
     return std::clamp((NONE - most) / (NONE - FULL), 0.0, 1.0);
 }

@@ -220,8 +220,10 @@ bool Cloth::is_held(const Pair& pair) const {
 }
 
 bool Cloth::are_beside(Index node, Index other) const {
-    return std::binary_search(near_node.begin() + near_start[node],
-                              near_node.begin() + near_start[node + 1], other);
+    const auto begin = near_node.begin() + near_start[node];
+    const auto end = near_node.begin() + near_start[node + 1];
+    if (begin == end || other < *begin || other > *(end - 1)) return false;  // most are
+    return std::binary_search(begin, end, other);
 }
 
 }  // namespace corpuscle::contact
