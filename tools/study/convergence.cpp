@@ -78,8 +78,10 @@ std::string text_of(const Table& table, const Convergence& of) {
                             std::isnan(factor.order) ? "-" : fmt::format("{:g}", factor.order),
                             shown(r.to_limit), share(Convergence::part_of(r), whole));
     }
-    return text + fmt::format("| seeds | {} | | ± {:.2g} | {} |\n\n", of.seeds,
-                              of.centre.half_width, share(of.centre.half_width, whole));
+    const double half = of.centre.half_width;
+    return text + fmt::format("| seeds | {} | | {} | {} |\n\n", of.seeds,
+                              std::isnan(half) ? "-" : fmt::format("± {:.2g}", half),
+                              share(half, whole));
 }
 
 }  // namespace
