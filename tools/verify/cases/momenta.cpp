@@ -111,7 +111,9 @@ Findings free_jet(const Runs& runs) {
     constexpr double RATE = 1.0, T = 300.0, M = 0.028, AREA = 0.16, MIDDLE = 0.2, STEADY = 6e-3;
     constexpr double SLAB = 0.05, FIRST = 0.1;
     constexpr std::size_t SLABS = 6;
-    constexpr std::array<double, 4> RADIUS{0.03, 0.06, 0.1, 0.15};
+    // a jet is some 0.02 m wide at the first slab
+    constexpr std::array<double, 12> RADIUS{0.01,  0.02, 0.03, 0.04, 0.05, 0.06,
+                                            0.075, 0.09, 0.11, 0.13, 0.15, 0.2};
     const double pi = std::acos(-1.0);
     const double jet =
         RATE * std::sqrt(3.0 * GAS_CONSTANT * T / M) * 0.5 * (1.0 + std::cos(pi / 18.0));
@@ -145,6 +147,7 @@ Findings free_jet(const Runs& runs) {
         double flux = 0.0;
         for (const auto& ring : rings)
             for (const Sums& s : ring) {
+                if (s.m == 0.0) continue;
                 const double u = s.mv / s.m, c_squared = s.mvv / s.m - u * u;
                 flux += (s.m * u * u - s.mm / s.m * c_squared) / (count * SLAB * SLABS);
             }
