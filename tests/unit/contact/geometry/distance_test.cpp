@@ -90,3 +90,26 @@ TEST_CASE("the vector between nearest places is that of the weights", "[contact]
         }
     }
 }
+
+TEST_CASE("along no direction is a pair farther apart than it is, along its own exactly so",
+          "[contact]") {
+    std::mt19937 random(17);
+    const Pair pair = GENERATE(NODE, EDGES);
+    for (int i = 0; i < 3000; ++i) {
+        Points x;
+        Corners now, v, late;
+        for (int k = 0; k < 4; ++k) {
+            x.push_back(now[k] = random_point(random));
+            v[k] = random_point(random);
+            late[k] = now[k] + v[k];
+        }
+        const double gap = nearest(pair, x).apart.norm();
+        const Vec3 own = nearest(pair, x).apart / gap;
+        CHECK(separation(pair, own, now) == Approx(gap).margin(1e-9));
+        CHECK(separation(pair, random_point(random).normalized(), now) <= gap + 1e-12);
+        // what take_up() goes by: bounds of the gap at the end of a step
+        const double later = nearest(pair, {late.begin(), late.end()}).apart.norm();
+        CHECK(separation(pair, own, late) <= later + 1e-12);
+        CHECK(gap - greatest_approach(pair, v) <= later + 1e-12);
+    }
+}
