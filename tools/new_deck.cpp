@@ -64,13 +64,13 @@ std::string parts_and_cloth(const NewDeck& bag, const Units& units) {
     if (numbers.size() < bag.parts.size() || numbers.empty()) numbers.insert(1);
     for (const int number : numbers)
         text += fmt::format(
-            "*SECTION_SHELL_TITLE\nmembrane\n$#   secid    elform\n{:10d}         9\n"
+            "*SECTION_SHELL_TITLE\nmembrane\n$#   secid    elform\n{:10d}         5\n"
             "$#      t1        t2        t3        t4\n  &THICK    &THICK    &THICK    &THICK\n"
             "*MAT_FABRIC_TITLE\n470 dtex polyamide\n"
             "$#     mid        ro        ea        eb                prba      prab\n"
             "{:10d}{:>10}    &EWARP    &EWARP       0.0       0.2       0.2\n"
             "$#     gab                           cse        el       prl    lratio      damp\n"
-            "{:>10}       0.0       0.0         1{:>10}       0.3       0.1      0.05\n"
+            "{:>10}       0.0       0.0         1       0.0       0.0       0.0      0.05\n"
             "$#    aopt       flc       fac       ela      lnrc      form     fvopt\n"
             "       0.0       0.0       0.0       0.0         0         0         0\n"
             "$#            rgbrth     a0ref        a1        a2        a3\n"
@@ -78,7 +78,7 @@ std::string parts_and_cloth(const NewDeck& bag, const Units& units) {
             "$#      v1        v2        v3                                    beta    isrefg\n"
             "       0.0       0.0       0.0       0.0       0.0       0.0       0.0         0\n",
             number, number, fmt::format("{:.3g}", 730.0 * std::pow(units.length, 3.0)),
-            units.p(5e6), units.p(5e7));
+            units.p(5e6));
     return text;
 }
 

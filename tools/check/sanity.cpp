@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "gas/enclosure/enclosure.hpp"
@@ -20,6 +22,7 @@ namespace corpuscle::tools {
 namespace {
 
 constexpr double MOST_STRAIN = 0.3;
+constexpr double SHORTENED = 0.95;  ///< area over the flat one: folds have taken of it
 
 /// Factors from deck units to SI.
 struct ToSI {
@@ -53,8 +56,7 @@ public:
 
 private:
     [[nodiscard]] const Model& model() const { return simulation_.model(); }
-    [[nodiscard]] double area(const Shell& shell) const {
-        const auto& x = model().x;
+    [[nodiscard]] static double area(const Shell& shell, const Points& x) {
         const auto& n = shell.nodes;
         return 0.5 * (x[n[2]] - x[n[0]])
                          .cross(shell.is_triangle() ? x[n[1]] - x[n[0]] : x[n[3]] - x[n[1]])
@@ -91,9 +93,9 @@ private:
             const fabric::Material& material = model().materials[part.material];
             if (std::isnan(modulus(material))) continue;
             is_used[part.material] = true;
-            all += area(shell);
+            all += area(shell, model().x);
             const auto* cloth = std::get_if<fabric::FabricCard>(&material.card);
-            mass += area(shell) * part.thickness *
+            mass += area(shell, model().x) * part.thickness *
                     (cloth != nullptr ? cloth->density
                                       : std::get<fabric::ElasticCard>(material.card).density);
         }
@@ -125,12 +127,40 @@ private:
         return least;
     }
 
+    /// Of cloth whose folds have shortened it: facets that resist compression do not crumple, and
+    /// push as far as they reach.
+    void advise_on_compression(const gas::BagWalls& walls) {
+        Points flat = model().x;
+        for (const ReferenceGeometry& reference : model().references)
+            for (const auto& [node, at] : reference.nodes) flat[node] = at;
+        std::map<int, std::array<double, 2>> areas;  // by material: now, flat
+        for (std::size_t t = 0; t < walls.closing; ++t) {
+            const Shell& shell = model().shells[walls.shell[t]];
+            const fabric::Material& material =
+                model().materials[model().parts[shell.part].material];
+            const auto* cloth = std::get_if<fabric::FabricCard>(&material.card);
+            if (cloth == nullptr) continue;
+            const bool is_lined = cloth->liner_E * cloth->liner_ratio > 0.0;
+            if (!is_lined && cloth->no_compression) continue;
+            areas[material.id][0] += area(shell, model().x);
+            areas[material.id][1] += area(shell, flat);
+        }
+        for (const auto& [id, of] : areas)
+            if (of[0] < SHORTENED * of[1])
+                say(
+                    fmt::format("  material {} is folded to {:.3g} % of its flat area and resists "
+                                "compression (CSE 0, or LRATIO and EL): what it exerts as it "
+                                "unfolds depends on the size of its shells",
+                                id, 100.0 * of[0] / of[1]));
+    }
+
     void bag(int id, const gas::BagWalls& walls, double volume, double surface, double p_atm,
              const Filling& in, const Filling& inside) {
         const double full = full_volume(volume, surface);
         const double litre = 1e3 * std::pow(si_.length, 3.0), kPa = 1e-3 * si_.pressure();
         say(fmt::format("airbag {}: {} now, some {} full", id, told(volume, litre, "l", is_known_),
                         told(full, litre, "l", is_known_)));
+        advise_on_compression(walls);
         if (in.mass > 0.0)
             say(fmt::format(
                 "  gas: {}{}, {}, {:.4g} to {:.4g} K",

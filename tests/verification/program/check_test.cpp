@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Claim: `corpuscle check` names the pairs of shells that cross or are too close at the start, and
-// says whether particles are too few.
+// says whether particles are too few and cloth resists compression.
 
 #include <catch2/catch.hpp>
 
 #include <array>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 
 #include "io/results/hdf5.hpp"
 #include "tests/places.hpp"
@@ -69,6 +71,28 @@ TEST_CASE("check says whether a bag has particles enough, and how many would be"
         std::filesystem::path(CORPUSCLE_MODELS) / "driver_bag_folded" / "driver_bag_folded.k";
     CHECK_THAT(check(deck, "-D NP=10000"), Contains("too few") && Contains("NP = "));
     CHECK_THAT(check(deck, "-D NP=100000"), Contains("enough") && !Contains("too few"));
+}
+
+TEST_CASE("check names folded cloth that resists compression", "[check]") {
+    using Catch::Contains;
+    const auto folded = std::filesystem::path(CORPUSCLE_MODELS) / "driver_bag_folded";
+    const auto text = [](const std::filesystem::path& file) {
+        std::ifstream in(file);
+        return std::string(std::istreambuf_iterator<char>(in), {});
+    };
+    std::string module = text(folded / "module.k"),
+                deck = text(folded / "driver_bag_folded_coarse.k");
+    const std::string without = "         1       0.0       0.0       0.0      0.05\n",
+                      lined = "         1      0.05       0.3       0.1      0.05\n",
+                      mesh = "\nmesh_coarse.k";
+    REQUIRE(module.find(without) != std::string::npos);
+    module.replace(module.find(without), without.size(), lined);
+    deck.replace(deck.find(mesh), mesh.size(), "\n" + (folded / mesh.substr(1)).string());
+    const test::DeckFolder folder;
+    const auto said = Contains("material 1 is folded to 83.8 %");
+    folder.write("module.k", module);
+    CHECK_THAT(check(folder.write("lined.k", deck)), said);
+    CHECK_THAT(check(folded / "driver_bag_folded_coarse.k"), !said);
 }
 
 TEST_CASE("check says what a person can judge, and what cannot be", "[check]") {
