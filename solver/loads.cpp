@@ -16,12 +16,8 @@ Loads::Loads(const Model& model) {
                          load.parts,
                          {}});
     for (const PressureLoad& load : model.pressure_loads) {
-        Pressure pressure{{}, load.scale, load.arrival, {}};
+        Pressure pressure{load.facets, load.scale, load.arrival, {}};
         if (load.curve >= 0) pressure.curve = model.curves[load.curve];
-        for (const auto& q : load.facets) {
-            pressure.triangles.push_back({q[0], q[1], q[2]});
-            if (q[2] != q[3]) pressure.triangles.push_back({q[0], q[2], q[3]});
-        }
         pressure_.push_back(std::move(pressure));
     }
     for (const NodeLoad& load : model.node_loads)
@@ -29,6 +25,20 @@ Loads::Loads(const Model& model) {
 }
 
 namespace {
+
+/// Adds what a pressure gives to the corners of a facet.
+void press(const std::array<Index, 4>& facet, double p, const Points& x, Points& f) {
+    const auto area = [&](int i, int j, int k) {
+        return vector_area(x[facet[i]], x[facet[j]], x[facet[k]]);
+    };
+    if (facet[2] == facet[3]) {
+        const Vec3 corner = -p / 3.0 * area(0, 1, 2);
+        for (int k = 0; k < 3; ++k) f[facet[k]] += corner;
+        return;
+    }
+    const Vec3 all = area(0, 1, 2) + area(0, 2, 3);
+    for (int k = 0; k < 4; ++k) f[facet[k]] -= p / 6.0 * (all + area(k, (k + 1) % 4, (k + 3) % 4));
+}
 
 bool holds(const std::vector<Index>& parts, Index part) {
     return std::find(parts.begin(), parts.end(), part) != parts.end();
@@ -73,10 +83,7 @@ void Loads::find_force(double t, const Points& x, const std::vector<double>& mas
     for (const Pressure& load : pressure_) {
         if (t < load.arrival) continue;
         const double p = load.scale * (load.curve.empty() ? 1.0 : load.curve(t - load.arrival));
-        for (const auto& c : load.triangles) {
-            const Vec3 corner = -p / 3.0 * vector_area(x[c[0]], x[c[1]], x[c[2]]);
-            for (const Index node : c) f[node] += corner;
-        }
+        for (const auto& facet : load.facets) press(facet, p, x, f);
     }
     for (const Node& load : node_) {
         const double force = load.scale * load.curve(t);

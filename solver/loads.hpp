@@ -28,8 +28,9 @@ public:
     /// f = loads at t.
     ///
     ///     body: -m a(t) (a frame that accelerates upward pulls bodies down), m of its parts
-    ///     pressure: -p(t) A n / 3 a corner, so positive pressure presses against the facet's
-    ///     normal
+    ///     pressure: -p(t) (A n of what the corner has), a third of a triangle; of a quad, in the
+    ///     mean of both ways to cut it, (A + A_i) / 6, A_i: the triangle of corner i and its two
+    ///     neighbours. Positive pressure presses against the facet's normal
     ///     node: F(t) along an axis
     void find_force(double t, const Points& x, const std::vector<double>& mass, Points& f) const;
 
@@ -46,7 +47,7 @@ private:
         }
     };
     struct Pressure {
-        std::vector<std::array<Index, 3>> triangles;
+        std::vector<std::array<Index, 4>> facets;  ///< triangles end with a node twice
         double scale, arrival;
         Curve curve;  ///< empty: constant 1
     };

@@ -211,7 +211,7 @@ def main():
     for n in (8, 16, 32):
         write("square_bag", n, quarter_square(n, 0.42425),
               f"A quarter of a square of 0.8485 m, {n} x {n} quads; lengths in m.")
-    for n in (12, 24, 48, 96):
+    for n in (24, 48, 96):
         write("tube_vessel", n, ring(n, 0.1), f"Two cells of a tube of radius 0.1 m, {n} around; lengths in m.")
     for level in (2, 3, 4):
         write("sphere_vessel", level, sphere(level, 0.1),
