@@ -140,7 +140,7 @@ private:
                 model().materials[model().parts[shell.part].material];
             const auto* cloth = std::get_if<fabric::FabricCard>(&material.card);
             if (cloth == nullptr) continue;
-            const bool is_lined = cloth->liner_E * cloth->liner_ratio > 0.0;
+            const bool is_lined = !cloth->liner_waits && cloth->liner_E * cloth->liner_ratio > 0.0;
             if (!is_lined && cloth->no_compression) continue;
             areas[material.id][0] += area(shell, model().x);
             areas[material.id][1] += area(shell, flat);
