@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Compiles every header by itself, without the precompiled ones: what it uses, it includes. Eigen alone is
+# Compiles every header of the rooms and of tools by itself, without the precompiled ones: what it uses, it includes. Eigen alone is
 # compiled once, for those that come to it by their own includes.
 # By clang++ where it is installed, which reads faster than g++.
 # usage: headers.sh BUILD   (CXX: the compiler, where there is no clang++)
@@ -23,7 +23,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 # shellcheck disable=SC2046,SC2207
 options=(-std=c++20 -O0 -w -I. "-I$build/places" "-I$build/tools" $(pkg-config --cflags eigen3 hdf5))
-git ls-files 'solver/*.hpp' 'fabric/*.hpp' 'gas/*.hpp' 'contact/*.hpp' 'io/*.hpp' 'tools/*.hpp' 'tests/*.hpp' | sort >"$work/left"
+git ls-files 'solver/*.hpp' 'fabric/*.hpp' 'gas/*.hpp' 'contact/*.hpp' 'io/*.hpp' 'tools/*.hpp' | sort >"$work/left"
 # Those that come to an external header by their own includes
 come_to() {
     xargs grep -E '^#include ["<]' <"$work/left" | sed -E 's/:#include ["<](.*)[">].*/ \1/' | awk -v name="$1" '
