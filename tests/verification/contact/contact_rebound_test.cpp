@@ -98,7 +98,7 @@ std::vector<double> bounce(double step) {
                    {.z = 60e-3, .cells = 9, .side = 0.2, .kind = Kind::HELD_CLOTH}};
     const Ball ball;
     const DeckRun run(fmt::format("bounce_{}", static_cast<int>(100 * step)),
-                      deck.text("a ball between taut sheets", ball.cards(), 75e-3, 0.5e-3));
+                      deck.text("a ball between taut sheets", ball.cards(), 52e-3, 0.5e-3));
     REQUIRE(run.status() == 0);
     CHECK(verify::frame_crossings(run.results()).crossings == 0);
     std::vector<double> speeds;
@@ -123,7 +123,7 @@ std::vector<double> bounce(double step) {
 }  // namespace
 
 TEST_CASE("a ball bounces between taut sheets alike, at any step", "[contact][rebound]") {
-    constexpr std::size_t REBOUNDS = 3;
+    constexpr std::size_t REBOUNDS = 2;
     std::vector<double> before;
     for (const double step : {0.9, 0.45, 0.2}) {
         const std::vector<double> speeds = bounce(step);
