@@ -9,8 +9,7 @@
 namespace corpuscle::contact {
 namespace {
 
-constexpr double SHALLOW = 0.95;   ///< gap over rest, from which areas of contacts change
-constexpr double DEEP = 0.5;       ///< gap over rest, below which an area grows to its first
+constexpr double DEEP = 0.5;       ///< gap over rest, below which an area only grows to its first
 constexpr double LEAST = 1e-3;     ///< area over the first one
 constexpr double MOST = 4.0;       ///< likewise: all that its nodes have
 constexpr int PASSES = 2;          ///< a step; the areas live on
@@ -40,8 +39,8 @@ void AreaShares::find(const Points& x, const ColumnColouring& columns, ContactLi
         add_up(columns, contacts);
         contacts.for_each_apart([&](Contact& c) {
             if (c.exposure == 0.0) return;
-            if (c.is_known && c.gap < SHALLOW * c.rest) {
-                if (c.gap < DEEP * c.rest && pass == 0)
+            if (c.is_known && c.gap < DEEP * c.rest) {
+                if (pass == 0)
                     c.area = std::max(c.area, std::min(STRONGEST * c.area, first_area(c)));
                 return;
             }

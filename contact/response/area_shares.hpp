@@ -25,8 +25,7 @@ namespace corpuscle::contact {
 ///     A_c <- A_c · min over c's two places of (sum of |w_ci| A_i / S_i),  S_i = sum of |w_ci| A_c,
 ///
 /// from the areas of the step before; each A_c counts with its exposure (exposure.hpp). A contact
-/// that is pressed below 0.95 of its rest gap keeps its area; below half of it, it grows to a quarter
-/// of its nodes'.
+/// that is pressed below half of its rest gap keeps its area, or grows to a quarter of its nodes'.
 class AreaShares {
 public:
     explicit AreaShares(const Cloth& cloth);

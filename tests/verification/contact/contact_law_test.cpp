@@ -45,6 +45,32 @@ TEST_CASE("sheets pressed by six bars slide past each other likewise", "[.full][
     slide_freely(600e3);
 }
 
+TEST_CASE("sheets at rest between equal pressures of six bars stay where they are",
+          "[contact][flat]") {
+    constexpr double PRESSURE = 600e3;
+    LayersDeck deck;
+    const double h = deck.thickness;
+    deck.layers = {
+        {.z = -h, .cells = 20}, {.z = 0.0, .cells = 32, .side = 0.16}, {.z = h, .cells = 20}};
+    const DeckRun run(
+        "flat", deck.text("a sheet between two others",
+                          curve_card(1, {{0.0, 1.0}, {1.0, 1.0}}) + deck.press(0, 1, -PRESSURE) +
+                              deck.press(2, 1, PRESSURE),
+                          1e-3, 1e-4));
+    REQUIRE(run.status() == 0);
+    const LayerState lower = layer_state(run, deck, 0, last_frame(run)),
+                     upper = layer_state(run, deck, 2, last_frame(run));
+    const double gap = h / (1.0 + PRESSURE / (THROUGH * deck.modulus));
+    const double height = upper.mean_x.z() - lower.mean_x.z();
+    report("two sheets on one under six bars [mm]", 2e3 * gap, 1e3 * height);
+    CHECK(height == Approx(2.0 * gap).epsilon(0.01));
+    double square = 0.0;
+    for (const Vec3& x : lower.x) square += std::pow(x.z() - lower.mean_x.z(), 2);
+    const double rough = std::sqrt(square / static_cast<double>(lower.x.size()));
+    report("how far they leave their plane, RMS [mm]", 0.0, 1e3 * rough);
+    CHECK(rough < 0.1 * h);
+}
+
 TEST_CASE("pressed sheets rub by Coulomb's law", "[contact][friction]") {
     constexpr double PRESSURE = 5e3, DENSITY = 800.0, FRICTION = 0.2;
     const Sliding at = slide("rub", PRESSURE, DENSITY, FRICTION);
