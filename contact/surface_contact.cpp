@@ -149,13 +149,13 @@ void SurfaceContact::State::count() {
 }
 
 bool SurfaceContact::respond(const Points& x, double dt, Points& v, std::span<RigidProxy> bodies,
-                             Points* v_before, const Hold& hold) {
+                             Points* v_before, const Hold& hold, const Points* unkicked) {
     State& s = *state_;
     s.span = 0.5 * (s.dt_last + dt);
     s.dt_last = dt;
     s.load.pass(s.span);
     if (!s.any_on()) return false;
-    VelocityState motion(s.cloth, x, v, bodies, v_before);
+    VelocityState motion(s.cloth, x, v, bodies, v_before, unkicked);
     if (s.counts.near > 0) motion.begin();
     s.response.apply(s.span, dt, s.contacts, s.columns, s.pairs, motion, s.books, hold);
     s.columns.for_each(s.contacts, [&](const Contact& c) { s.load.add(c); });

@@ -67,9 +67,11 @@ public:
     /// @param v_before  gets v as it was, unless null or nothing is near
     /// @param hold      stops nodes that others hold: hold(false) after each sweep, on those it has
     ///                  held lately, hold(true) after the last one, on all; may be empty
+    /// @param unkicked  velocities half a step before t; null: as v
     /// @returns whether it may have changed any
     bool respond(const Points& x, double dt, Points& v, std::span<RigidProxy> bodies = {},
-                 Points* v_before = nullptr, const Hold& hold = {});
+                 Points* v_before = nullptr, const Hold& hold = {},
+                 const Points* unkicked = nullptr);
 
     /// Triangles that crossed at the start and still do, rows i < j; their pairs do not push.
     [[nodiscard]] const std::vector<std::pair<Index, Index>>& crossing() const;

@@ -105,8 +105,9 @@ void SceneState::stop_at_obstacles(double dt) {
         };
     if (obstacles.contact) {
         const double by_held = obstacles.contact->held_work();
-        has_stopped |= obstacles.contact->respond(nodes.x, dt, nodes.v, bodies.proxies,
-                                                  has_stopped ? nullptr : &v.kicked, hold_by_walls);
+        has_stopped |=
+            obstacles.contact->respond(nodes.x, dt, nodes.v, bodies.proxies,
+                                       has_stopped ? nullptr : &v.kicked, hold_by_walls, &v.before);
         ledger.after.external += obstacles.contact->held_work() - by_held;
         ledger.after.contact += obstacles.contact->held_work() - by_held;
     }

@@ -208,11 +208,14 @@ void ImplicitResponse::close(double span, const ColumnColouring& columns, Candid
             memory.friction = row.rubbed / span;
             memory.area = c.area;
             memory.step = step_;
+            const Vec3 relative = motion.relative(c);
+            const double after = row.normal.dot(relative);
+            memory.owed = owed_after(span, after, row);
             const Vec3 whole = row.impulse * row.normal + row.rubbed;
             if (whole.isZero(0.0)) continue;
             if (!c.on_body) add_to_bodies(whole, row, motion, share.on_bodies);
             ImpulseBooks& book = share.books[static_cast<std::size_t>(c.card)];
-            const Vec3 mean = 0.5 * (row.before + motion.relative(c));
+            const Vec3 mean = 0.5 * (row.before + relative);
             book.normal -= row.impulse * row.normal.dot(mean);
             book.friction -= row.rubbed.dot(mean);
             for (int k = 0; k < 4; ++k)

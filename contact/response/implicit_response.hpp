@@ -33,6 +33,15 @@ namespace corpuscle::contact {
 /// little; friction is the same row along the surface, |J_t| <= mu J. The scheme asks nothing of
 /// the time step.
 ///
+/// Restitution: a pair that closes in a step by more than a quarter of its rest gap owes what it
+/// takes from the motion beyond what law and dashpot account for,
+///
+///     taken = -J (r_0 + r)/2 - (U(gap + dt r) - U(gap)) - span C r (r_0 + r)/2,
+///
+/// r_0 the rate before the kick, less what a dashpot takes of it in half an oscillation. Once the
+/// pair closes no faster than at half the speed that this could give it, it gives at least the
+/// impulse that pays, J (r_0 + r)/2 = owed. Pairs whose rest gap grows owe nothing.
+///
 /// As the impulse acts at the beginning of the step, this is half as lossy as taking all of it from
 /// the end [backward Euler]; growing areas and pairs that appear between cloth that is pressed
 /// already add energy (contact/README.md, Law).
@@ -81,6 +90,9 @@ private:
         double heft;       ///< (mass + span C) / dt                                   [kg/s]
         double mass;       ///< 1 / (n M⁻¹ n)                                            [kg]
         double rub_mass;   ///< likewise along the surface, or less                    [kg]
+        double zeta;       ///< share of critical damping                               [-]
+        double rate;       ///< r_0                                                    [m/s]
+        double owed;       ///< energy to be given back; 0: not now                     [J]
         double impulse;    ///< J                                                          [N s]
         Vec3 rubbed;       ///< J_t on the first place                                     [N s]
         Vec3 before;       ///< velocity of the first place against the second, kicked     [m/s]
@@ -97,17 +109,30 @@ private:
 
         /// Least gap at the end of the step.                                                  [m]
         [[nodiscard]] double floor() const { return least_gap(gap, rest); }
-        /// Change of the impulse that brings the row to its law, the rate being as it is.
-        [[nodiscard]] double change(double rate) const {
-            if (impulse == 0.0 && gap + dt * rate >= rest) return 0.0;
-            if (push == 0.0) return std::max(mass * (floor() - gap) / dt - mass * rate, -impulse);
-            const double half = 0.5 * (heft * gap + mass * rate - push - (impulse - given));
+        /// U at the gap `at`.                                                                [J]
+        [[nodiscard]] double stored(double span, double at) const {
+            if (at >= rest) return 0.0;
+            return 2.0 * push / span * (rest * std::log(rest / at) - (rest - at));
+        }
+        /// Change of the impulse that brings the row to its law, or to what it owes; the rate after
+        /// it without that being as it is.
+        [[nodiscard]] double change(double after) const {
+            const double by_law = change_by_law(after);
+            if (owed == 0.0) return by_law;
+            const double mean = 0.5 * (rate + after - impulse / mass);
+            return std::max(by_law,
+                            mass * (std::sqrt(mean * mean + 2.0 * owed / mass) - mean) - impulse);
+        }
+        [[nodiscard]] double change_by_law(double after) const {
+            if (impulse == 0.0 && gap + dt * after >= rest) return 0.0;
+            if (push == 0.0) return std::max(mass * (floor() - gap) / dt - mass * after, -impulse);
+            const double half = 0.5 * (heft * gap + mass * after - push - (impulse - given));
             const double root = std::sqrt(half * half + heft * push * rest);
             const double end = half > 0.0 ? (half + root) / heft : push * rest / (root - half);
             const double at = std::min(end, rest);
             const double least = floor();
-            if (at < least) return std::max(mass * (least - gap) / dt - mass * rate, -impulse);
-            const double wanted = mass * (at - gap) / dt - mass * rate;
+            if (at < least) return std::max(mass * (least - gap) / dt - mass * after, -impulse);
+            const double wanted = mass * (at - gap) / dt - mass * after;
             return std::max(wanted, -impulse);
         }
     };
@@ -126,6 +151,8 @@ private:
     [[nodiscard]] Row row_of(double span, double dt, Contact& contact,
                              const VelocityState& motion) const;
     static void warm(const Contact& before, Row& row);
+    /// What a row owes to the motion after the step, the rate having become `after`.        [J]
+    [[nodiscard]] static double owed_after(double span, double after, const Row& row);
     void begin(Row& row, VelocityState& motion);
     /// Sweeps until little changes; returns what the last one did, over all impulses.
     double solve_all(const ColumnColouring& columns, VelocityState& motion,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "contact/response/implicit_response.hpp"
 
@@ -13,6 +14,20 @@ namespace {
 
 constexpr std::size_t NEW_ROWS_A_CHUNK = 64;   ///< rows
 constexpr std::size_t NEW_CONTACT_CHUNKS = 1;  ///< chunks of contacts at once
+/// A pair that closes in a step by more than this share of its rest gap hits: the step does not resolve
+/// its oscillation.
+constexpr double HIT = 0.25;
+
+/// A pair that closes faster than at this share of the speed that what it owes could give it does
+/// not pay yet.
+constexpr double CLOSING = 0.5;
+
+/// Share of its energy that a damped oscillator has left after half an oscillation.
+double kept_by_hit(double zeta) {
+    if (zeta == 0.0) return 1.0;
+    return zeta < 1.0 ? std::exp(-2.0 * std::numbers::pi * zeta / std::sqrt(1.0 - zeta * zeta))
+                      : 0.0;
+}
 
 }  // namespace
 
@@ -37,6 +52,7 @@ void ImplicitResponse::recall(double span, ContactList& contacts, Candidates& pa
                 const PairMemory* const memory = last(c, pairs);
                 if (memory == nullptr) continue;
                 c.area = memory->area;
+                c.owed = memory->owed;
                 c.impulse = span * memory->force;
                 c.rubbed = span * memory->friction;
             }
@@ -75,8 +91,8 @@ ImplicitResponse::Row ImplicitResponse::row_of(double span, double dt, Contact& 
     const double at = std::min(c.gap, c.rest);
     const double area = c.area * c.exposure;
     c.stiffness = c.modulus * area * c.rest / (at * at);
-    const double damping =
-        c.mass < INF ? 0.02 * card.damping * std::sqrt(c.stiffness * c.mass) : 0.0;
+    const double zeta = 0.01 * card.damping;
+    const double damping = c.mass < INF ? 2.0 * zeta * std::sqrt(c.stiffness * c.mass) : 0.0;
     double most = 0.0;
     for (int k = 0; k < 4; ++k)
         most += c.weight[k] * c.weight[k] * cloth_.mobility[c.node[k]].maxCoeff();
@@ -98,6 +114,10 @@ ImplicitResponse::Row ImplicitResponse::row_of(double span, double dt, Contact& 
     row.friction_dynamic = card.friction_dynamic;
     row.friction_decay = card.friction_decay;
     row.before = motion.relative(c);
+    row.zeta = zeta;
+    row.rate = motion.unkicked_rate(c);
+    row.owed = 0.0;
+    if (c.owed > 0.0 && row.rate > -CLOSING * std::sqrt(2.0 * c.owed / c.mass)) row.owed = c.owed;
     row.contact = &c;
     return row;
 }
@@ -111,6 +131,18 @@ void ImplicitResponse::warm(const Contact& before, Row& row) {
     const double most = std::max(row.friction_static, row.friction_dynamic) * row.impulse;
     const double strength = row.rubbed.norm();
     if (strength > most) row.rubbed *= most / strength;
+}
+
+double ImplicitResponse::owed_after(double span, double after, const Row& row) {
+    const Contact& c = *row.contact;
+    if (row.mass == INF || c.rest_rate > 0.0) return 0.0;
+    const bool is_hit = -row.rate * row.dt > HIT * row.rest;
+    if (!is_hit && row.owed == 0.0) return c.owed;
+    const double mean = 0.5 * (row.rate + after), end = row.gap + row.dt * after;
+    const double damping = row.heft * row.dt - row.mass;  // span C
+    const double taken = -row.impulse * mean - (row.stored(span, end) - row.stored(span, row.gap)) -
+                         std::max(0.0, damping * after * mean);
+    return c.owed + (is_hit && taken > 0.0 ? taken * kept_by_hit(row.zeta) : taken);
 }
 
 /// Gives what a row starts with.

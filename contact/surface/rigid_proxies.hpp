@@ -89,9 +89,15 @@ class VelocityState {
 public:
     /// @param bodies    by the numbers that cloth.body has for their nodes
     /// @param v_before  gets the velocities that are about to change, if it is not null
+    /// @param unkicked  velocities before the kick; null: as they are
     VelocityState(const Cloth& cloth, const Points& x, Points& v, std::span<RigidProxy> bodies,
-                  Points* v_before)
-        : cloth_(cloth), x_(x), v_(v), bodies_(bodies), v_before_(v_before) {}
+                  Points* v_before, const Points* unkicked = nullptr)
+        : cloth_(cloth),
+          x_(x),
+          v_(v),
+          bodies_(bodies),
+          v_before_(v_before),
+          unkicked_(unkicked != nullptr ? *unkicked : v) {}
 
     /// To be called before any velocity changes.
     void begin() {
@@ -110,6 +116,8 @@ public:
     }
     /// The same along the normal, > 0 as the gap opens.                                     [m/s]
     [[nodiscard]] double rate(const Contact& c) const { return c.normal.dot(relative(c)); }
+    /// The rate before the kick, until velocities change.                                    [m/s]
+    [[nodiscard]] double unkicked_rate(const Contact& c) const { return c.rate(unkicked_); }
     /// 1 / (what an impulse of one along `direction` makes of the rate along it); of free nodes the
     /// same in all directions.                                                               [kg]
     [[nodiscard]] double mass(const Contact& c, const Vec3& direction) const {
@@ -157,6 +165,7 @@ private:
     Points& v_;
     std::span<RigidProxy> bodies_;
     Points* v_before_;
+    const Points& unkicked_;
     bool has_begun_ = false;
 };
 

@@ -138,7 +138,9 @@ TEST_CASE("a ball bounces between taut sheets alike, at any step", "[contact][re
     }
 }
 
-TEST_CASE("a sheet at 100 m/s is stopped by a stack, at any step", "[contact][impact]") {
+TEST_CASE("a sheet at 100 m/s comes back from a stack alike, at any step", "[contact][impact]") {
+    // At TSSFAC .02 it leaves with 51 m/s; of what hits take, the step leaves a part unresolved
+    std::vector<double> speeds;
     for (const double step : {0.9, 0.45, 0.2}) {
         LayersDeck deck = stack(10, step);
         const double h = deck.thickness;
@@ -151,8 +153,11 @@ TEST_CASE("a sheet at 100 m/s is stopped by a stack, at any step", "[contact][im
         CHECK(verify::frame_crossings(run.results()).crossings == 0);
         const double back = layer_state(run, deck, top, last_frame(run)).mean_v.z();
         report(fmt::format("sheet at 100 m/s on ten layers, TSSFAC {}: speed after [m/s]", step),
-               0.0, back);
-        CHECK(back > 0.0);
-        CHECK(back < 100.0);  // what the layers give back grows as the step shrinks
+               51.0, back);
+        CHECK(run.read("/history/energy/external").back() < 1e-6);
+        speeds.push_back(back);
     }
+    const double mean = (speeds[0] + speeds[1] + speeds[2]) / 3.0;
+    CHECK(mean > 35.0);
+    for (const double back : speeds) CHECK(back == Approx(mean).epsilon(0.25));
 }
