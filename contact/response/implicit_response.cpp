@@ -29,7 +29,7 @@ void ImplicitResponse::apply(double span, double dt, ContactList& contacts,
                              const std::function<void(bool is_last)>& hold) {
     for (ImpulseBooks& book : books) book.given.setZero();
     ++step_;
-    take_up(dt, contacts, columns, motion);
+    take_up(dt, contacts, columns, pairs, motion);
     columns.sort(contacts);
     if (columns.size() == 0) return;
     motion.begin();
@@ -43,20 +43,22 @@ void ImplicitResponse::apply(double span, double dt, ContactList& contacts,
 }
 
 /// Makes contacts of pairs that are near and come within rest as their nodes move now; of pairs
-/// without exposure, which do not push, if they come nearer than a step may bring them. Seen along
+/// without exposure, which do not push, if they come nearer than a step may bring them; of pairs that
+/// a hit has left beyond rest. Seen along
 /// the line between their nearest places no node of the one is nearer to the other than `left`.
 void ImplicitResponse::take_up(double dt, ContactList& contacts, const ColumnColouring& columns,
-                               const VelocityState& motion) {
+                               Candidates& pairs, const VelocityState& motion) {
     contacts.for_each_chunk([&](std::size_t chunk) {
         for (const NearPair& near : contacts.near(chunk)) {
             const Pair& pair = near.nodes;
             Corners v;
             for (int k = 0; k < 4; ++k) v[k] = motion.velocity(pair.node[k]);
-            if (dt * greatest_approach(pair, v) <= near.gap - near.rest) continue;
+            const bool owes = near.gap >= near.rest && owes_still(near, pairs);
+            if (!owes && dt * greatest_approach(pair, v) <= near.gap - near.rest) continue;
             Corners late;
             for (int k = 0; k < 4; ++k) late[k] = motion.x()[pair.node[k]] + dt * v[k];
             const double left = separation(pair, near.places.apart / near.gap, late);
-            if (left >= near.rest) continue;
+            if (!owes && left >= near.rest) continue;
             const double exposed = near.gap < near.rest
                                        ? 0.0
                                        : exposure(cloth_, motion.x(), pair, near.places, near.gap);

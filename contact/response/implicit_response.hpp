@@ -28,7 +28,7 @@ namespace corpuscle::contact {
 ///     J = span · (A (p(gap) + p(gap + dt r)) / 2 - C r),   r = rate after all impulses,
 ///
 /// a quadratic for the gap at the end. No impulse takes a gap beyond rest; no gap shrinks in a step
-/// by more than half of what it has above a quarter of rest. Rows are solved one after the other
+/// below the middle between it, or rest, and a quarter of rest. Rows are solved one after the other
 /// [projected Gauss-Seidel], in sweeps, from the impulses of the step before, until a sweep changes
 /// little; friction is the same row along the surface, |J_t| <= mu J. The scheme asks nothing of
 /// the time step.
@@ -36,9 +36,9 @@ namespace corpuscle::contact {
 /// Restitution: a pair that closes in a step by more than a quarter of its rest gap owes what it
 /// takes from the motion beyond what law and dashpot account for,
 ///
-///     taken = -J (r_0 + r)/2 - (U(gap + dt r) - U(gap)) - span C r (r_0 + r)/2,
+///     taken = -J (r_0 + r)/2 - (U(gap + dt r) - U(gap)),
 ///
-/// r_0 the rate before the kick, less what a dashpot takes of it in half an oscillation. Once the
+/// r_0 the rate before the kick, J without the dashpot's part, times what a dashpot leaves. Once the
 /// pair closes no faster than at half the speed that this could give it, it gives at least the
 /// impulse that pays, J (r_0 + r)/2 = owed. Pairs whose rest gap grows owe nothing.
 ///
@@ -77,7 +77,7 @@ public:
 private:
     /// Least gap at the end of a step that begins with `gap`.                                [m]
     [[nodiscard]] static double least_gap(double gap, double rest) {
-        return gap > 0.25 * rest ? 0.5 * (gap + 0.25 * rest) : gap;
+        return gap > 0.25 * rest ? 0.5 * (std::min(gap, rest) + 0.25 * rest) : gap;
     }
     struct Row {
         std::array<Index, 4> node;
@@ -143,7 +143,8 @@ private:
         std::size_t active = 0;
     };
     void take_up(double dt, ContactList& contacts, const ColumnColouring& columns,
-                 const VelocityState& motion);
+                 Candidates& pairs, const VelocityState& motion);
+    [[nodiscard]] bool owes_still(const NearPair& near, Candidates& pairs) const;
     void set_rows(double span, double dt, ContactList& contacts, const ColumnColouring& columns,
                   Candidates& pairs, VelocityState& motion);
     void recall(double span, ContactList& contacts, Candidates& pairs);

@@ -22,10 +22,11 @@ constexpr double HIT = 0.25;
 /// not pay yet.
 constexpr double CLOSING = 0.5;
 
-/// Share of its energy that a damped oscillator has left after half an oscillation.
+/// Share of its energy that a hit leaves a pair with a dashpot: what a linear oscillator keeps over a
+/// whole oscillation, since the law stiffens.
 double kept_by_hit(double zeta) {
     if (zeta == 0.0) return 1.0;
-    return zeta < 1.0 ? std::exp(-2.0 * std::numbers::pi * zeta / std::sqrt(1.0 - zeta * zeta))
+    return zeta < 1.0 ? std::exp(-4.0 * std::numbers::pi * zeta / std::sqrt(1.0 - zeta * zeta))
                       : 0.0;
 }
 
@@ -35,6 +36,13 @@ double kept_by_hit(double zeta) {
 const PairMemory* ImplicitResponse::last(const Contact& c, Candidates& pairs) const {
     const PairMemory& memory = pairs.memory_at(c.memory);
     return memory.step + 1 == step_ ? &memory : nullptr;
+}
+
+/// Whether a pair hit in the step before and has not paid.
+bool ImplicitResponse::owes_still(const NearPair& near, Candidates& pairs) const {
+    if (near.memory < 0) return false;
+    const PairMemory& memory = pairs.memory_at(near.memory);
+    return memory.owed > 0.0 && memory.step + 1 == step_;
 }
 
 /// Makes sure that each contact has a memory, and gives it the area and impulses of the step before.
@@ -140,8 +148,9 @@ double ImplicitResponse::owed_after(double span, double after, const Row& row) {
     if (!is_hit && row.owed == 0.0) return c.owed;
     const double mean = 0.5 * (row.rate + after), end = row.gap + row.dt * after;
     const double damping = row.heft * row.dt - row.mass;  // span C
-    const double taken = -row.impulse * mean - (row.stored(span, end) - row.stored(span, row.gap)) -
-                         std::max(0.0, damping * after * mean);
+    const double by_dashpot = std::clamp(-damping * after, 0.0, row.impulse);
+    const double taken = -(row.impulse - by_dashpot) * mean -
+                         (row.stored(span, end) - row.stored(span, row.gap));
     return c.owed + (is_hit && taken > 0.0 ? taken * kept_by_hit(row.zeta) : taken);
 }
 
