@@ -25,7 +25,7 @@ struct PairMemory {
     double born = 0.0;      ///< when that was                                                 [s]
     double force = 0.0;     ///< normal, in its last step                                      [N]
     double area = 0.0;      ///< that it stood for then                                      [m^2]
-    double owed = 0.0;       ///< energy that it owes to the motion (implicit_response.hpp)      [J]
+    double owed = 0.0;      ///< energy that it owes to the motion (implicit_response.hpp)      [J]
     Vec3 friction = Vec3::Zero();  ///< then, on the first place                               [N]
     std::uint32_t step = 0;        ///< that last step's number
 

@@ -43,9 +43,9 @@ void ImplicitResponse::apply(double span, double dt, ContactList& contacts,
 }
 
 /// Makes contacts of pairs that are near and come within rest as their nodes move now; of pairs
-/// without exposure, which do not push, if they come nearer than a step may bring them; of pairs that
-/// a hit has left beyond rest. Seen along
-/// the line between their nearest places no node of the one is nearer to the other than `left`.
+/// without exposure, which do not push, if they come nearer than a step may bring them; of pairs
+/// that a hit has left beyond rest and that have not paid. Seen along the line between their nearest
+/// places no node of the one is nearer to the other than `left`.
 void ImplicitResponse::take_up(double dt, ContactList& contacts, const ColumnColouring& columns,
                                Candidates& pairs, const VelocityState& motion) {
     contacts.for_each_chunk([&](std::size_t chunk) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <span>
@@ -38,9 +39,9 @@ namespace corpuscle::contact {
 ///
 ///     taken = -J (r_0 + r)/2 - (U(gap + dt r) - U(gap)),
 ///
-/// r_0 the rate before the kick, J without the dashpot's part, times what a dashpot leaves. Once the
-/// pair closes no faster than at half the speed that this could give it, it gives at least the
-/// impulse that pays, J (r_0 + r)/2 = owed. Pairs whose rest gap grows owe nothing.
+/// r_0 the rate before the kick, J without the dashpot's part, times the share that a dashpot leaves.
+/// Once the pair closes no faster than at half the speed that this could give it, it gives at least
+/// the impulse that pays, J (r_0 + r)/2 = owed. Pairs whose rest gap grows owe nothing.
 ///
 /// As the impulse acts at the beginning of the step, this is half as lossy as taking all of it from
 /// the end [backward Euler]; growing areas and pairs that appear between cloth that is pressed
@@ -114,8 +115,8 @@ private:
             if (at >= rest) return 0.0;
             return 2.0 * push / span * (rest * std::log(rest / at) - (rest - at));
         }
-        /// Change of the impulse that brings the row to its law, or to what it owes; the rate after
-        /// it without that being as it is.
+        /// Change of the impulse that brings the row to its law, or beyond it to what it owes, the
+        /// rate being `after`.                                                              [N s]
         [[nodiscard]] double change(double after) const {
             const double by_law = change_by_law(after);
             if (owed == 0.0) return by_law;
@@ -123,6 +124,7 @@ private:
             return std::max(by_law,
                             mass * (std::sqrt(mean * mean + 2.0 * owed / mass) - mean) - impulse);
         }
+        /// That to its law alone.                                                          [N s]
         [[nodiscard]] double change_by_law(double after) const {
             if (impulse == 0.0 && gap + dt * after >= rest) return 0.0;
             if (push == 0.0) return std::max(mass * (floor() - gap) / dt - mass * after, -impulse);

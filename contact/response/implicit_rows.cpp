@@ -14,8 +14,9 @@ namespace {
 
 constexpr std::size_t NEW_ROWS_A_CHUNK = 64;   ///< rows
 constexpr std::size_t NEW_CONTACT_CHUNKS = 1;  ///< chunks of contacts at once
-/// A pair that closes in a step by more than this share of its rest gap hits: the step does not resolve
-/// its oscillation.
+
+/// A pair that closes in a step by more than this share of its rest gap hits: the step does not
+/// resolve its oscillation.
 constexpr double HIT = 0.25;
 
 /// A pair that closes faster than at this share of the speed that what it owes could give it does
@@ -149,8 +150,8 @@ double ImplicitResponse::owed_after(double span, double after, const Row& row) {
     const double mean = 0.5 * (row.rate + after), end = row.gap + row.dt * after;
     const double damping = row.heft * row.dt - row.mass;  // span C
     const double by_dashpot = std::clamp(-damping * after, 0.0, row.impulse);
-    const double taken = -(row.impulse - by_dashpot) * mean -
-                         (row.stored(span, end) - row.stored(span, row.gap));
+    const double taken =
+        -(row.impulse - by_dashpot) * mean - (row.stored(span, end) - row.stored(span, row.gap));
     return c.owed + (is_hit && taken > 0.0 ? taken * kept_by_hit(row.zeta) : taken);
 }
 

@@ -32,7 +32,7 @@ struct Contact {
     double exposure = 1.0;   ///< how far its places face each other                        [-]
     bool is_known = false;   ///< its area is that of the last step
     std::uint8_t sides = 0;  ///< bit i: it is above node i
-    double owed = 0.0;      ///< energy that it owes to the motion                        [J]
+    double owed = 0.0;       ///< energy that it owes to the motion                        [J]
     double force = 0.0;      ///< normal, >= 0                                              [N]
     double impulse = 0.0;    ///< likewise, of the step                                     [N s]
     Vec3 rubbed = Vec3::Zero();  ///< by friction, on the first place                          [N s]
