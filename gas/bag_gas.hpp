@@ -78,7 +78,7 @@ public:
     /// @throws PhysicsError  for fabric that goes many times the bag's size in the step
     void prepare(double dt, const Points& x_0, const Points& x_1);
     /// Particles trade momentum and energy within their groups, and heat with the initial air; not
-    /// in every step, but once a typical particle has crossed a sixth of a cell. After TSW nothing.
+    /// in every step, but once a typical particle has crossed an eighth of a cell. After TSW nothing.
     /// @throws PhysicsError  for a particle that is not finite
     void collide(double dt, const Points& x);
     /// Lets in what the inflators give from t to t + dt; after TSW it lets out as well.
@@ -96,8 +96,8 @@ public:
     /// Whether become_uniform() has taken place.
     [[nodiscard]] bool is_uniform() const { return uniform_ != nullptr; }
 
-    /// Step in which a typical particle crosses a sixth of a cell: longer ones blur waves. INF after
-    /// TSW.                                                                                  [s]
+    /// Step in which a typical particle crosses an eighth of a cell: longer ones blur waves. INF
+    /// after TSW.                                                                               [s]
     [[nodiscard]] double stable_step() const;
 
     /// The gas of all rooms together, nodes at x.

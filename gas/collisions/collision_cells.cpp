@@ -12,14 +12,14 @@ namespace corpuscle::gas {
 namespace {
 
 /// Particles in a cell of the full bag that the first cells are meant for.
-constexpr double FIRST_PARTICLES_PER_CELL = 40.0;
+constexpr double FIRST_PARTICLES_PER_CELL = 30.0;
 
 /// Particles wanted in an occupied cell. Fewer: noisy temperatures; more: blurred waves.
-constexpr double PARTICLES_PER_CELL = 40.0;
+constexpr double PARTICLES_PER_CELL = 30.0;
 
 /// Share of a cell that a particle of thermal speed crosses between collisions. More: blurred
 /// waves.
-constexpr double COLLISION_SHARE = 1.0 / 6.0;
+constexpr double COLLISION_SHARE = 1.0 / 8.0;
 
 /// Share of a cell that fabric may move before the lists of facets by cell are made anew.
 constexpr double SIDE_MARGIN = 0.15;

@@ -14,7 +14,7 @@
 namespace corpuscle::gas {
 
 /// How large the cells of a bag's collisions are, and how often particles collide in them: as often
-/// as one of thermal speed crosses a share of a cell, in cells that hold some 40 particles.
+/// as one of thermal speed crosses a share of a cell, in cells that hold some 30 particles.
 class CollisionCells {
 public:
     /// @param triangles  of the bag, the first `closing` ones close it

@@ -18,7 +18,7 @@ namespace {
 constexpr double ARRIVALS_KEPT = 50.0;
 
 /// Least steps of the same.
-constexpr double STEPS_KEPT = 4.0;
+constexpr double STEPS_KEPT = 6.0;
 
 /// A pressure above `p_out` whose excess is beyond chance: d (1 - (3 e / d)²) for d, none below
 /// 3 e.                                                                                   [Pa]

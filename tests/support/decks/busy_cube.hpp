@@ -10,14 +10,14 @@ namespace corpuscle::support {
 
 /// A cube of cloth with something of everything that a run keeps account of: initial air and gas
 /// of an inflator, a vent, friction in self-contact, a ball that is driven into it, a plate of steel
-/// that falls on it, damping and gravity. 1 ms in some 150 steps; a checkpoint every &DUMP steps, 20
+/// that falls on it, damping and gravity. 1 ms in some 300 steps; a checkpoint every &DUMP steps, 40
 /// of them by default; initial air and plate are off by the share &EPS, 0 by default. SI units.
 struct BusyCube {
     std::string more;  ///< further cards
 
     [[nodiscard]] std::string deck() const {
         const std::string folder = CORPUSCLE_DECKS "/";
-        return "*KEYWORD\n*TITLE\na busy cube\n*PARAMETER\nI DUMP, 20\nR EPS, 0.0\n"
+        return "*KEYWORD\n*TITLE\na busy cube\n*PARAMETER\nI DUMP, 40\nR EPS, 0.0\n"
                "*PARAMETER_EXPRESSION\nR TAIR    300.0*(1.0+EPS)\nR VZ      "
                "-15.0*(1.0+EPS)\n*INCLUDE\n" +
                folder + "cube.inc\n*INCLUDE\n" + folder + "cloth.inc\n" + CONTROL + GAS +

@@ -22,7 +22,7 @@ constexpr double P = 101325.0, T = 300.0;      ///< [Pa], [K]
 constexpr double AIR = 0.028, HELIUM = 0.004;  ///< [kg/mol]
 constexpr double CP = 2.5 * GAS_CONSTANT;      ///< of both                          [J/(mol K)]
 constexpr double L = 0.1;                      ///< [m]
-constexpr double A_CELL = 40.0, DEPTH = 4.0;   ///< particles of a cell; depth of the box in cells
+constexpr double A_CELL = 30.0, DEPTH = 4.0;   ///< particles of a cell; depth of the box in cells
 constexpr int QUADS = 2;                       ///< of the walls, by L
 constexpr int BY_CELL = 3;                     ///< orifices of a slot along a cell's edge
 constexpr int FIRST_ORIFICE = 100001;

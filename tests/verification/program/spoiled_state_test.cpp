@@ -15,6 +15,7 @@
 #include <cstring>
 #include <filesystem>
 #include <map>
+#include <optional>
 
 #include "io/deck.hpp"
 #include "io/results/checkpoint.hpp"
@@ -32,7 +33,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double BREAKS_AT = 0.6e-3, ENDS_AT = 0.57e-3;  ///< [s]
+constexpr double BREAKS_AT = 0.32e-3, ENDS_AT = 0.3e-3;  ///< [s]
 
 std::pair<int, std::string> run(const fs::path& deck, const fs::path& out,
                                 const std::string& options) {
@@ -80,6 +81,19 @@ std::size_t simulation_size(const fs::path& deck, const io::Checkpoint& checkpoi
     return writer.bytes().size();
 }
 
+/// State of a run that began a little otherwise, with as many of everything: which pairs are near
+/// may differ by then.
+std::optional<io::Checkpoint> twin_of(const io::Checkpoint& state, const fs::path& deck,
+                                      const fs::path& out) {
+    for (const double eps : {1e-15, -1e-15, 2e-15, -2e-15, 4e-15, -4e-15, 8e-15, -8e-15}) {
+        fs::remove_all(out);
+        if (run(deck, out, fmt::format("-D DUMP=75 -D EPS={}", eps)).first != 3) return {};
+        auto twin = io::read_checkpoint(out);
+        if (twin && twin->state.size() == state.state.size()) return twin;
+    }
+    return {};
+}
+
 /// Puts a number into the checkpoint of a folder.
 void spoil(const fs::path& folder, io::Checkpoint checkpoint, std::size_t at, double broken) {
     std::memcpy(checkpoint.state.data() + at, &broken, sizeof(double));
@@ -90,12 +104,11 @@ void spoil_many(std::size_t wanted) {
     const test::DeckFolder folder;
     const fs::path deck = folder.write("deck.k", broken_cube());
     const fs::path run_to = deck.parent_path() / "run", out = deck.parent_path() / "out";
-    REQUIRE(run(deck, out, "-D DUMP=75 -D EPS=1e-15").first == 3);
-    const auto other = io::read_checkpoint(out);
     REQUIRE(run(deck, run_to, "-D DUMP=75").first == 3);
     const auto state = io::read_checkpoint(run_to);
-    REQUIRE((state && other));
-    REQUIRE(state->state.size() == other->state.size());
+    REQUIRE(state);
+    const auto other = twin_of(*state, deck, out);
+    REQUIRE(other);
     REQUIRE(state->step == 75);
     REQUIRE(state->t < ENDS_AT);
     std::vector<std::size_t> places = numbers_in(state->state, other->state);

@@ -178,7 +178,7 @@ TEST_CASE("first hits of the gas on light cloth at rest stop no run", "[solver][
     const double density = GENERATE(70.0, 700.0);
     const auto particles = GENERATE(std::size_t{20}, std::size_t{500});
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
-        const Stop stop = stop_of(bag(density, particles), factor, 0.3e-3, seed);
+        const Stop stop = stop_of(bag(density, particles), factor, 0.25e-3, seed);
         CAPTURE(factor, density, particles, seed, stop.why);
         CHECK(stop.why.empty());
     }
