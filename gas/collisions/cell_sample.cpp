@@ -3,21 +3,19 @@
 #include "gas/collisions/cell_sample.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <numeric>
 #include <utility>
+
+#include "solver/base/simd.hpp"
 
 namespace corpuscle::gas {
 
 namespace {
 
-/// Four numbers at once, on every processor: sums are the same everywhere.
-using Four = double __attribute__((vector_size(32)));
+constexpr double PAIRED = -1.0;  ///< of no kind any more
 
 Four load(const std::vector<double>& from, std::size_t i) {
-    Four out;
-    std::memcpy(&out, from.data() + i, sizeof(out));
-    return out;
+    return load_four(from.data() + i);
 }
 
 double total(const Four& a) {
@@ -229,32 +227,36 @@ void CellSample::collide_unlike(Random& draw) {
     const auto n = static_cast<std::uint32_t>(n_);
     shuffled_.resize(n);
     std::iota(shuffled_.begin(), shuffled_.end(), 0);
-    is_paired_.assign(n_, 0);
+    unpaired_.assign(padded_, PAIRED);
+    std::copy(species_.begin(), species_.end(), unpaired_.begin());
     for (std::uint32_t i = 0; i < n; ++i) {
         std::swap(shuffled_[i], shuffled_[i + draw.below(n - i)]);
         const auto p = static_cast<std::size_t>(shuffled_[i]);
-        if (is_paired_[p] != 0) continue;
+        if (unpaired_[p] == PAIRED) continue;
         const std::size_t q = nearest_unlike(p);
         if (q == n_) continue;
-        is_paired_[p] = is_paired_[q] = 1;
+        unpaired_[p] = unpaired_[q] = PAIRED;
         collide_pair(p, q, draw);
     }
 }
 
-/// n_: all of other kinds are paired.
+/// Of unlike ones that are not paired, the first of the nearest; n_: there is none.
 std::size_t CellSample::nearest_unlike(std::size_t p) const {
-    std::size_t best = n_;
-    double least = INF;
-    const Vec3 at = dx[p];
-    const auto kind = species_[p];
-    for (std::size_t q = 0; q < n_; ++q) {
-        if (is_paired_[q] != 0 || species_[q] == kind) continue;
-        const double distance = (dx[q] - at).squaredNorm();
-        if (distance >= least) continue;
-        least = distance;
-        best = q;
+    const auto none = static_cast<double>(n_);
+    const Four x = all_four(dx.along[0][p]), y = all_four(dx.along[1][p]),
+               z = all_four(dx.along[2][p]), kind = all_four(unpaired_[p]);
+    Four least = all_four(INF), nearest = all_four(none), row = {0.0, 1.0, 2.0, 3.0};
+    for (std::size_t q = 0; q < padded_; q += FOUR, row += static_cast<double>(FOUR)) {
+        const Four along = load(dx.along[0], q) - x, across = load(dx.along[1], q) - y,
+                   up = load(dx.along[2], q) - z, other = load(unpaired_, q);
+        const Four distance = along * along + across * across + up * up;
+        const FourBits is_nearer = (other != PAIRED) & (other != kind) & (distance < least);
+        least = is_nearer ? distance : least;
+        nearest = is_nearer ? row : nearest;
     }
-    return best;
+    auto best = std::pair(INF, none);
+    for (int l = 0; l < FOUR; ++l) best = std::min(best, std::pair(least[l], nearest[l]));
+    return static_cast<std::size_t>(best.second);
 }
 
 void CellSample::collide_pair(std::size_t p, std::size_t q, Random& draw) {

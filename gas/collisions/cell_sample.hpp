@@ -108,7 +108,7 @@ private:
     bool is_mixed_ = false;
     EnergyPolynomial internal_at_;
     std::vector<Index> shuffled_;
-    std::vector<std::uint8_t> is_paired_;
+    std::vector<double> unpaired_;  ///< kind of those that have no partner yet
     struct Kind {
         double count = 0.0, internal = 0.0, least = INF;  ///< [-]; of e: sum, least [J]
         Deviation<double> deviation{};

@@ -77,6 +77,17 @@ void PointSmoother::spread(const WettedSurface& surface, std::vector<Brought>& f
     if (PASSES % 2 == 1) field.swap(next_);
 }
 
+double PointSmoother::unevenness(const WettedSurface& surface, std::size_t p,
+                                 std::span<const double> impulse) const {
+    const double own = impulse[p] * per_area_[p];
+    double sum = 0.0;
+    for (const auto& [q, edge] : surface.neighbours(p)) {
+        const double step = impulse[q] * per_area_[q] - own;
+        sum += link_[edge] * step * step;
+    }
+    return sum;
+}
+
 void PointSmoother::spread(const WettedSurface& surface, PlaceSpread& impulse) const {
     thread_local std::vector<double> kept;
     std::vector<double>& per_area = kept;  // before a pass

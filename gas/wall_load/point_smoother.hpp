@@ -75,6 +75,11 @@ public:
     /// shares from points that it begins with to those that get them.
     void spread(const WettedSurface& surface, PlaceSpread& impulse) const;
 
+    /// What a pass takes of the unevenness of a field of impulses: sum over neighbours q of
+    /// k (u_q - u_p)², u per area. After prepare().                                   [N^2 s^2/m^2]
+    [[nodiscard]] double unevenness(const WettedSurface& surface, std::size_t p,
+                                    std::span<const double> impulse) const;
+
 private:
     std::vector<double> share_;  ///< of each edge: 1 / (1 + n)
     std::vector<double> link_;   ///< k of each edge                                    [m^2]

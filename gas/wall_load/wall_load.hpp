@@ -81,7 +81,7 @@ struct WallRelease {
 ///
 /// - *Momentum.* What each room's wall is owed, linear and angular, is what hits brought less what
 ///   was given: exact. Where turning and spreading have moved what is kept away from that, a rigid
-///   field of force over the room's wetted wall makes it good within `time`.
+///   field of force, weighted by how uneven the load is, makes it good within `time`.
 /// - *Energy.* The work of F differs from what hits took. Each point keeps the difference in an
 ///   account; hits at the point pay it with the particle's internal energy. Other debts of the gas
 ///   to the wall or past it (heat, enthalpy of what left) go through the same account. A point
@@ -207,8 +207,9 @@ private:
     std::vector<std::uint8_t> takes_part_;  ///< in smoothing, this step
     double time_, extra_damping_;
 
-    Points area_;               ///< points × 3, at t                                     [m^2]
-    std::vector<double> size_;  ///< its norm                                             [m^2]
+    Points area_;                 ///< points × 3, at t                                     [m^2]
+    std::vector<double> size_;    ///< its norm                                             [m^2]
+    std::vector<double> uneven_;  ///< what smoothing still would move (PointSmoother::unevenness)
     std::vector<Brought> brought_;
     DeferredImpulse deferred_;
     WallRelease released_;

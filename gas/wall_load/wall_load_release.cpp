@@ -20,33 +20,44 @@ constexpr double ANSWER = 4.0;
 /// Share of a room's free wall that must be wet to bear the correction of momentum alone.
 constexpr double LEAST_WET = 0.25;
 
-/// What points can bear.
+/// Share of the correction of momentum that all of the wall bears, wherever smoothing moves load.
+constexpr double EVERYWHERE = 0.01;
+
+/// What points can bear, by their weights.
 struct Lever {
-    double area = 0.0;           ///< [m^2]
-    Vec3 first = Vec3::Zero();   ///< moment of the area, from an origin                    [m^3]
-    Mat3 second = Mat3::Zero();  ///< likewise                                              [m^4]
-    void add(double size, const Vec3& from_origin) {
-        area += size;
-        first += size * from_origin;
-        second += size * from_origin * from_origin.transpose();
+    double weight = 0.0;
+    Vec3 first = Vec3::Zero();   ///< moment of the weights, from an origin                   [m]
+    Mat3 second = Mat3::Zero();  ///< likewise                                              [m^2]
+    void add(double own, const Vec3& from_origin) {
+        weight += own;
+        first += own * from_origin;
+        second += own * from_origin * from_origin.transpose();
     }
     Lever& operator+=(const Lever& o) {
-        area += o.area;
+        weight += o.weight;
         first += o.first;
         second += o.second;
         return *this;
     }
+    Lever& operator*=(double factor) {
+        weight *= factor;
+        first *= factor;
+        second *= factor;
+        return *this;
+    }
 };
 
-/// Of a room's wall: what it was given and keeps, and the lever that its points have.
+/// Of a room's wall: what it was given and keeps, and the lever that its points have, by area and
+/// by unevenness.
 struct Sums {
     Wrench given, kept;
-    Lever wet, dry;
+    Lever wet, dry, uneven;
     Sums& operator+=(const Sums& o) {
         given += o.given;
         kept += o.kept;
         wet += o.wet;
         dry += o.dry;
+        uneven += o.uneven;
         return *this;
     }
 };
@@ -176,14 +187,16 @@ void WallLoad::release_jets(double share, double span, std::span<const Vec3> x) 
     }
 }
 
-/// What each room's free wall is owed, less what its points keep, is given over its wetted points
-/// as a rigid field,
+/// What each room's free wall is owed, less what its points keep, is given as a weighted rigid
+/// field,
 ///
-///     F_p = A_p (a + b × (x_p - c)),
+///     F_p = w_p (a + b × (x_p - c)),   w_p = sum over q of k (u_q - u_p)² + w A_p,   u = Q / A,
 ///
-/// c: their centre by area; a and b such that force and moment are right.
+/// c: their centre by weight; a and b such that force and moment are right. Smoothing moves load down
+/// its slope, and most of what is amiss comes of that: there it is made good.
 void WallLoad::balance_momentum(double share, double span, std::span<const Vec3> x) {
     const Vec3 origin = x[surface_->node(0)];
+    uneven_.resize(size_.size());
     for (std::size_t r = 0; r < owed_.size(); ++r) {
         const auto room = static_cast<Index>(r);
         const auto counts = [&](std::size_t p) {
@@ -197,37 +210,45 @@ void WallLoad::balance_momentum(double share, double span, std::span<const Vec3>
             own.kept.add(
                 at, (deferred_.normal[p] + deferred_.answered[p]) * normal(p) + deferred_.along[p]);
             (takes_part_[p] != 0 ? own.wet : own.dry).add(size_[p], at - origin);
+            uneven_[p] = smoother_.unevenness(*surface_, p, deferred_.normal);
+            own.uneven.add(uneven_[p], at - origin);
             return own;
         });
         Lever lever = sums.wet;
         lever += sums.dry;
         // A few wet points have no lever: then all of the wall bears it.
-        const bool is_spread = sums.wet.area > LEAST_WET * lever.area;
+        const bool is_spread = sums.wet.weight > LEAST_WET * lever.weight;
         if (is_spread) lever = sums.wet;
-        const auto bears = [&](std::size_t p) {
-            return counts(p) && size_[p] > 0.0 && (!is_spread || takes_part_[p] != 0);
+        const bool is_even = !(sums.uneven.weight > 0.0);
+        const double per_area = is_even ? 1.0 : EVERYWHERE * sums.uneven.weight / lever.weight;
+        const auto weight = [&](std::size_t p) {
+            if (!counts(p) || !(size_[p] > 0.0)) return 0.0;
+            return uneven_[p] + (!is_spread || takes_part_[p] != 0 ? per_area * size_[p] : 0.0);
         };
         Wrench& owed = owed_[r];
         owed -= sums.given;
-        if (!(lever.area > 0.0)) continue;
-        const Vec3 centre = lever.first / lever.area;  // from origin
-        const Mat3 second = lever.second - lever.area * centre * centre.transpose();
+        if (!(lever.weight > 0.0)) continue;
+        lever *= per_area;
+        lever += sums.uneven;
+        const Vec3 centre = lever.first / lever.weight;  // from origin
+        const Mat3 second = lever.second - lever.weight * centre * centre.transpose();
         const Mat3 inertia = second.trace() * Mat3::Identity() - second;
         Wrench rest = owed;
         rest -= sums.kept;
-        const Vec3 a = share * rest.linear / lever.area;
+        const Vec3 a = share * rest.linear / lever.weight;
         const Vec3 moment = share * (rest.angular - (origin + centre).cross(rest.linear));
         constexpr double FLAT = 1e-3;  // of its size³: points on a line have no moment about it
         const double size = inertia.trace();
         const bool turns = inertia.determinant() > FLAT * size * size * size;
         const Vec3 b = turns ? Vec3(inertia.inverse() * moment) : Vec3(Vec3::Zero());
         parallel::for_each(size_.size(), [&](std::size_t p) {
-            if (!bears(p)) return;
+            const double own = weight(p);
+            if (own == 0.0) return;
             const Vec3 d = x[surface_->node(p)] - origin - centre;
-            released_.force[p] += size_[p] / span * (a + b.cross(d));
+            released_.force[p] += own / span * (a + b.cross(d));
         });
         Wrench corrected;
-        corrected.linear = lever.area * a;
+        corrected.linear = lever.weight * a;
         corrected.angular = (origin + centre).cross(corrected.linear) + inertia * b;
         owed -= corrected;
     }
