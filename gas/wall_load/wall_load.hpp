@@ -52,6 +52,7 @@ struct WallRelease {
     Points force;                  ///< points × 3                                  [N]
     Points on_node;                ///< N × 3                                       [N]
     std::vector<double> pressure;  ///< by point                                    [Pa]
+    std::vector<double> uneven;    ///< by point: of what is kept (PointSmoother::unevenness)
     std::vector<double> swept;     ///< by its room's wall, as it was booked        [m^3/s]
     Wrench wrench;
     double share =
@@ -207,9 +208,8 @@ private:
     std::vector<std::uint8_t> takes_part_;  ///< in smoothing, this step
     double time_, extra_damping_;
 
-    Points area_;                 ///< points × 3, at t                                     [m^2]
-    std::vector<double> size_;    ///< its norm                                             [m^2]
-    std::vector<double> uneven_;  ///< what smoothing still would move (PointSmoother::unevenness)
+    Points area_;               ///< points × 3, at t                                     [m^2]
+    std::vector<double> size_;  ///< its norm                                             [m^2]
     std::vector<Brought> brought_;
     DeferredImpulse deferred_;
     WallRelease released_;

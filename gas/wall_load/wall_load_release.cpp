@@ -196,7 +196,8 @@ void WallLoad::release_jets(double share, double span, std::span<const Vec3> x) 
 /// its slope, and most of what is amiss comes of that: there it is made good.
 void WallLoad::balance_momentum(double share, double span, std::span<const Vec3> x) {
     const Vec3 origin = x[surface_->node(0)];
-    uneven_.resize(size_.size());
+    std::vector<double>& uneven = released_.uneven;
+    uneven.resize(size_.size());
     for (std::size_t r = 0; r < owed_.size(); ++r) {
         const auto room = static_cast<Index>(r);
         const auto counts = [&](std::size_t p) {
@@ -210,8 +211,8 @@ void WallLoad::balance_momentum(double share, double span, std::span<const Vec3>
             own.kept.add(
                 at, (deferred_.normal[p] + deferred_.answered[p]) * normal(p) + deferred_.along[p]);
             (takes_part_[p] != 0 ? own.wet : own.dry).add(size_[p], at - origin);
-            uneven_[p] = smoother_.unevenness(*surface_, p, deferred_.normal);
-            own.uneven.add(uneven_[p], at - origin);
+            uneven[p] = smoother_.unevenness(*surface_, p, deferred_.normal);
+            own.uneven.add(uneven[p], at - origin);
             return own;
         });
         Lever lever = sums.wet;
@@ -223,7 +224,7 @@ void WallLoad::balance_momentum(double share, double span, std::span<const Vec3>
         const double per_area = is_even ? 1.0 : EVERYWHERE * sums.uneven.weight / lever.weight;
         const auto weight = [&](std::size_t p) {
             if (!counts(p) || !(size_[p] > 0.0)) return 0.0;
-            return uneven_[p] + (!is_spread || takes_part_[p] != 0 ? per_area * size_[p] : 0.0);
+            return uneven[p] + (!is_spread || takes_part_[p] != 0 ? per_area * size_[p] : 0.0);
         };
         Wrench& owed = owed_[r];
         owed -= sums.given;
@@ -239,7 +240,7 @@ void WallLoad::balance_momentum(double share, double span, std::span<const Vec3>
         const Vec3 moment = share * (rest.angular - (origin + centre).cross(rest.linear));
         constexpr double FLAT = 1e-3;  // of its size³: points on a line have no moment about it
         const double size = inertia.trace();
-        const bool turns = inertia.determinant() > FLAT * size * size * size;
+        const bool turns = size > 0.0 && Mat3(inertia / size).determinant() > FLAT;
         const Vec3 b = turns ? Vec3(inertia.inverse() * moment) : Vec3(Vec3::Zero());
         parallel::for_each(size_.size(), [&](std::size_t p) {
             const double own = weight(p);
