@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gas/wall_load/rigid_field.hpp"
 #include "gas/wall_load/wall_load.hpp"
 #include "solver/base/parallel.hpp"
 
@@ -23,41 +24,22 @@ constexpr double LEAST_WET = 0.25;
 /// Share of the correction of momentum that all of the wall bears, wherever smoothing moves load.
 constexpr double EVERYWHERE = 0.01;
 
-/// What points can bear, by their weights.
-struct Lever {
-    double weight = 0.0;
-    Vec3 first = Vec3::Zero();   ///< moment of the weights, from an origin                   [m]
-    Mat3 second = Mat3::Zero();  ///< likewise                                              [m^2]
-    void add(double own, const Vec3& from_origin) {
-        weight += own;
-        first += own * from_origin;
-        second += own * from_origin * from_origin.transpose();
-    }
-    Lever& operator+=(const Lever& o) {
-        weight += o.weight;
-        first += o.first;
-        second += o.second;
-        return *this;
-    }
-    Lever& operator*=(double factor) {
-        weight *= factor;
-        first *= factor;
-        second *= factor;
-        return *this;
-    }
-};
+/// Unevenness, of the load's square and by itself [N^2 s^2/m^2], below which it is rounding.
+constexpr double EVEN = 1e-12, NOTHING = 1e-250;
 
 /// Of a room's wall: what it was given and keeps, and the lever that its points have, by area and
 /// by unevenness.
 struct Sums {
     Wrench given, kept;
     Lever wet, dry, uneven;
+    double square = 0.0;  ///< of what is kept, per area                        [N^2 s^2/m^2]
     Sums& operator+=(const Sums& o) {
         given += o.given;
         kept += o.kept;
         wet += o.wet;
         dry += o.dry;
         uneven += o.uneven;
+        square += o.square;
         return *this;
     }
 };
@@ -213,6 +195,7 @@ void WallLoad::balance_momentum(double share, double span, std::span<const Vec3>
             (takes_part_[p] != 0 ? own.wet : own.dry).add(size_[p], at - origin);
             uneven[p] = smoother_.unevenness(*surface_, p, deferred_.normal);
             own.uneven.add(uneven[p], at - origin);
+            if (size_[p] > 0.0) own.square = deferred_.normal[p] * deferred_.normal[p] / size_[p];
             return own;
         });
         Lever lever = sums.wet;
@@ -220,38 +203,27 @@ void WallLoad::balance_momentum(double share, double span, std::span<const Vec3>
         // A few wet points have no lever: then all of the wall bears it.
         const bool is_spread = sums.wet.weight > LEAST_WET * lever.weight;
         if (is_spread) lever = sums.wet;
-        const bool is_even = !(sums.uneven.weight > 0.0);
+        const bool is_even = !(sums.uneven.weight > EVEN * sums.square + NOTHING);
         const double per_area = is_even ? 1.0 : EVERYWHERE * sums.uneven.weight / lever.weight;
         const auto weight = [&](std::size_t p) {
             if (!counts(p) || !(size_[p] > 0.0)) return 0.0;
-            return uneven[p] + (!is_spread || takes_part_[p] != 0 ? per_area * size_[p] : 0.0);
+            return (is_even ? 0.0 : uneven[p]) +
+                   (!is_spread || takes_part_[p] != 0 ? per_area * size_[p] : 0.0);
         };
         Wrench& owed = owed_[r];
         owed -= sums.given;
         if (!(lever.weight > 0.0)) continue;
         lever *= per_area;
-        lever += sums.uneven;
-        const Vec3 centre = lever.first / lever.weight;  // from origin
-        const Mat3 second = lever.second - lever.weight * centre * centre.transpose();
-        const Mat3 inertia = second.trace() * Mat3::Identity() - second;
+        if (!is_even) lever += sums.uneven;
         Wrench rest = owed;
         rest -= sums.kept;
-        const Vec3 a = share * rest.linear / lever.weight;
-        const Vec3 moment = share * (rest.angular - (origin + centre).cross(rest.linear));
-        constexpr double FLAT = 1e-3;  // of its size³: points on a line have no moment about it
-        const double size = inertia.trace();
-        const bool turns = size > 0.0 && Mat3(inertia / size).determinant() > FLAT;
-        const Vec3 b = turns ? Vec3(inertia.inverse() * moment) : Vec3(Vec3::Zero());
+        rest *= share;
+        const RigidField field(lever, origin, rest);
         parallel::for_each(size_.size(), [&](std::size_t p) {
             const double own = weight(p);
-            if (own == 0.0) return;
-            const Vec3 d = x[surface_->node(p)] - origin - centre;
-            released_.force[p] += own / span * (a + b.cross(d));
+            if (own != 0.0) released_.force[p] += own / span * field.at(x[surface_->node(p)]);
         });
-        Wrench corrected;
-        corrected.linear = lever.weight * a;
-        corrected.angular = (origin + centre).cross(corrected.linear) + inertia * b;
-        owed -= corrected;
+        owed -= field.whole();
     }
 }
 

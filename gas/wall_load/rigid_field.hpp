@@ -1,0 +1,67 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/LU>
+
+#include "gas/wall_load/wrench.hpp"
+#include "solver/base/vec.hpp"
+
+namespace corpuscle::gas {
+
+/// What points can bear, by their weights.
+struct Lever {
+    double weight = 0.0;
+    Vec3 first = Vec3::Zero();   ///< moment of the weights, from an origin                   [m]
+    Mat3 second = Mat3::Zero();  ///< likewise                                              [m^2]
+    void add(double own, const Vec3& from_origin) {
+        weight += own;
+        first += own * from_origin;
+        second += own * from_origin * from_origin.transpose();
+    }
+    Lever& operator+=(const Lever& o) {
+        weight += o.weight;
+        first += o.first;
+        second += o.second;
+        return *this;
+    }
+    Lever& operator*=(double factor) {
+        weight *= factor;
+        first *= factor;
+        second *= factor;
+        return *this;
+    }
+};
+
+/// a + b × (x - c) by weight, c their centre; a and b such that force and moment are right.
+class RigidField {
+public:
+    RigidField(const Lever& lever, const Vec3& origin, const Wrench& wanted)
+        : weight_(lever.weight) {
+        constexpr double FLAT = 1e-3;  // of its size³: points on a line have no moment about it
+        const Vec3 from_origin = lever.first / lever.weight;
+        centre_ = origin + from_origin;
+        const Mat3 second = lever.second - lever.weight * from_origin * from_origin.transpose();
+        inertia_ = second.trace() * Mat3::Identity() - second;
+        const double size = inertia_.trace();
+        const Mat3 shape = inertia_ / size;
+        a_ = wanted.linear / lever.weight;
+        if (size > 0.0 && shape.determinant() > FLAT)
+            b_ = shape.inverse() * (wanted.angular - centre_.cross(wanted.linear)) / size;
+    }
+    /// By weight.
+    [[nodiscard]] Vec3 at(const Vec3& x) const { return a_ + b_.cross(x - centre_); }
+    [[nodiscard]] Wrench whole() const {
+        Wrench sum;
+        sum.linear = weight_ * a_;
+        sum.angular = centre_.cross(sum.linear) + inertia_ * b_;
+        return sum;
+    }
+
+private:
+    double weight_;
+    Vec3 centre_, a_, b_ = Vec3::Zero();
+    Mat3 inertia_;
+};
+
+}  // namespace corpuscle::gas
