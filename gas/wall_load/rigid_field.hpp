@@ -33,9 +33,16 @@ struct Lever {
     }
 };
 
-/// a + b × (x - c) by weight, c their centre; a and b such that force and moment are right.
+/// Impulses w_p (a + b × (x_p - c)) of points of weights w_p, c their centre: the least ones, by
+/// sum |.|² / w_p, whose sum and moment about the origin are what is wanted,
+///
+///     a = J / sum w,   b = I^-1 (L - c × J),   I = sum w (|d|² 1 - d dᵀ),   d = x - c.
+///
+/// Points on a line have no moment about it: then b = 0, and what is missing is not in whole().
 class RigidField {
 public:
+    /// @param origin  that the lever's moments are taken from                              [m]
+    /// @param wanted  J [N s] and L [N m s]
     RigidField(const Lever& lever, const Vec3& origin, const Wrench& wanted)
         : weight_(lever.weight) {
         constexpr double FLAT = 1e-3;  // of its size³: points on a line have no moment about it
@@ -49,8 +56,9 @@ public:
         if (size > 0.0 && shape.determinant() > FLAT)
             b_ = shape.inverse() * (wanted.angular - centre_.cross(wanted.linear)) / size;
     }
-    /// By weight.
+    /// Impulse by weight of a point at x.
     [[nodiscard]] Vec3 at(const Vec3& x) const { return a_ + b_.cross(x - centre_); }
+    /// What all points get together.
     [[nodiscard]] Wrench whole() const {
         Wrench sum;
         sum.linear = weight_ * a_;
