@@ -254,8 +254,11 @@ std::size_t CellSample::nearest_unlike(std::size_t p) const {
         least = is_nearer ? distance : least;
         nearest = is_nearer ? row : nearest;
     }
-    auto best = std::pair(INF, none);
-    for (int l = 0; l < FOUR; ++l) best = std::min(best, std::pair(least[l], nearest[l]));
+    std::pair best{INF, none};
+    for (int l = 0; l < FOUR; ++l) {
+        const double distance = least[l], q = nearest[l];
+        best = std::min(best, std::pair{distance, q});
+    }
     return static_cast<std::size_t>(best.second);
 }
 
