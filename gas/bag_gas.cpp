@@ -297,4 +297,8 @@ Wrench BagGas::owed(double done) const {
     return bag_->load.owed(done);
 }
 
+double BagGas::load_delay() const {
+    return bag_->load.time();
+}
+
 }  // namespace corpuscle::gas

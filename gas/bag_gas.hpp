@@ -167,6 +167,7 @@ public:
     /// What the gas has given up at walls and the fabric has not yet got, when it has got `done` of
     /// the last load.
     [[nodiscard]] Wrench owed(double done = 1.0) const;
+    [[nodiscard]] double load_delay() const;  ///< of particles' impulse (LoadTimes)           [s]
     /// Mass that inflators bring until `end_time` [s], over all they bring; 1 without any.    [-]
     [[nodiscard]] double expected_share_in(double end_time) const;
 

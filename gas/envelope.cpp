@@ -11,9 +11,6 @@
 namespace corpuscle::gas {
 namespace {
 
-/// Impulse is released over this time at SFFDC = 1. Shorter: prompter and noisier. [s]
-constexpr double RELEASE_TIME = 50e-6;
-
 /// Longest time over which the state of the gas at an opening is averaged.           [s]
 constexpr double LONGEST_MEMORY = 200e-6;
 
@@ -102,7 +99,9 @@ Envelope::Envelope(const BagCard& bag, BagWalls bag_walls, std::span<const Curve
       particle_mass(particle_masses(inflators)),
       surface(std::make_shared<WettedSurface>(turned(enclosure, walls), walls.closing, x)),
       orifices(card.orifices, surface->triangles(), walls.triangles, walls.shell, card.frame, x),
-      load(surface, held, jet_nodes(orifices), RELEASE_TIME * card.second * card.smoothing,
+      load(surface, held, jet_nodes(orifices),
+           LoadTimes::of(LoadTimes::LONGEST * card.second * card.smoothing, surface->points(),
+                         std::max<std::size_t>(1, inflators.particles() + inflators.resident())),
            card.normal_damping),
       samples(card.vents.empty() && walls.leaks.empty() && card.heat.empty()
                   ? WallSamples()

@@ -63,6 +63,9 @@ void print_bag(const gas::BagGas& bag, const Points& x, const Everyday& unit) {
     fmt::print("    gas {} in of {} inside, {} particles, {} wall hits, {} facet list builds\n",
                unit.mass(gas.mass_in), unit.mass(gas.mass), bag.particles().size(), bag.hits(),
                bag.list_builds());
+    if (bag.hits() > 0)
+        fmt::print("    what particles push reaches the fabric {} late\n",
+                   unit.time(bag.load_delay()));
     if (!bag.openings().empty())
         fmt::print("    out through vents {}, through fabric {}, {} particles\n",
                    unit.mass(gas.mass_out_vent), unit.mass(gas.mass_out_fabric),

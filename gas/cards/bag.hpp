@@ -104,7 +104,7 @@ struct BagCard : AmbientCard {
     BlockCard block;                          ///< BLOCK: what touching closes
     std::vector<FrictionCard> friction;       ///< FRIC and PFRIC that are not 0
     bool friction_pushes_along = true;  ///< IDFRIC = 0: fabric feels what bounces take; else not
-    double normal_damping = 0.0;  ///< VNDAMP: adds to damping of flutter, in rho sqrt(R T / M)  [-]
+    double normal_damping = 0.0;  ///< VNDAMP: adds to the gas's answer, in rho sqrt(R T / M) [-]
     double smoothing = 1.0;       ///< SFFDC, scales the time over which impulse is released [-]
 
     /// For messages: "*AIRBAG_PARTICLE 1".

@@ -64,11 +64,9 @@ void PointSmoother::spread(const WettedSurface& surface, std::vector<Brought>& f
                 for (const auto& [q, edge] : surface.neighbours(p)) {
                     gain.push += link_[edge] * (from[q].push - own.push);
                     gain.mass += link_[edge] * (from[q].mass - own.mass);
-                    gain.speed += link_[edge] * (from[q].speed - own.speed);
                     gain.beside += link_[edge] * (from[q].beside - own.beside);
                 }
                 to[p] = {own.push + per_area_[p] * gain.push, own.mass + per_area_[p] * gain.mass,
-                         own.speed + per_area_[p] * gain.speed,
                          own.beside + per_area_[p] * gain.beside};
             },
             cut);

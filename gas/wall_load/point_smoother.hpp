@@ -16,7 +16,6 @@ namespace corpuscle::gas {
 struct Brought {
     double push = 0.0;           ///< normal impulse of hits                         [N s/m^2]
     double mass = 0.0;           ///< of the particles that hit                      [kg/m^2]
-    double speed = 0.0;          ///< of the point along its normal                  [m/s]
     Vec3 beside = Vec3::Zero();  ///< impulse of hits that is not along the normal   [N s/m^2]
 };
 

@@ -49,11 +49,11 @@ std::vector<std::uint8_t> held_at(const WettedSurface& surface,
 }  // namespace
 
 WallLoad::WallLoad(std::shared_ptr<const WettedSurface> surface, std::span<const std::uint8_t> held,
-                   std::span<const Index> jet_nodes, double time, double extra_damping)
+                   std::span<const Index> jet_nodes, LoadTimes times, double extra_damping)
     : surface_(std::move(surface)),
       smoother_(*surface_),
       recoil_(held_at(*surface_, held)),
-      time_(time),
+      times_(times),
       extra_damping_(extra_damping),
       by_node_(*surface_, jet_nodes, held.size()),
       hits_(*surface_) {
@@ -228,9 +228,9 @@ void WallLoad::begin_with(double pressure, double mass_flux, std::span<const Vec
     released_.share = WallRelease::BEGINS;
     for (std::size_t p = 0; p < size_.size(); ++p) {
         deferred_.age[p] = 0.0;
-        deferred_.mass[p] = mass_flux * size_[p] * time_;
+        deferred_.mass[p] = mass_flux * size_[p] * times_.memory;
         if (held_[p] != 0) continue;
-        deferred_.normal[p] = pressure * size_[p] * time_;
+        deferred_.normal[p] = pressure * size_[p] * times_.release;
         owed_[surface_->room_of_point(p)].add(x[surface_->node(p)],
                                               deferred_.normal[p] * normal(p));
     }
@@ -252,7 +252,7 @@ void WallLoad::end_of_hits(std::span<const double> pressure, std::span<const Vec
     measure(x);
     since_hits_ = 0.0;
     // what steady hits leave to be owed, once a step's share is given
-    const double time = time_ * (1.0 - std::max(0.0, std::exchange(released_.share, 0.0)));
+    const double time = times_.release * (1.0 - std::max(0.0, std::exchange(released_.share, 0.0)));
     for (std::size_t p = 0; p < size_.size(); ++p) {
         deferred_.mass[p] = 0.0;
         deferred_.age[p] = 0.0;  // all that is owed goes to all of the wall

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -18,6 +19,26 @@
 #include "solver/base/tasks.hpp"
 
 namespace corpuscle::gas {
+
+/// Times of a bag's load.                                                           [s]
+struct LoadTimes {
+    double release;  ///< of the exponential release: the load's delay
+    double memory;   ///< of what hits a point: D, and whether gas is there
+
+    static constexpr double LONGEST = 50e-6;  ///< at SFFDC = 1
+
+    /// Delay of a bag of so many particles and wall points: noise brings each point a share of a
+    /// particle's energy that falls with the delay, so the more particles, the shorter it may be.
+    ///
+    ///     release = longest · min(1, max(0.1, 3 points / particles))
+    ///
+    /// @param longest  LONGEST · SFFDC                                                        [s]
+    static LoadTimes of(double longest, std::size_t points, std::size_t particles) {
+        constexpr double POINTS = 3.0, LEAST = 0.1;
+        const double noise = POINTS * static_cast<double>(points) / static_cast<double>(particles);
+        return {longest * std::clamp(noise, LEAST, 1.0), longest};
+    }
+};
 
 /// Impulse that wall points are owed.                                           by point
 struct DeferredImpulse {
@@ -75,10 +96,10 @@ struct WallRelease {
 ///     dV_p/dt = S(J - (J·n) n)_p - V_p / time
 ///
 /// Q: deferred normal impulse, kept along the normal n, so that it turns with the cloth; V: what of
-/// an impulse J is not along n. A point that moves at w along n against its neighbours is hit with
-/// D w A less (D = 4 times the mass that hits it per area and time, whatever the gas's distribution
-/// of velocities). Smoothing would leave out this answer of the gas to flutter, so it is given at
-/// once, and what is smoothed are the hits on a wall that does not flutter, J·n + D w A.
+/// an impulse J is not along n. A point that moves at w along n is hit with D w A less (D = 4 times
+/// the mass that hits it per area and time, whatever the gas's distribution of velocities).
+/// Smoothing would bring this answer of the gas late, so it is given at once, and what is smoothed
+/// are the hits on a wall at rest, J·n + D w A.
 ///
 /// - *Momentum.* What each room's wall is owed, linear and angular, is what hits brought less what
 ///   was given: exact. Where turning and spreading have moved what is kept away from that, a rigid
@@ -93,10 +114,9 @@ struct WallRelease {
 class WallLoad {
 public:
     /// @param held  N: 1 for nodes that supports, motions or rigid bodies carry
-    /// @param time  constant of the exponential release                                  [s]
     /// @param extra_damping  VNDAMP: adds so many rho sqrt(R T / M) to D                  [-]
     WallLoad(std::shared_ptr<const WettedSurface> surface, std::span<const std::uint8_t> held,
-             std::span<const Index> jet_nodes, double time, double extra_damping);
+             std::span<const Index> jet_nodes, LoadTimes times, double extra_damping);
 
     /// Tells on which sides of the wall a flight's hits were.
     void find_sides(FlightResult& flight, std::span<const Vec3> x_0, std::span<const Vec3> x_1) {
@@ -144,14 +164,14 @@ public:
     [[nodiscard]] double pressure(std::size_t point) const { return released_.pressure[point]; }
     /// Mean over the points of a node's rooms: the pressure on its inside.                  [Pa]
     [[nodiscard]] double pressure_at_node(Index node) const;
-    /// Has gas been at the point within the last few `time`?
+    /// Has gas been at the point within a few times of memory?
     [[nodiscard]] bool is_wet(std::size_t point) const {
-        return deferred_.age[point] < DRY_AFTER * time_;
+        return deferred_.age[point] < DRY_AFTER * times_.memory;
     }
 
     /// What the wall was owed when `done` of the last release had been given.
     [[nodiscard]] Wrench owed(double done = 1.0) const;
-    [[nodiscard]] double time() const { return time_; }
+    [[nodiscard]] double time() const { return times_.release; }
     [[nodiscard]] const WettedSurface& surface() const { return *surface_; }
     [[nodiscard]] std::span<const Vec3> area() const { return area_; }  ///< points × 3 [m^2]
     /// What a pressure in each room pushes the wall's nodes with: f is that, and sum += f.
@@ -167,13 +187,13 @@ public:
     }
 
 private:
-    /// Times of release after the last hit from which a point counts as one that gas has not reached.
+    /// Times of memory after the last hit from which a point counts as one that gas has not reached.
     static constexpr double DRY_AFTER = 4.0;
     /// Times of release after the last hit from which nothing is released: exp(-40) is less than the
     /// rounding of what it was.
     static constexpr double AT_REST_AFTER = 40.0;
     [[nodiscard]] bool hits_are_over() const { return since_hits_ >= 0.0; }
-    [[nodiscard]] bool is_at_rest() const { return since_hits_ > AT_REST_AFTER * time_; }
+    [[nodiscard]] bool is_at_rest() const { return since_hits_ > AT_REST_AFTER * times_.release; }
 
     /// What hits of one patch bring to its room.
     struct alignas(64) Tally {
@@ -186,8 +206,7 @@ private:
     void settle(const WallHits::Met& met, double m, double due, Particles& particles, Tally& tally);
     void add(const Tally& tally, Index room);
     void measure(std::span<const Vec3> x);
-    void find_brought(double span, std::span<const Vec3> x, std::span<const Vec3> v,
-                      std::span<const double> mass);
+    void find_brought(double span, std::span<const Vec3> x, std::span<const double> mass);
     void release_points(double share, double span, std::span<const Vec3> v,
                         std::span<const double> mass);
     void release_jets(double share, double span, std::span<const Vec3> x);
@@ -206,7 +225,8 @@ private:
     Recoil recoil_;
     std::vector<std::uint8_t> held_;        ///< by point
     std::vector<std::uint8_t> takes_part_;  ///< in smoothing, this step
-    double time_, extra_damping_;
+    LoadTimes times_;
+    double extra_damping_;
 
     Points area_;               ///< points × 3, at t                                     [m^2]
     std::vector<double> size_;  ///< its norm                                             [m^2]

@@ -54,7 +54,7 @@ void WallLoad::release(double span, std::span<const Vec3> x, std::span<const Vec
     released_.wrench = owed();
     // F = Q / time, with what has come in this step: late by `time` on average in steps of any
     // length up to that.
-    const double share = std::min(1.0, span / time_);
+    const double share = std::min(1.0, span / times_.release);
     if (!is_at_rest()) release_hits(share, span, x, v, mass, f);
     release_jets(share, span, x);
     held_owed_ = {};
@@ -73,7 +73,7 @@ void WallLoad::release(double span, std::span<const Vec3> x, std::span<const Vec
 void WallLoad::release_hits(double share, double span, std::span<const Vec3> x,
                             std::span<const Vec3> v, std::span<const double> mass,
                             std::span<Vec3> f) {
-    find_brought(span, x, v, mass);
+    find_brought(span, x, mass);
     smoother_.prepare(*surface_, area_, size_, takes_part_);
     smoother_.spread(*surface_, brought_);
     release_points(share, span, v, mass);
@@ -96,8 +96,7 @@ void WallLoad::come_to_rest() {
 }
 
 /// Areas of points, and what hits have brought each.
-void WallLoad::find_brought(double span, std::span<const Vec3> x, std::span<const Vec3> v,
-                            std::span<const double> mass) {
+void WallLoad::find_brought(double span, std::span<const Vec3> x, std::span<const double> mass) {
     thread_local Points kept;  // no memory is asked for in each step
     Points& of_facet = kept;
     of_facet.resize(surface_->triangles().size());
@@ -113,8 +112,7 @@ void WallLoad::find_brought(double span, std::span<const Vec3> x, std::span<cons
         const double own = arrived_[p].dot(normal(p)), along = own + deferred_.answered[p];
         const Vec3 beside = arrived_[p] - own * normal(p);
         const double per_area = takes_part_[p] != 0 ? 1.0 / size_[p] : 0.0;
-        brought_[p] = {along * per_area, arrived_mass_[p] * per_area,
-                       v[surface_->node(p)].dot(normal(p)), beside * per_area};
+        brought_[p] = {along * per_area, arrived_mass_[p] * per_area, beside * per_area};
         if (held_[p] != 0 || takes_part_[p] != 0) return;
         deferred_.normal[p] += along;
         deferred_.along[p] += beside;
@@ -124,10 +122,11 @@ void WallLoad::find_brought(double span, std::span<const Vec3> x, std::span<cons
                       parallel::each(size_.size(), bring));
 }
 
-/// Force of each point: what is kept is released, and the gas answers to flutter at once.
+/// Force of each point: what is kept is released, and the gas answers to its motion at once.
 void WallLoad::release_points(double share, double span, std::span<const Vec3> v,
                               std::span<const double> mass) {
-    const double answer = ANSWER + extra_damping_ * std::sqrt(2.0 * std::numbers::pi);
+    const double answer = ANSWER + extra_damping_ * std::sqrt(2.0 * std::numbers::pi),
+                 forgotten = std::min(1.0, span / times_.memory);
     parallel::for_each(size_.size(), [&](std::size_t p) {
         const Vec3 n = normal(p);
         if (held_[p] != 0) {
@@ -140,10 +139,9 @@ void WallLoad::release_points(double share, double span, std::span<const Vec3> v
                 deferred_.mass[p] += size_[p] * brought_[p].mass;
             }
             // D A, implicit in the motion that it damps: stable in any step.
-            const double damper = answer * share * deferred_.mass[p] / span;
+            const double damper = answer * forgotten * deferred_.mass[p] / span;
             const Index node = surface_->node(p);
-            const double flutter = v[node].dot(n) - brought_[p].speed;
-            const double damped = damper / (1.0 + damper * span / mass[node]) * flutter;
+            const double damped = damper / (1.0 + damper * span / mass[node]) * v[node].dot(n);
             deferred_.answered[p] = span * damped;
             const double given = share * deferred_.normal[p];
             const Vec3 beside = share * deferred_.along[p];
@@ -151,7 +149,7 @@ void WallLoad::release_points(double share, double span, std::span<const Vec3> v
             deferred_.along[p] -= beside;
             released_.force[p] = (given / span - damped) * n + beside / span;
         }
-        deferred_.mass[p] -= share * deferred_.mass[p];
+        deferred_.mass[p] -= forgotten * deferred_.mass[p];
         released_.pressure[p] = size_[p] > 0.0 ? released_.force[p].dot(n) / size_[p] : 0.0;
         arrived_[p].setZero();
         arrived_mass_[p] = 0.0;

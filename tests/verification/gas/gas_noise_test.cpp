@@ -134,7 +134,7 @@ private:
         std::make_shared<WettedSurface>(bag_.triangles(), bag_.triangles().size(), shape_.x),
         held_,
         {},
-        SMOOTHING,
+        {SMOOTHING, SMOOTHING},
         0.0};
     Points owed_ = Points(shape_.x.size(), Vec3::Zero()), still_ = owed_;
     std::vector<double> heavy_ = std::vector<double>(shape_.x.size(), 1e9);

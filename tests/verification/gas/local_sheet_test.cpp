@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <catch2/catch.hpp>
 
+#include "io/deck.hpp"
+#include "solver/simulation.hpp"
 #include "tests/support/case_report.hpp"
 #include "tests/support/decks/heavy_sheet.hpp"
 #include "tests/support/decks/shock_tube_deck.hpp"
@@ -72,12 +74,10 @@ TEST_CASE("a sheet is not pushed beyond a membrane", "[sheet][membrane]") {
 
 namespace {
 
-constexpr double DELAY = 5e-5;  ///< of the load: its smoothing                                [s]
-
 /// Impulses by x since the opening of the valve, means over seeds.                       [Pa s]
 struct Pushes {
     std::map<double, double> sheet;  ///< that the sheet has got
-    std::map<double, double> gas;    ///< of the run's own gas DELAY before, right of the membrane
+    std::map<double, double> gas;    ///< of the run's own gas a delay before, right of the membrane
 };
 
 /// Gauge impulse of sensor `k`'s gas from the opening to `until` after it, by trapezoids.
@@ -92,8 +92,14 @@ double impulse_of_gas(const DeckRun& run, const shock_tube::Tube& tube, int k, d
     return sum;
 }
 
+/// What the program says of its load.                                                        [s]
+double load_delay(const shock_tube::Tube& tube) {
+    const DeckFile deck("shock_sheet", shock_tube::deck(tube, shock_tube::box(true)));
+    return Simulation(io::read_deck(deck.path())).bags()[0].load_delay();
+}
+
 std::vector<Pushes> pushes_of_shock(const shock_tube::Tube& tube, int seeds,
-                                    const std::vector<double>& times) {
+                                    const std::vector<double>& times, double delay) {
     const BoxDeck box = shock_tube::box(true);
     const double edge = box.size.x() / box.cells[0];
     std::vector<Pushes> mean(times.size());
@@ -113,7 +119,7 @@ std::vector<Pushes> pushes_of_shock(const shock_tube::Tube& tube, int seeds,
                 const int k = static_cast<int>(std::lround((x - 0.5) / edge));
                 for (const int near : {k, k + 1})
                     mean[i].gas[x] +=
-                        0.5 * impulse_of_gas(run, tube, near, times[i] - DELAY) / seeds;
+                        0.5 * impulse_of_gas(run, tube, near, times[i] - delay) / seeds;
             }
     }
     return mean;
@@ -154,7 +160,8 @@ TEST_CASE("a sheet is pushed by a shock when it is there", "[sheet][front]") {
     // a shock of particles is some cells of 1/60 m wide
     constexpr double WIDTH = 2.0 / 60.0, AHEAD = 0.1;
     const std::vector<double> times{0.4e-3, 0.6e-3};
-    const auto pushes = pushes_of_shock(tube, 8, times);
+    const double delay = load_delay(tube);
+    const auto pushes = pushes_of_shock(tube, 8, times, delay);
     const double speed = shock_speed(tube);
     for (std::size_t i = 0; i < times.size(); ++i) {
         const double t = times[i], front = 0.5 + speed * t;
@@ -168,11 +175,11 @@ TEST_CASE("a sheet is pushed by a shock when it is there", "[sheet][front]") {
                 n_still += 1.0;
             }
             if (x < 0.5) continue;
-            const double due = exact_impulse(tube, x, t - DELAY), own = pushes[i].gas.at(x);
+            const double due = exact_impulse(tube, x, t - delay), own = pushes[i].gas.at(x);
             if (x > front + WIDTH && x < front + WIDTH + AHEAD) {
                 ahead += got;
                 n_ahead += 1.0;
-            } else if (x < front - speed * DELAY - WIDTH) {
+            } else if (x < front - speed * delay - WIDTH) {
                 behind += got;
                 exact += due;
                 gas += own;

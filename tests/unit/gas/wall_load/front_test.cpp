@@ -31,7 +31,8 @@ public:
             if (is_free(shape_.x[n])) held_[n] = 0;
         surface_ =
             std::make_shared<WettedSurface>(shape_.triangles, shape_.triangles.size(), shape_.x);
-        load_ = std::make_unique<WallLoad>(surface_, held_, std::span<const Index>{}, TIME, 0.0);
+        load_ = std::make_unique<WallLoad>(surface_, held_, std::span<const Index>{},
+                                           LoadTimes{TIME, TIME}, 0.0);
         impulse_.assign(held_.size(), Vec3::Zero());
         particle_.add(Vec3::Zero(), Vec3::Zero(), 0.0, 0, 0);
         load_->begin_with(LOW, 0.01, shape_.x);

@@ -38,7 +38,7 @@ struct Struck {
     void hit(double m, const Vec3& v, bool is_held, int times = 1, double internal = 0.0) {
         const std::vector<std::uint8_t> held(shape.x.size(), is_held ? 1 : 0);
         const std::vector<double> node_mass(shape.x.size(), NODE), mass{m};
-        WallLoad load(surface, held, {}, 50e-6, 0.0);
+        WallLoad load(surface, held, {}, {50e-6, 50e-6}, 0.0);
         Points f(shape.x.size(), Vec3::Zero()), rest(shape.x.size(), Vec3::Zero());
         load.release(1e-6, shape.x, rest, node_mass, f);
         const auto& [a, b, c] = shape.triangles[0];

@@ -26,7 +26,7 @@ public:
         : surface_(
               std::make_shared<WettedSurface>(shape_.triangles, shape_.triangles.size(), shape_.x)),
           held_(shape_.x.size(), 0),
-          load_(surface_, held_, std::vector<Index>{JET}, RELEASE, 0.0),
+          load_(surface_, held_, std::vector<Index>{JET}, LoadTimes{RELEASE, RELEASE}, 0.0),
           v_(shape_.x.size(), Vec3::Zero()),
           mass_(shape_.x.size(), 1.0) {
         load_.begin_with(HITS, 0.01, shape_.x);
@@ -114,7 +114,7 @@ TEST_CASE(
     const std::vector<double> particle_mass{1e-6}, mass(nodes, 1.0);
     const Points v(nodes, Vec3::Zero());
     const double step = GENERATE(5e-6, 20e-6, 40e-6);
-    WallLoad load(surface, held, {}, RELEASE, 0.0);
+    WallLoad load(surface, held, {}, {RELEASE, RELEASE}, 0.0);
     Particles none;
     double area = 0.0, given = 0.0;
     FlightResult flight;

@@ -80,7 +80,7 @@ TEST_CASE("after the switch jets push back with the momentum of what flows in", 
     CHECK(worst < 1e-2 * most);
 }
 
-TEST_CASE("damping of flutter keeps momentum and the books", "[solver][gas]") {
+TEST_CASE("damping of the walls' motion keeps momentum and the books", "[solver][gas]") {
     Model model = flying_bag(2000);
     model.bags[0].normal_damping = GENERATE(0.0, 1.0);
     model.end_time = 2e-3;
@@ -153,9 +153,10 @@ TEST_CASE("going over to uniform pressure leaves mass, temperature and motion as
     CHECK(after.particles == before.particles);
     CHECK(worst < 2e-3 * inflow);
     CHECK(adiabat < 1e-4);
-    // What hits brought beyond the pressure's mean is released in 0.3 ms.
+    // What hits brought beyond the pressure's mean is released in 0.3 ms; at once, where a step is
+    // longer than the delay.
     REQUIRE(uniform.time() > at_after + 3e-4);
-    CHECK(uniform.bags()[0].owed().linear.norm() < 0.02 * owed.norm());
+    CHECK(uniform.bags()[0].owed().linear.norm() <= 0.02 * owed.norm());
 
     // The walls feel no jump: with and without the switch they go the same way.
     while (!particles.is_over()) particles.step(nothing);
