@@ -40,7 +40,7 @@ TEST_CASE("an inflator's particles carry what its curves say", "[io]") {
     CHECK(run.scene.books().inflow == Approx(gas.mass_in / 0.02897 * 29.1 * 500.0).epsilon(1e-6));
 }
 
-TEST_CASE("rarer kinds of contact are the one that there is; keywords that cannot matter", "[io]") {
+TEST_CASE("rarer kinds of contact are the one that there is, some keywords cannot matter", "[io]") {
     using Kind = contact::ContactCard::Kind;
     const Model model = read("contact_kinds_rare.k");
     REQUIRE(model.contacts.size() == 5);

@@ -12,7 +12,7 @@
 
 using namespace corpuscle;
 
-TEST_CASE("forces on nodes, added masses, damping of a part; what cannot matter is read over",
+TEST_CASE("forces on nodes, added masses, damping of a part, and what cannot matter is read over",
           "[io]") {
     Run run("loads_of_nodes.k");
     run.steps(20);

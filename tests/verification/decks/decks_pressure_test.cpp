@@ -30,7 +30,7 @@ TEST_CASE("a pressure over time swells the bag, whichever way its normals point"
     CHECK(run.x(26).z() > 0.101);
 }
 
-TEST_CASE("cloth that is tied to a rigid part rides on it; smooth curves, boxes, common sets",
+TEST_CASE("cloth that is tied to a rigid part rides on it, with smooth curves, boxes, common sets",
           "[io]") {
     Run run("tied_contact.k");
     const Model& model = run.scene.model();

@@ -47,7 +47,7 @@ TEST_CASE("IABT is the temperature of the gas inside at the start", "[io]") {
     run.steps(5);
 }
 
-TEST_CASE("A23 = -2: the shells of part 2 are the vent; blank angles turn nothing", "[io]") {
+TEST_CASE("A23 = -2: the shells of part 2 are the vent, and blank angles turn nothing", "[io]") {
     const struct {
         std::string deck;
         double area;  ///< of the vent: one face of the cube, five faces

@@ -34,7 +34,7 @@ double residual_of_half_the_step(Model model) {
 
 }  // namespace
 
-TEST_CASE("jets do not act, and are said not to; the cards behind them are read", "[io]") {
+TEST_CASE("jets do not act, and are said not to, and the cards behind them are read", "[io]") {
     for (const char* deck : {"wang_nefske_jetting.k", "wang_nefske_jetting_molar.k"}) {
         CAPTURE(deck);
         Run run(deck);

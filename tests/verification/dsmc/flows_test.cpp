@@ -92,12 +92,12 @@ double diffusivity_of(const Means& tube) {
 
 // What kinetic theory gives of spheres, and what is found of LIN
 constexpr double SPHERES_DIFFUSE = 3.01;  ///< D / (c l) of helium and air: 1.019 [D12]1
-constexpr double LIN_DIFFUSES = 0.30;     ///< D / (c h)
-constexpr double LIKE_SPHERES = 10.0;  ///< l of spheres that diffuse as LIN in cells of h: h / 10
+constexpr double LIN_DIFFUSES = 0.25;     ///< D / (c h)
+constexpr double LIKE_SPHERES = 12.0;  ///< l of spheres that diffuse as LIN in cells of h: h / 12
 
 }  // namespace
 
-TEST_CASE("helium and air diffuse in LIN as in spheres of a tenth of a cell", "[dsmc]") {
+TEST_CASE("helium and air diffuse in LIN as in spheres of a twelfth of a cell", "[dsmc]") {
     const Means spheres = ensemble(TUBE, {By::SPHERES, 8.0, 1}),
                 lin = ensemble(TUBE, {By::LIN, 2.0, 2});
     const double of_spheres = 8.0 * diffusivity_of(spheres), of_lin = 2.0 * diffusivity_of(lin);
@@ -115,16 +115,16 @@ TEST_CASE("helium and air diffuse in LIN as in spheres of a tenth of a cell", "[
     }
 }
 
-TEST_CASE("a jet by random pairs is one of spheres of their viscosity; LIN keeps it longer",
+TEST_CASE("a jet by random pairs is one of spheres of their viscosity, and LIN keeps it longer",
           "[dsmc]") {
-    // pairs: nu = 0.43 c h, spheres: 0.80 c l; h = L / 2 is l = L / 3.7
-    const Means spheres = ensemble(JET, {By::SPHERES, 3.7, 3}),
+    // pairs: nu = 0.34 c h, spheres: 0.80 c l; h = L / 2 is l = L / 4.7
+    const Means spheres = ensemble(JET, {By::SPHERES, 4.7, 3}),
                 pairs = ensemble(JET, {By::PAIRS, 2.0, 2}), lin = ensemble(JET, {By::LIN, 2.0, 2});
     for (const std::string what :
          {"middle, x = 2", "middle, x = 4", "middle, x = 6", "mass, x = 4"}) {
         report("jet, " + what + ": spheres and pairs", spheres.at(what).value,
                pairs.at(what).value);
-        CHECK(pairs.at(what).value == Approx(spheres.at(what).value).epsilon(0.06));
+        CHECK(pairs.at(what).value == Approx(spheres.at(what).value).epsilon(0.1));
     }
     report("jet, middle, x = 4: spheres and LIN", spheres.at("middle, x = 4").value,
            lin.at("middle, x = 4").value);

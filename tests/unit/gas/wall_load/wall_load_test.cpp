@@ -198,7 +198,7 @@ TEST_CASE("cloth that gas has not reached feels nothing", "[gas]") {
     CHECK(ahead < 1e-3 * behind);
 }
 
-TEST_CASE("the gas answers a wall's motion at once; what all of the wall gets is what hits brought",
+TEST_CASE("the gas answers a wall's motion at once, and gives all of it what hits brought",
           "[gas]") {
     const shapes::Shape shape = shapes::sphere(1.0, 3);
     const auto surface =
