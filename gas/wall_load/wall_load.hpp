@@ -92,10 +92,10 @@ struct WallRelease {
 /// One hit on a light facet is a kick of tens of m/s, so what hits bring is smoothed, in space
 /// along the wetted surface (point_smoother.hpp) and in time, and nothing of it is lost:
 ///
-///     dQ_p/dt = S(J·n + D w A)_p - Q_p / time,   F_p = (Q_p / time - D w A) n_p + V_p / time
-///     dV_p/dt = S(J - (J·n) n)_p - V_p / time
+///     dQ_p/dt = S(J·n + D w A)_p - Q_p / t,   F_p = (Q_p / t - D w A) n_p + V_p / t
+///     dV_p/dt = S(J - (J·n) n)_p - V_p / t
 ///
-/// Q: deferred normal impulse, kept along the normal n, so that it turns with the cloth; V: what of
+/// t: LoadTimes::release. Q: deferred normal impulse, kept along the normal n, so that it turns with the cloth; V: what of
 /// an impulse J is not along n. A point that moves at w along n is hit with D w A less (D = 4 times
 /// the mass that hits it per area and time, whatever the gas's distribution of velocities).
 /// Smoothing would bring this answer of the gas late, so it is given at once, and what is smoothed
@@ -103,7 +103,7 @@ struct WallRelease {
 ///
 /// - *Momentum.* What each room's wall is owed, linear and angular, is what hits brought less what
 ///   was given: exact. Where turning and spreading have moved what is kept away from that, a rigid
-///   field of force, weighted by how uneven the load is, makes it good within `time`.
+///   field of force, weighted by how uneven the load is, makes it good within t.
 /// - *Energy.* The work of F differs from what hits took. Each point keeps the difference in an
 ///   account; hits at the point pay it with the particle's internal energy. Other debts of the gas
 ///   to the wall or past it (heat, enthalpy of what left) go through the same account. A point

@@ -52,8 +52,8 @@ void WallLoad::release(double span, std::span<const Vec3> x, std::span<const Vec
     if (hits_are_over()) since_hits_ += span;
     if (is_at_rest() && !was_at_rest) come_to_rest();
     released_.wrench = owed();
-    // F = Q / time, with what has come in this step: late by `time` on average in steps of any
-    // length up to that.
+    // F = Q / t, with what has come in this step: late by t on average in steps of any length up to
+    // that.
     const double share = std::min(1.0, span / times_.release);
     if (!is_at_rest()) release_hits(share, span, x, v, mass, f);
     release_jets(share, span, x);
