@@ -224,19 +224,15 @@ double BagGas::mass_rate_out(double since) {
 const BagCard& BagGas::card() const {
     return bag_->card;
 }
-
 const BagWalls& BagGas::walls() const {
     return bag_->walls;
 }
-
 const Enclosure& BagGas::enclosure() const {
     return bag_->enclosure;
 }
-
 const Chambers& BagGas::chambers() const {
     return bag_->chambers;
 }
-
 const Openings& BagGas::openings() const {
     return bag_->openings;
 }
@@ -296,7 +292,6 @@ const std::vector<std::string>& BagGas::warnings() const {
 Wrench BagGas::owed(double done) const {
     return bag_->load.owed(done);
 }
-
 double BagGas::load_delay() const {
     return bag_->load.time();
 }
