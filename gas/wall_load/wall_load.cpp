@@ -229,10 +229,23 @@ void WallLoad::begin_with(double pressure, double mass_flux, std::span<const Vec
     for (std::size_t p = 0; p < size_.size(); ++p) {
         deferred_.age[p] = 0.0;
         deferred_.mass[p] = mass_flux * size_[p] * times_.memory;
-        if (held_[p] != 0) continue;
-        deferred_.normal[p] = pressure * size_[p] * times_.release;
-        owed_[surface_->room_of_point(p)].add(x[surface_->node(p)],
-                                              deferred_.normal[p] * normal(p));
+        if (held_[p] == 0) owe(p, pressure * size_[p] * times_.release, x);
+    }
+}
+
+/// A point is owed so much more along its normal.                                        [N s]
+void WallLoad::owe(std::size_t p, double impulse, std::span<const Vec3> x) {
+    deferred_.normal[p] += impulse;
+    owed_[surface_->room_of_point(p)].add(x[surface_->node(p)], impulse * normal(p));
+}
+
+/// A first release whose span is above the times of load gets what hits would have brought in it.
+void WallLoad::fill_first_span(double span, std::span<const Vec3> x) {
+    const double missing = std::max(0.0, span / times_.release - 1.0),
+                 hits = std::max(1.0, span / times_.memory);
+    for (std::size_t p = 0; p < size_.size(); ++p) {
+        deferred_.mass[p] *= hits;
+        if (held_[p] == 0 && missing > 0.0) owe(p, missing * deferred_.normal[p], x);
     }
 }
 
@@ -243,8 +256,7 @@ void WallLoad::take_half_step(double share, std::span<const Vec3> x) {
         if (held_[p] != 0) continue;
         const double rest = deferred_.normal[p];
         const double half = share < 0.5 ? share / (1.0 - share) * rest : rest;
-        deferred_.normal[p] -= half;
-        owed_[surface_->room_of_point(p)].add(x[surface_->node(p)], -half * normal(p));
+        owe(p, -half, x);
     }
 }
 
@@ -256,11 +268,7 @@ void WallLoad::end_of_hits(std::span<const double> pressure, std::span<const Vec
     for (std::size_t p = 0; p < size_.size(); ++p) {
         deferred_.mass[p] = 0.0;
         deferred_.age[p] = 0.0;  // all that is owed goes to all of the wall
-        if (held_[p] != 0) continue;
-        const Index room = surface_->room_of_point(p);
-        const double replaced = pressure[room] * size_[p] * time;
-        deferred_.normal[p] -= replaced;
-        owed_[room].add(x[surface_->node(p)], -replaced * normal(p));
+        if (held_[p] == 0) owe(p, -pressure[surface_->room_of_point(p)] * size_[p] * time, x);
     }
 }
 

@@ -210,6 +210,8 @@ private:
     void release_points(double share, double span, std::span<const Vec3> v,
                         std::span<const double> mass);
     void release_jets(double share, double span, std::span<const Vec3> x);
+    void owe(std::size_t p, double impulse, std::span<const Vec3> x);
+    void fill_first_span(double span, std::span<const Vec3> x);
     void take_half_step(double share, std::span<const Vec3> x);
     void release_hits(double share, double span, std::span<const Vec3> x, std::span<const Vec3> v,
                       std::span<const double> mass, std::span<Vec3> f);

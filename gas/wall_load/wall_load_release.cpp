@@ -51,6 +51,8 @@ void WallLoad::release(double span, std::span<const Vec3> x, std::span<const Vec
     const bool was_at_rest = is_at_rest();
     if (hits_are_over()) since_hits_ += span;
     if (is_at_rest() && !was_at_rest) come_to_rest();
+    const bool begins = released_.share == WallRelease::BEGINS;
+    if (begins) fill_first_span(span, x);
     released_.wrench = owed();
     // F = Q / t, with what has come in this step: late by t on average in steps of any length up to
     // that.
@@ -59,7 +61,6 @@ void WallLoad::release(double span, std::span<const Vec3> x, std::span<const Vec
     release_jets(share, span, x);
     held_owed_ = {};
     released_.wrench -= owed();
-    const bool begins = released_.share == WallRelease::BEGINS;
     if (begins) take_half_step(share, x);
     released_.share = begins ? std::min(1.0, 2.0 * share) : share;
     if (is_at_rest())

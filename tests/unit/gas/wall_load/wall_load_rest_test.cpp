@@ -113,7 +113,7 @@ TEST_CASE(
     const std::vector<std::uint8_t> held(nodes, 0);
     const std::vector<double> particle_mass{1e-6}, mass(nodes, 1.0);
     const Points v(nodes, Vec3::Zero());
-    const double step = GENERATE(5e-6, 20e-6, 40e-6);
+    const double step = GENERATE(5e-6, 20e-6, 40e-6, 80e-6, 160e-6);
     WallLoad load(surface, held, {}, {RELEASE, RELEASE}, 0.0);
     Particles none;
     double area = 0.0, given = 0.0;
