@@ -17,7 +17,7 @@ constexpr double FULL = 0.0774;          ///< V / A^(3/2) of two discs blown up
 constexpr double TARGET = 40e3;          ///< gauge pressure                               [Pa]
 constexpr double ATMOSPHERE = 101325.0;  ///< [Pa]
 constexpr double T_GAS = 700.0;          ///< static temperature of the gas                [K]
-constexpr double MOLAR_MASS = 0.0285, CP_A = 27.0, CP_B = 0.0056, R = 8.314462;
+constexpr double MOLAR_MASS = 0.0285, CP_A = 27.0, CP_B = 0.0056, R_GAS = 8.314462;
 constexpr double PARTICLES_A_FACET = 10.0;
 
 /// A number that fits ten columns with a blank before it.
@@ -45,7 +45,7 @@ struct Units {
 ///
 ///     p V / (g - 1) = m h(T) + p_atm V_0 / (g - 1) - p_atm (V - V_0)
 double gas_mass(double full, double start) {
-    const double cp = (CP_A + CP_B * T_GAS) / MOLAR_MASS, gas = R / MOLAR_MASS;
+    const double cp = (CP_A + CP_B * T_GAS) / MOLAR_MASS, gas = R_GAS / MOLAR_MASS;
     const double gamma = cp / (cp - gas);
     const double h = (CP_A * T_GAS + 0.5 * CP_B * T_GAS * T_GAS) / MOLAR_MASS;
     const double energy = (ATMOSPHERE + TARGET) * full / (gamma - 1.0) -

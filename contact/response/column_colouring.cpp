@@ -18,7 +18,7 @@ namespace {
 constexpr double NARROWEST = 1.1, WIDEST = 2.2;
 constexpr double FARTHEST = 1e9;  ///< columns from the origin that have a name
 
-constexpr std::size_t CHUNKS = 8;                    ///< of contacts that are sorted together
+constexpr std::size_t SORT_CHUNKS = 8;               ///< of contacts that are sorted together
 constexpr std::size_t FEW_GROUPS = 8, COLUMNS = 16;  ///< of those; a chunk
 
 }  // namespace
@@ -64,11 +64,12 @@ std::uint16_t ColumnColouring::of(const Contact& contact, const Points& x) const
 
 void ColumnColouring::sort(const ContactList& contacts) {
     const std::size_t chunks = contacts.chunks();
-    const std::size_t groups = parallel::chunk_count(chunks, CHUNKS);
+    const std::size_t groups = parallel::chunk_count(chunks, SORT_CHUNKS);
     const std::size_t columns_a_chunk = groups > FEW_GROUPS ? COLUMNS : COUNT + 1;
     next_.resize(groups);
     const auto for_each_brief = [&](std::size_t group, auto&& visit) {
-        for (std::size_t c = group * CHUNKS; c < std::min(chunks, (group + 1) * CHUNKS); ++c) {
+        for (std::size_t c = group * SORT_CHUNKS; c < std::min(chunks, (group + 1) * SORT_CHUNKS);
+             ++c) {
             std::uint32_t row = 0;
             for (const auto& brief : contacts.briefs(c))
                 visit(brief, Slot{static_cast<std::uint32_t>(c), row++});

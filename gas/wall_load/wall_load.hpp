@@ -34,8 +34,9 @@ struct LoadTimes {
     ///
     /// @param longest  LONGEST · SFFDC                                                        [s]
     static LoadTimes of(double longest, std::size_t points, std::size_t particles) {
-        constexpr double POINTS = 3.0, LEAST = 0.1;
-        const double noise = POINTS * static_cast<double>(points) / static_cast<double>(particles);
+        constexpr double NOISY = 3.0;  // particles a wall point: of as many the longest
+        constexpr double LEAST = 0.1;
+        const double noise = NOISY * static_cast<double>(points) / static_cast<double>(particles);
         return {longest * std::clamp(noise, LEAST, 1.0), longest};
     }
 };

@@ -29,7 +29,7 @@ using corpuscle::test::SceneRun;
 namespace {
 
 constexpr int RUNS = 6;
-constexpr double FARTHEST = 12.0, ROUNDING = 1e-6;
+constexpr double FARTHEST = 12.0, LIKENESS = 1e-6;
 constexpr int MOST_PARTICLES = 3000;
 
 /// Some numbers at the end of each run, by path.
@@ -60,7 +60,7 @@ std::string differences(const Answers& one, const Answers& other) {
     for (const auto& [path, values] : one) {
         const Mean a(values), b(other.at(path));
         const double apart = std::abs(a.value - b.value);
-        if (apart <= ROUNDING * std::max(std::abs(a.value), std::abs(b.value))) continue;
+        if (apart <= LIKENESS * std::max(std::abs(a.value), std::abs(b.value))) continue;
         const double t = apart / std::sqrt(a.variance + b.variance);
         if (t > FARTHEST)
             text += fmt::format("{}: {:.6g}, mirrored {:.6g}: {:.1f} standard errors\n", path,

@@ -31,8 +31,9 @@ using corpuscle::test::SceneRun;
 
 namespace {
 
-constexpr double ROUNDING = 1e-9;  ///< of the energy there is: books where nothing moves but gas
-constexpr int FINE = 1000;         ///< particles
+constexpr double GAS_ROUNDING =
+    1e-9;                   ///< of the energy there is: books where nothing moves but gas
+constexpr int FINE = 1000;  ///< particles
 
 std::string text_of(const std::string& file) {
     std::ostringstream text;
@@ -93,7 +94,7 @@ void run_scenes(int first, int last) {
         // Of a few particles each brings a share of all that the gas holds in one hit
         const double all = run.brought_in + run.held;
         const double of = scene.particles < FINE ? all : run.brought_in;
-        std::string fault = run.fault(scene.is_rigid ? ROUNDING * all : 0.01 * of);
+        std::string fault = run.fault(scene.is_rigid ? GAS_ROUNDING * all : 0.01 * of);
         const auto how = seed % 2 == 0 ? SceneRun::How::RESTARTED : SceneRun::How::TWO_THREADS;
         if (run.status == 0) fault += run.differences(how, 20);
         seconds += run.seconds;
@@ -115,7 +116,7 @@ TEST_CASE("helium is blown into a rigid box of air", "[scenes]") {
     const std::string deck = helium_into_air(air, particles);
     for (const int seed : {1, 2, 3}) {
         const SceneRun run("helium_into_air", deck, fmt::format("--seed {}", seed));
-        const std::string fault = run.fault(ROUNDING * (run.brought_in + run.held));
+        const std::string fault = run.fault(GAS_ROUNDING * (run.brought_in + run.held));
         INFO("IAIR " << air << ", NP " << particles << ", seed " << seed << "\n" << fault);
         CHECK(fault.empty());
     }
@@ -131,7 +132,7 @@ TEST_CASE("the tank test's inflator blows helium", "[scenes]") {
     const int particles = GENERATE(50, 500, 5000);
     const SceneRun run("tank_test_helium", deck,
                        fmt::format("-D IAIR={} -D NP={} --until 2", air, particles));
-    const std::string fault = run.fault(ROUNDING * (run.brought_in + run.held));
+    const std::string fault = run.fault(GAS_ROUNDING * (run.brought_in + run.held));
     INFO("IAIR " << air << ", NP " << particles << "\n" << fault);
     CHECK(fault.empty());
 }

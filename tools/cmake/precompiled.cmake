@@ -40,16 +40,17 @@ function(corpuscle_precompile folder)
     endforeach()
 endfunction()
 
-# Rooms' sources, joined: a build that nobody edits (tools/run, packages) reads each header once for eight sources. Same bits.
-# Names in unnamed namespaces are therefore unique in their room; the build by sanitizers and packages hold them to it.
-option(CORPUSCLE_JOIN "Compile the rooms' sources eight at a time" OFF)
+# Sources, joined: a build that nobody edits (tools/test, tools/run, packages) reads each header once for eight sources. Same bits.
+# Names in unnamed namespaces are therefore unique in their library or program; the build by sanitizers and packages hold
+# them to it.
+option(CORPUSCLE_JOIN "Compile sources eight at a time" OFF)
 if(CORPUSCLE_JOIN)
     set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
 endif()
 function(corpuscle_join)
-    foreach(room ${ARGN})
-        if(TARGET corpuscle_${room})
-            set_target_properties(corpuscle_${room} PROPERTIES UNITY_BUILD ${CORPUSCLE_JOIN})
+    foreach(target ${ARGN})
+        if(TARGET ${target})
+            set_target_properties(${target} PROPERTIES UNITY_BUILD ${CORPUSCLE_JOIN})
         endif()
     endforeach()
 endfunction()

@@ -12,15 +12,15 @@
 namespace corpuscle::study {
 namespace {
 
-using Table = std::vector<std::vector<double>>;
+using Levels = std::vector<std::vector<double>>;
 
 /// Of plans, not of the physics.
 constexpr Stream PLANS{64};
 
-Table full(const std::vector<Factor>& factors) {
-    Table table{{}};
+Levels full(const std::vector<Factor>& factors) {
+    Levels table{{}};
     for (const Factor& factor : factors) {
-        Table next;
+        Levels next;
         for (const std::vector<double>& point : table)
             for (const double value : factor.values) {
                 next.push_back(point);
@@ -38,9 +38,9 @@ double value_at(const Factor& factor, double u) {
     return factor.values[static_cast<std::size_t>(u * n)];
 }
 
-Table latin(const Study& study) {
+Levels latin(const Study& study) {
     const auto n = static_cast<std::uint32_t>(study.samples);
-    Table table(n);
+    Levels table(n);
     for (std::size_t f = 0; f < study.factors.size(); ++f) {
         Random draw(study.plan_seed, PLANS, f, 0);
         std::vector<std::uint32_t> share(n);
@@ -52,10 +52,10 @@ Table latin(const Study& study) {
     return table;
 }
 
-Table star(const std::vector<Factor>& factors) {
+Levels star(const std::vector<Factor>& factors) {
     std::vector<double> centre;
     for (const Factor& factor : factors) centre.push_back(factor.values.front());
-    Table table{centre};
+    Levels table{centre};
     for (std::size_t f = 0; f < factors.size(); ++f)
         for (std::size_t k = 1; k < factors[f].values.size(); ++k) {
             table.push_back(centre);
@@ -66,7 +66,7 @@ Table star(const std::vector<Factor>& factors) {
 
 }  // namespace
 
-Table points(const Study& study) {
+Levels points(const Study& study) {
     switch (study.plan) {
         case Plan::FULL:
             return full(study.factors);
@@ -82,7 +82,7 @@ Table points(const Study& study) {
 
 std::vector<Row> rows(const Study& study) {
     std::vector<Row> all;
-    const Table table = points(study);
+    const Levels table = points(study);
     for (std::size_t p = 0; p < table.size(); ++p)
         for (int k = 0; k < study.repeats; ++k)
             all.push_back(

@@ -14,8 +14,6 @@ using namespace corpuscle::fabric::test;
 
 namespace {
 
-const Mesh MESHES[] = {Mesh::TRIANGLES, Mesh::ONE_POINT, Mesh::FOUR_POINT, Mesh::MIXED};
-
 /// Two coats of 0.1 mm on cloth of 0.3 mm, that only bend.
 FabricCard coated() {
     FabricCard c = fabric_card();

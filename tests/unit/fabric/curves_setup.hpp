@@ -34,8 +34,6 @@ inline FabricCard curved_card(int form, bool unloads, double reload = 0.0) {
     return c;
 }
 
-inline const Mesh MESHES[] = {Mesh::TRIANGLES, Mesh::ONE_POINT, Mesh::FOUR_POINT, Mesh::MIXED};
-
 inline Sheet sheet_of(const FabricCard& card, Mesh mesh) {
     Sheet sheet = rectangle(card, mesh, 4, 3, 0.4, 0.3);
     sheet.curves = CURVES;

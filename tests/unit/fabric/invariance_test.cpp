@@ -14,8 +14,6 @@ using namespace corpuscle::fabric::test;
 
 namespace {
 
-const Mesh MESHES[] = {Mesh::TRIANGLES, Mesh::ONE_POINT, Mesh::FOUR_POINT, Mesh::MIXED};
-
 FabricCard everything() {
     FabricCard c = fabric_card();
     c.no_compression = true;

@@ -12,8 +12,6 @@ using namespace corpuscle::fabric::test;
 
 namespace {
 
-const Mesh MESHES[] = {Mesh::TRIANGLES, Mesh::ONE_POINT, Mesh::FOUR_POINT, Mesh::MIXED};
-
 enum class Kind {
     PLAIN,
     LINED,

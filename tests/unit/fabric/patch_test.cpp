@@ -12,17 +12,16 @@ using namespace corpuscle::fabric::test;
 
 namespace {
 
-const Mesh MESHES[] = {Mesh::TRIANGLES, Mesh::ONE_POINT, Mesh::FOUR_POINT, Mesh::MIXED};
-constexpr double LENGTH = 0.4, WIDTH = 0.3, THICKNESS = 0.3e-3;
+constexpr double LENGTH = 0.4, PATCH_WIDTH = 0.3, THICKNESS = 0.3e-3;
 
 Sheet patch(const MaterialCard& card, Mesh mesh) {
-    Sheet sheet = rectangle(card, mesh, 4, 3, LENGTH, WIDTH);
+    Sheet sheet = rectangle(card, mesh, 4, 3, LENGTH, PATCH_WIDTH);
     // Inner nodes only: the edge stays straight
     const Points moves = noise(sheet.x.size(), 0.02, 11);
     for (std::size_t n = 0; n < sheet.x.size(); ++n) {
         Vec3& p = sheet.x[n];
         const bool inside =
-            p.x() > 1e-9 && p.x() < LENGTH - 1e-9 && p.y() > 1e-9 && p.y() < WIDTH - 1e-9;
+            p.x() > 1e-9 && p.x() < LENGTH - 1e-9 && p.y() > 1e-9 && p.y() < PATCH_WIDTH - 1e-9;
         if (inside) p += Vec3(moves[n].x(), moves[n].y(), 0.0);
     }
     return sheet;
@@ -48,7 +47,7 @@ Pulls pulls(Sheet& sheet, const Eigen::Matrix<double, 3, 2>& F) {
     Pulls out;
     for (std::size_t n = 0; n < x.size(); ++n) {
         const Vec3& p = sheet.x[n];
-        const bool right = p.x() > LENGTH - 1e-9, top = p.y() > WIDTH - 1e-9;
+        const bool right = p.x() > LENGTH - 1e-9, top = p.y() > PATCH_WIDTH - 1e-9;
         if (right) out.right -= f[n];
         if (top) out.top -= f[n];
         const bool edge = right || top || p.x() < 1e-9 || p.y() < 1e-9;
@@ -99,7 +98,7 @@ TEST_CASE("a uniform pull at any angle to the warp is met exactly", "[fabric]") 
     const double Gxy = 2 * co * si * (E[1] - E[0]) + (co * co - si * si) * E[2];
     const Pulls p = pulls(sheet, gradient_of({Exx, Eyy, Gxy}));
 
-    const double expected = S * THICKNESS * WIDTH * std::sqrt(1 + 2 * Exx);
+    const double expected = S * THICKNESS * PATCH_WIDTH * std::sqrt(1 + 2 * Exx);
     CHECK(p.right.norm() == Approx(expected).epsilon(1e-9));
     CHECK(p.top.norm() < 1e-9 * expected);
     CHECK(p.inner < 1e-9 * expected);
@@ -123,7 +122,7 @@ TEST_CASE("a picture frame shears at the force of its closed form", "[fabric]") 
     const Pulls p = pulls(sheet, F);
     // P1 = S12·g2 on the edge x = L, P2 = S12·g1 on y = W
     const double S = c.G * std::sin(gamma);
-    CHECK((p.right - S * THICKNESS * WIDTH * F.col(1)).norm() < 1e-9 * p.right.norm());
+    CHECK((p.right - S * THICKNESS * PATCH_WIDTH * F.col(1)).norm() < 1e-9 * p.right.norm());
     CHECK((p.top - S * THICKNESS * LENGTH * F.col(0)).norm() < 1e-9 * p.top.norm());
     CHECK(p.inner < 1e-9 * p.right.norm());
 }
@@ -144,7 +143,7 @@ TEST_CASE("a wrinkled sheet bears a pull along its wrinkles only", "[fabric]") {
     F << stretch, 0, 0, 1 - gathered, 0, 0;
     const Pulls p = pulls(sheet, F);
     const double S = c.E_warp * 0.5 * (stretch * stretch - 1);
-    CHECK(p.right.x() == Approx(S * stretch * THICKNESS * WIDTH).epsilon(1e-9));
+    CHECK(p.right.x() == Approx(S * stretch * THICKNESS * PATCH_WIDTH).epsilon(1e-9));
     CHECK(p.top.norm() < 1e-9 * p.right.norm());
     // and none at all when gathered both ways
     F << 0.9, 0, 0, 0.8, 0, 0;

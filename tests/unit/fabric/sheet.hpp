@@ -37,6 +37,16 @@ struct Sheet {
 };
 
 enum class Mesh { TRIANGLES, ONE_POINT, FOUR_POINT, MIXED };
+inline const Mesh MESHES[] = {Mesh::TRIANGLES, Mesh::ONE_POINT, Mesh::FOUR_POINT, Mesh::MIXED};
+/// Of one kind of element.
+inline const Mesh PURE_MESHES[] = {Mesh::TRIANGLES, Mesh::ONE_POINT, Mesh::FOUR_POINT};
+
+inline const char* name(Mesh mesh) {
+    return mesh == Mesh::TRIANGLES    ? "triangles"
+           : mesh == Mesh::ONE_POINT  ? "1-point quads"
+           : mesh == Mesh::FOUR_POINT ? "2x2 quads"
+                                      : "triangles and quads";
+}
 
 inline FabricCard fabric_card() {
     FabricCard card;

@@ -16,8 +16,6 @@ using namespace corpuscle::fabric::test;
 
 namespace {
 
-const Mesh MESHES[] = {Mesh::TRIANGLES, Mesh::ONE_POINT, Mesh::FOUR_POINT, Mesh::MIXED};
-
 Sheet jittered(const MaterialCard& card, Mesh mesh, unsigned seed) {
     Sheet sheet = rectangle(card, mesh, 4, 3, 0.4, 0.3);
     jitter(sheet, 0.03, seed);

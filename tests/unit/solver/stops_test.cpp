@@ -20,7 +20,7 @@ using scenes::flying_bag;
 
 namespace {
 
-const auto nothing = [](Simulation&) {};
+const auto left_alone = [](Simulation&) {};
 
 /// A bag of cloth that particles come into.
 Simulation new_run() {
@@ -46,7 +46,7 @@ std::vector<char> with(std::vector<char> state, const Vec3& at, int component, d
 std::string told_after(const std::function<Vec3(const Simulation&)>& whose, int component,
                        double broken) {
     Simulation simulation = new_run();
-    for (int k = 0; k < 45; ++k) simulation.step(nothing);
+    for (int k = 0; k < 45; ++k) simulation.step(left_alone);
     StateWriter state;
     state(simulation);
     const std::vector<char> bytes = with(state.bytes(), whose(simulation), component, broken);
@@ -54,7 +54,7 @@ std::string told_after(const std::function<Vec3(const Simulation&)>& whose, int 
     StateReader reader(bytes);
     reader(other);
     try {
-        for (int k = 0; k < 20; ++k) other.step(nothing);
+        for (int k = 0; k < 20; ++k) other.step(left_alone);
     } catch (const PhysicsError& error) {
         return error.what();
     }

@@ -19,7 +19,7 @@ using scenes::touch;
 
 namespace {
 
-constexpr double GRAVITY = 9.81;
+constexpr double FREE_FALL = 9.81;
 
 /// Pressure times area over the shells that `wanted` takes, by part and the unit normal.
 template <class Wanted>
@@ -81,14 +81,14 @@ TEST_CASE("a block at rest on a plate: its weight on what faces the plate, nothi
     // faces of two triangles each: a node has facets of three faces
     const Index block =
         add(model, shapes::box(Vec3(0.1, 0.08, 0.03)), rigid(1000.0), 1e-3, Vec3(0, 0, 1.0005e-3));
-    pull(model, Vec3(0, 0, -GRAVITY));
+    pull(model, Vec3(0, 0, -FREE_FALL));
     touch(model);
     Simulation simulation(model);
-    const double weight = GRAVITY * simulation.bodies()[1].mass();
+    const double weight = FREE_FALL * simulation.bodies()[1].mass();
     const auto [half, end] = watch(simulation);
     // mean force over the second half = weight + mass times the change of velocity
     const double change = (end.velocity - half.velocity).z() / (end.t - half.t);
-    const double wanted = weight * (1.0 + change / GRAVITY);
+    const double wanted = weight * (1.0 + change / FREE_FALL);
     INFO("weight " << weight << ", mean " << wanted);
     CHECK(wanted == Approx(weight).epsilon(1e-3));
     const auto faces = [](Index part, double z) {
@@ -112,10 +112,10 @@ TEST_CASE("what cloth between two bodies feels on both sides adds up", "[contact
                             Vec3(-0.075, -0.075, 1.0005e-3));
     const Index block = add(model, shapes::box(Vec3(0.1, 0.08, 0.03), 2), rigid(3000.0), 1e-3,
                             Vec3(-0.05, -0.04, 2.001e-3));
-    pull(model, Vec3(0, 0, -GRAVITY));
+    pull(model, Vec3(0, 0, -FREE_FALL));
     touch(model);
     Simulation simulation(model);
-    const double weight = GRAVITY * simulation.bodies()[1].mass();
+    const double weight = FREE_FALL * simulation.bodies()[1].mass();
     const Frame frame = watch(simulation).second.frame;
     const double above = force_on(simulation, frame, block),
                  below = force_on(simulation, frame, plate);

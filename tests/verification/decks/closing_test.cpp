@@ -21,15 +21,15 @@ using namespace corpuscle;
 
 namespace {
 
-Model read(const std::string& name) {
+Model read_closing(const std::string& name) {
     return io::read_deck(std::string(CORPUSCLE_DECKS) + "/" + name);
 }
 
-struct End {
+struct EndOfRun {
     double volume, pressure;
 };
 
-End end_of(Model model) {
+EndOfRun end_of(Model model) {
     close_bags(model);
     Simulation scene(std::move(model));
     while (!scene.is_over()) scene.step([](Simulation&) {});
@@ -37,8 +37,8 @@ End end_of(Model model) {
     return {gas.volume(), gas.pressure()};
 }
 
-End end_of(const std::string& name) {
-    return end_of(read(name));
+EndOfRun end_of(const std::string& name) {
+    return end_of(read_closing(name));
 }
 
 std::string only_fault(Model model) {
@@ -106,15 +106,15 @@ void cut_hole(Model& model, const Vec3& at) {
 
 TEST_CASE("a part whose free edges are the hole joins the bag", "[closing]") {
     using Catch::Contains;
-    Model model = read("closing_rim_part.k");
+    Model model = read_closing("closing_rim_part.k");
     CHECK_THAT(only_mending(model),
                Contains("*AIRBAG_WANG_NEFSKE 7: part 2 \"face with the nozzle\" joins it: its 4 "
                         "shells close a hole of 8 edges"));
-    const End whole = end_of("closing_clean.k"), mended = end_of("closing_rim_part.k");
+    const EndOfRun whole = end_of("closing_clean.k"), mended = end_of("closing_rim_part.k");
     CHECK(mended.volume == Approx(whole.volume).epsilon(1e-12));
     CHECK(mended.pressure == Approx(whole.pressure).epsilon(1e-12));
 
-    Model refused = read("closing_rim_part.k");
+    Model refused = read_closing("closing_rim_part.k");
     refused.closes_bags = false;
     CHECK_THAT(only_fault(refused),
                Contains("is not closed: a hole of 8 edges about (0.1, 0.05, 0.05), 0.1414 wide, of "
@@ -123,17 +123,17 @@ TEST_CASE("a part whose free edges are the hole joins the bag", "[closing]") {
 }
 
 TEST_CASE("nodes that hang on the rim of a finer face are tied", "[closing]") {
-    Model model = read("closing_hanging.k");
+    Model model = read_closing("closing_hanging.k");
     CHECK_THAT(only_mending(model), Catch::Contains("16 hanging nodes tied"));
     CHECK(model.tied_nodes.size() == 16);
-    const End whole = end_of("closing_clean_fine.k"), mended = end_of("closing_hanging.k");
+    const EndOfRun whole = end_of("closing_clean_fine.k"), mended = end_of("closing_hanging.k");
     CHECK(mended.volume == Approx(whole.volume).epsilon(0.01));
     CHECK(mended.pressure == Approx(whole.pressure).epsilon(0.01));
 }
 
 TEST_CASE("a small hole gets a lid without mass, a large one is described", "[closing]") {
     using Catch::Contains;
-    Model model = read("closing_hole.k");
+    Model model = read_closing("closing_hole.k");
     const std::size_t shells = model.shells.size();
     CHECK_THAT(only_mending(model), Contains("a hole of 4 edges about (0.025, 0.025, 0.1), 0.07071 "
                                              "wide, of area 0.0025") &&
@@ -141,11 +141,11 @@ TEST_CASE("a small hole gets a lid without mass, a large one is described", "[cl
     CHECK(model.shells.size() == shells + 2);
     const Simulation scene(model);
     CHECK(scene.uniform_bags().at(0).gas().volume() == Approx(1e-3).epsilon(1e-12));
-    const End whole = end_of("closing_clean.k"), mended = end_of("closing_hole.k");
+    const EndOfRun whole = end_of("closing_clean.k"), mended = end_of("closing_hole.k");
     CHECK(mended.volume == Approx(whole.volume).epsilon(0.02));
     CHECK(mended.pressure == Approx(whole.pressure).epsilon(0.02));
 
-    Model large = read("closing_rim_part.k");
+    Model large = read_closing("closing_rim_part.k");
     std::erase_if(large.shells, [](const Shell& shell) { return shell.part == 1; });
     large.uniform_bags[0].shells = std::vector<Index>(large.shells.size());
     for (std::size_t s = 0; s < large.shells.size(); ++s)
@@ -157,17 +157,17 @@ TEST_CASE("a small hole gets a lid without mass, a large one is described", "[cl
 }
 
 TEST_CASE("facets that are turned round change nothing", "[closing]") {
-    Model model = read("closing_clean.k");
+    Model model = read_closing("closing_clean.k");
     for (std::size_t s = 0; s < model.shells.size(); s += 3)
         std::swap(model.shells[s].nodes[1], model.shells[s].nodes[3]);
-    const End whole = end_of("closing_clean.k"), mended = end_of(model);
+    const EndOfRun whole = end_of("closing_clean.k"), mended = end_of(model);
     CHECK(mended.volume == Approx(whole.volume).epsilon(1e-9));
     CHECK(mended.pressure == Approx(whole.pressure).epsilon(1e-9));
 }
 
 TEST_CASE("the finer the mesh, the less a shell that is missing changes", "[closing]") {
     const auto without_one = [](const std::string& name) {
-        Model model = read(name);
+        Model model = read_closing(name);
         const std::size_t gone = model.shells.size() / 2;
         model.shells.erase(model.shells.begin() + static_cast<std::ptrdiff_t>(gone));
         std::vector<Index>& bag = model.uniform_bags[0].shells;
@@ -177,7 +177,7 @@ TEST_CASE("the finer the mesh, the less a shell that is missing changes", "[clos
     };
     double before = 1.0;
     for (const char* name : {"closing_clean.k", "closing_clean_fine.k"}) {
-        const End whole = end_of(name), mended = end_of(without_one(name));
+        const EndOfRun whole = end_of(name), mended = end_of(without_one(name));
         const double change = std::abs(mended.volume / whole.volume - 1.0);
         CAPTURE(name, change, mended.pressure / whole.pressure - 1.0);
         CHECK(change < 0.5 * before);
@@ -188,15 +188,15 @@ TEST_CASE("the finer the mesh, the less a shell that is missing changes", "[clos
 
 TEST_CASE("a hole of a few facets of a fine mesh changes volume and pressure by less than 0.1 %",
           "[closing]") {
-    Model whole = read("closing_clean_fine.k");
+    Model whole = read_closing("closing_clean_fine.k");
     refine(whole);
     refine(whole);
     REQUIRE(whole.shells.size() == 1536);
     Model holed = whole;
     cut_hole(holed, {0.03, 0.05, 0.1});
-    const End clean = end_of(whole);
+    const EndOfRun clean = end_of(whole);
     CHECK_THAT(only_mending(holed), Catch::Contains("a hole of 8 edges"));
-    const End mended = end_of(holed);
+    const EndOfRun mended = end_of(holed);
     CAPTURE(mended.volume / clean.volume - 1.0, mended.pressure / clean.pressure - 1.0);
     CHECK(clean.volume > 1.05e-3);  // it has swollen, from 1 l
     CHECK(mended.volume == Approx(clean.volume).epsilon(1e-3));

@@ -9,14 +9,12 @@
 
 #include "gas/thermo/orifice_flow.hpp"
 #include "tests/support/decks/stepped_deck.hpp"
+#include "tests/verification/decks/decks_setup.hpp"
 
 using namespace corpuscle;
+using namespace decks_setup;
 
 namespace {
-
-constexpr double VOLUME = 1e-3;  // of the cube
-constexpr double CP = 1004.5, CV = 717.5, R = CP - CV;
-constexpr double PE = 101325.0, RO = 1.2, POVER = 20000.0;
 
 /// A mass flow that ends at equal pressures.                                             [kg]
 double exchanged(double rate, double dt, double p, double p_to, double T) {

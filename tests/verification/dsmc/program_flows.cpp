@@ -22,9 +22,10 @@ constexpr double P = 101325.0, T = 300.0;      ///< [Pa], [K]
 constexpr double AIR = 0.028, HELIUM = 0.004;  ///< [kg/mol]
 constexpr double CP = 2.5 * GAS_CONSTANT;      ///< of both                          [J/(mol K)]
 constexpr double L = 0.1;                      ///< [m]
-constexpr double A_CELL = 30.0, DEPTH = 4.0;   ///< particles of a cell; depth of the box in cells
-constexpr int QUADS = 2;                       ///< of the walls, by L
-constexpr int BY_CELL = 3;                     ///< orifices of a slot along a cell's edge
+constexpr double PARTICLES_A_CELL = 30.0,
+                 DEPTH = 4.0;  ///< particles of a cell; depth of the box in cells
+constexpr int QUADS = 2;       ///< of the walls, by L
+constexpr int BY_CELL = 3;     ///< orifices of a slot along a cell's edge
 constexpr int FIRST_ORIFICE = 100001;
 constexpr int HULL = 1, OUTLET = 2, OPEN = 3, PLATE = 4;  ///< parts
 
@@ -84,7 +85,8 @@ std::string walls(const DeckMesh& mesh, const std::vector<int>& parts) {
 
 std::string slot_deck(const SlotFlow& flow, double resolution) {
     const double h = L / resolution, depth = DEPTH * h, time = L / thermal();
-    const double at_rest = flow.length * flow.height * DEPTH * std::pow(resolution, 2.0) * A_CELL;
+    const double at_rest =
+        flow.length * flow.height * DEPTH * std::pow(resolution, 2.0) * PARTICLES_A_CELL;
     const double entering = flow.slot * SlotFlow::STREAM * flow.end / (flow.length * flow.height);
     OrificeList slot;
     const int rows = static_cast<int>(std::lround(BY_CELL * flow.slot * resolution)),
@@ -112,7 +114,7 @@ constexpr double OPENS = 2.5;  ///< the plate of a box; its gases enter until 1 
 std::string slit_deck(const SlitFlow& flow, double resolution) {
     const double h = L / resolution, depth = DEPTH * h, time = L / thermal();
     const double particles =
-        SlitFlow::LENGTH * SlitFlow::HEIGHT * DEPTH * std::pow(resolution, 2.0) * A_CELL;
+        SlitFlow::LENGTH * SlitFlow::HEIGHT * DEPTH * std::pow(resolution, 2.0) * PARTICLES_A_CELL;
     BoxDeck hull = box(SlitFlow::LENGTH, SlitFlow::HEIGHT, resolution, 0.0);
     hull.membranes = {{hull.cells[0] / 2, OPEN}};
     DeckMesh mesh = hull.mesh();

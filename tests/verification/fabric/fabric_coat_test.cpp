@@ -25,17 +25,6 @@ FabricCard coated() {
     return c;
 }
 
-const char* name(Mesh mesh) {
-    switch (mesh) {
-        case Mesh::TRIANGLES:
-            return "triangles";
-        case Mesh::MIXED:
-            return "triangles and quads";
-        default:
-            return "quads";
-    }
-}
-
 /// Stiffness of the heights of a flat sheet's nodes. [N/m]
 Eigen::MatrixXd height_stiffness(Sheet& sheet) {
     CoatBending coat(sheet.setup(), lumped_mass(sheet.setup()));

@@ -22,16 +22,9 @@ using fabric::test::Sheet;
 
 namespace {
 
-constexpr double PI = 3.141592653589793;
 constexpr double R = 0.1, h = 0.33e-3, p = 50e3;
 
-const char* name(Mesh mesh) {
-    return mesh == Mesh::TRIANGLES   ? "triangles"
-           : mesh == Mesh::ONE_POINT ? "1-point quads"
-                                     : "2x2 quads";
-}
-
-FabricCard woven() {
+FabricCard woven_tube() {
     FabricCard card;
     card.density = 700;
     card.E_warp = 400e6;
@@ -43,16 +36,16 @@ FabricCard woven() {
 
 /// A ring of a long closed tube, n cells around and two along: warp around, weft along.
 Sheet ring(Mesh mesh, int n) {
-    FabricCard card = woven();
+    FabricCard card = woven_tube();
     card.axes = 3;  // V × normal: around
     card.v = Vec3::UnitZ();
     Sheet sheet;
     add_part(sheet, card, mesh, h);
-    const double width = 2 * PI * R / n;
+    const double width = 2 * M_PI * R / n;
     for (int j = 0; j <= 2; ++j)
         for (int i = 0; i < n; ++i)
             sheet.x.push_back(
-                {R * std::cos(2 * PI * i / n), R * std::sin(2 * PI * i / n), width * j});
+                {R * std::cos(2 * M_PI * i / n), R * std::sin(2 * M_PI * i / n), width * j});
     for (int j = 0; j < 2; ++j)
         for (int i = 0; i < n; ++i) {
             const Index a = j * n + i, b = j * n + (i + 1) % n, c = b + n, d = a + n;
@@ -79,7 +72,7 @@ Relaxation under_pressure(Sheet& sheet) {
 
 /// Stretch around and along: h S1 = p R l2, h S2 l2 = p R l1²/2.
 std::pair<double, double> tube() {
-    const FabricCard c = woven();
+    const FabricCard c = woven_tube();
     const PlaneModuli d = orthotropic_moduli(c.E_warp, c.E_weft, c.nu_ba, c.G);
     const double det = d.warp * d.weft - d.cross * d.cross;
     double l1 = 1, l2 = 1;
@@ -101,7 +94,7 @@ TEST_CASE("a closed tube of orthotropic cloth widens and lengthens as its closed
         Sheet sheet = ring(mesh, n);
         Relaxation at = under_pressure(sheet);
         // The lower rim stays in its plane; the lids pull at the upper one
-        const double pull = p * PI * R * R * l1 * l1 / n;
+        const double pull = p * M_PI * R * R * l1 * l1 / n;
         at.load.assign(sheet.x.size(), Vec3::Zero());
         for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
             at.free[i].z() = 0;
@@ -117,7 +110,7 @@ TEST_CASE("a closed tube of orthotropic cloth widens and lengthens as its closed
         }
         before = error;
         error = radius / (R * l1) - 1;
-        length = height / (2 * 2 * PI * R / n * l2) - 1;
+        length = height / (2 * 2 * M_PI * R / n * l2) - 1;
         fmt::print(
             "Tube, {}, {} around: radius {:+.4f} %, length {:+.4f} %, stretch {:.5f} and {:.5f}, "
             "order {:.2f}\n",
@@ -131,7 +124,7 @@ TEST_CASE("a closed tube of orthotropic cloth widens and lengthens as its closed
 TEST_CASE("a sphere of cloth that is weak in shear swells as a film does") {
     // Equal pull in all directions shears nothing, wherever the yarns lie:
     // h (D11 + D12) (l² - 1)/2 = p R l/2
-    FabricCard card = woven();
+    FabricCard card = woven_tube();
     card.E_weft = card.E_warp;
     card.nu_ba = 0.2;
     const PlaneModuli d = orthotropic_moduli(card.E_warp, card.E_weft, card.nu_ba, card.G);
@@ -152,7 +145,7 @@ TEST_CASE("a sphere of cloth that is weak in shear swells as a film does") {
         Points x = sheet.x;
         REQUIRE(relax(at, membranes, x).residual <= at.tolerance);
         const double volume = enclosed_volume(at.facets, x);
-        const double radius = std::cbrt(0.75 * volume / PI);
+        const double radius = std::cbrt(0.75 * volume / M_PI);
         before = error;
         error = radius / (R * l) - 1;
         fmt::print("Sphere, {} triangles: radius {:+.4f} %, stretch {:.5f}, order {:.2f}\n",

@@ -25,7 +25,7 @@ using namespace corpuscle::test;
 namespace {
 
 constexpr double LENGTH = 0.5, WIDTH = 0.2;         ///< [m]
-constexpr double TEMPERATURE = 300.0;               ///< [K]
+constexpr double T_SHEAR = 300.0;                   ///< [K]
 constexpr double A_CELL = 30.0, SHARE = 1.0 / 8.0;  ///< particles, c_T dt / h, as bags have them
 constexpr double FASTEST = 0.5;                     ///< U / c_T
 
@@ -46,10 +46,10 @@ void fly(double dt, Particles& gas) {
 std::vector<double> decay(CollisionModel model, double h, int steps, std::uint64_t seed) {
     const Mixture mixture = mixture_of({AIR});
     const Vec3 size(LENGTH, WIDTH, WIDTH);
-    const double c_T = std::sqrt(GAS_CONSTANT * TEMPERATURE / AIR.molar_mass);
+    const double c_T = std::sqrt(GAS_CONSTANT * T_SHEAR / AIR.molar_mass);
     const double k = std::numbers::pi / LENGTH;
     const auto n = static_cast<std::size_t>(A_CELL * size.prod() / (h * h * h));
-    Particles gas = random_gas(n, size, mixture, {TEMPERATURE}, seed);
+    Particles gas = random_gas(n, size, mixture, {T_SHEAR}, seed);
     for (std::size_t i = 0; i < n; ++i) gas.v[i].y() += FASTEST * c_T * std::cos(k * gas.x[i].x());
     Collider collider(mixture.species(), mixture.moles_each(), seed, model);
     const Grid cells =
@@ -97,7 +97,7 @@ TEST_CASE("the viscosity of gas is a share of its cells, small by LIN", "[gas][s
     report("LIN, cells of 50 mm: nu / (c_T h)", LIN_20_CELLS, coarse);
     report("LIN, cells of 25 mm: nu / (c_T h)", LONG_WAVE, fine);
     report("random pairs, cells of 50 mm: nu / (c_T h)", PAIRS_20_CELLS, pairs);
-    const double c_T = std::sqrt(GAS_CONSTANT * TEMPERATURE / AIR.molar_mass);
+    const double c_T = std::sqrt(GAS_CONSTANT * T_SHEAR / AIR.molar_mass);
     constexpr double OF_AIR = 1.57e-5,
                      DRIVER_BAG = 0.026;  // [m^2/s] at 300 K; h of 1e5 in 60 l  [m]
     report("LIN in a driver bag: viscosity over that of air", 1.0,

@@ -16,7 +16,8 @@ using namespace corpuscle::test;
 namespace {
 
 constexpr std::size_t N = 100000, SLABS = 100;
-constexpr double EDGE = 1.0 / 60.0, SHARE = 1.0 / 6.0;  ///< of a cell; of it, between collisions
+constexpr double EDGE = 1.0 / 60.0,
+                 SHOCK_SHARE = 1.0 / 6.0;  ///< of a cell; of it, between collisions
 constexpr double END = 0.25;
 constexpr double SPEED = 2.0;  ///< of the gas towards the wall, where c_T = sqrt(R T / M) = 1
 constexpr double GAMMA = 1.4;
@@ -47,7 +48,7 @@ TEST_CASE("a shock of Mach 2.44 has its pressure, and overshoots by less than 6 
         for (Vec3& v : start.v) v.x() -= SPEED;
         gas::PistonBox box({1.0, 0.1, 0.1}, mixture, gas::CollisionModel::LIN, std::move(start),
                            EDGE * (1.0 + 1e-9), 10 + run);
-        const int steps = static_cast<int>(std::ceil(END / (SHARE * EDGE)));
+        const int steps = static_cast<int>(std::ceil(END / (SHOCK_SHARE * EDGE)));
         for (int i = 0; i < steps; ++i) box.step(END / steps);
         add_pressure(box.gas, pressure);
     }

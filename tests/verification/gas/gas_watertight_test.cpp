@@ -22,7 +22,7 @@ namespace {
 
 /// In a step particles fly 50 mm, nearly the width of a pleat, and the walls up to 20 mm: one hit
 /// in two steps and particle.
-constexpr double RADIUS = 0.2, STEP = 1e-4, SPEED = 500.0;
+constexpr double RADIUS = 0.2, SHAKE_STEP = 1e-4, SHAKE_SPEED = 500.0;
 
 /// A ball of 8 192 facets with twelve pleats that open and close, and nodes that jitter. Each ray
 /// from the centre meets it once, so the facets never cross each other.
@@ -63,8 +63,8 @@ Flown fly_in_pleats(int particles, std::size_t hits_wanted, std::uint64_t seed =
     Particles gas;
     for (int i = 0; i < particles; ++i) {
         Random draw(seed, Stream::INITIAL, 0, static_cast<std::uint64_t>(i));
-        gas.add(0.2 * RADIUS * draw.uniform() * draw.direction(), SPEED * draw.direction(), 0.0, 0,
-                i);
+        gas.add(0.2 * RADIUS * draw.uniform() * draw.direction(), SHAKE_SPEED * draw.direction(),
+                0.0, 0, i);
     }
     FacetLists lists(ball.triangles(), x_0, FacetLists::Of::EIGHTS);
     const Grid grid = Grid::over(Vec3::Constant(-RADIUS), Vec3::Constant(RADIUS), 0.01, 1000000);
@@ -74,10 +74,10 @@ Flown fly_in_pleats(int particles, std::size_t hits_wanted, std::uint64_t seed =
     for (std::uint64_t step = 1; flown.hits < hits_wanted; ++step) {
         x_1 = ball.at(step);
         lists.build(grid, x_0, x_1, 0.0);
-        fly(lists, x_0, x_1, STEP, mass, {}, gas, flight);
+        fly(lists, x_0, x_1, SHAKE_STEP, mass, {}, gas, flight);
         flown.lost += flight.lost.size();
         for (const auto& some : flight.hits) flown.hits += some.size();
-        for (Vec3& v : gas.v) v *= SPEED / v.norm();
+        for (Vec3& v : gas.v) v *= SHAKE_SPEED / v.norm();
         x_0.swap(x_1);
     }
     std::vector<int> id(x_0.size());

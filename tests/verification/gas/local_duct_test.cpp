@@ -18,10 +18,10 @@ using namespace corpuscle::test;
 
 namespace {
 
-constexpr double LENGTH = 1.0, AREA = 0.01;  ///< of the duct                 [m], [m^2]
-constexpr double RATE = 5.0, UNTIL = 1e-3;   ///< of the inflow               [kg/s], [s]
-constexpr double T = 300.0;                  ///< of the air; the inflow's stagnation [K]
-constexpr double END = 6e-3;                 ///< [s]
+constexpr double LENGTH = 1.0, AREA = 0.01;      ///< of the duct                 [m], [m^2]
+constexpr double DUCT_RATE = 5.0, UNTIL = 1e-3;  ///< of the inflow               [kg/s], [s]
+constexpr double T_AIR = 300.0;                  ///< of the air; the inflow's stagnation [K]
+constexpr double DUCT_END = 6e-3;                ///< [s]
 enum Part { WALL = 1, INLET = 2, VENT = 3 };
 
 /// Air at rest in a duct; the end at x = 0 blows, that at x = 1 m is the vent.
@@ -42,25 +42,25 @@ std::string duct(int particles) {
             nozzles += fmt::format("{}, 1.0, -1\n", e + 1);
             ++count;
         }
-    cards += curve_card(1, {{0.0, RATE}, {UNTIL, RATE}, {UNTIL, 0.0}, {1.0, 0.0}});
-    cards += curve_card(2, {{0.0, T / air::GAMMA}, {1.0, T / air::GAMMA}});
+    cards += curve_card(1, {{0.0, DUCT_RATE}, {UNTIL, DUCT_RATE}, {UNTIL, 0.0}, {1.0, 0.0}});
+    cards += curve_card(2, {{0.0, T_AIR / air::GAMMA}, {1.0, T_AIR / air::GAMMA}});
     cards += fmt::format(
         "*AIRBAG_PARTICLE\n12, 1\n{}, 1, 3, {}, {}, 1\n2, 1, {}\n{}, 0, 1.0, 0, 0, 1\n"
         "{}, {}, {}, {}\n1, 2, {}, {}\n",
-        particles, T, air::P_ATM, count, static_cast<int>(VENT), air::P_ATM, T, air::MOLAR_MASS,
-        air::MOLAR_CP, air::MOLAR_MASS, air::MOLAR_CP);
-    return box_deck("duct", box, cards + nozzles, END, 5e-5);
+        particles, T_AIR, air::P_ATM, count, static_cast<int>(VENT), air::P_ATM, T_AIR,
+        air::MOLAR_MASS, air::MOLAR_CP, air::MOLAR_MASS, air::MOLAR_CP);
+    return box_deck("duct", box, cards + nozzles, DUCT_END, 5e-5);
 }
 
 /// Mass that has left at each time.                                                        [kg]
 std::vector<double> exact_outflow(const std::vector<double>& time, double jet_share) {
-    const oracle::Gas1D rest{air::density(air::P_ATM, T), 0.0, air::P_ATM};
+    const oracle::Gas1D rest{air::density(air::P_ATM, T_AIR), 0.0, air::P_ATM};
     oracle::EulerDuct duct(air::GAMMA, LENGTH, 400, rest, air::P_ATM, 0.02);
-    // a jet has sqrt(3 R T / M), T of the gas at rest, spread evenly over a cone of 30 degrees
-    const double speed = std::sqrt(3.0 * GAS_CONSTANT * T / air::MOLAR_MASS);
+    // a jet has sqrt(3 R T_AIR / M), T_AIR of the gas at rest, spread evenly over a cone of 30 degrees
+    const double speed = std::sqrt(3.0 * GAS_CONSTANT * T_AIR / air::MOLAR_MASS);
     const double along = 0.5 * (1.0 + std::cos(std::acos(-1.0) / 6.0));
-    const double flux = RATE / AREA;
-    const oracle::DuctInflow on{flux, jet_share * flux * speed * along, flux * air::energy(T)};
+    const double flux = DUCT_RATE / AREA;
+    const oracle::DuctInflow on{flux, jet_share * flux * speed * along, flux * air::energy(T_AIR)};
     std::vector<double> out;
     for (const double t : time) {
         duct.advance(std::min(t, UNTIL), on);
@@ -75,9 +75,9 @@ std::vector<double> exact_outflow(const std::vector<double>& time, double jet_sh
 TEST_CASE("the duct's equations keep mass and energy, and end in Wang and Nefske's flow",
           "[duct][oracle]") {
     const double rate = GENERATE(200.0, 400.0, 600.0);  // [kg/(m^2 s)]; the last one is choked
-    const oracle::Gas1D rest{air::density(air::P_ATM, T), 0.0, air::P_ATM};
+    const oracle::Gas1D rest{air::density(air::P_ATM, T_AIR), 0.0, air::P_ATM};
     oracle::EulerDuct duct(air::GAMMA, LENGTH, 100, rest, air::P_ATM, 0.02);
-    const oracle::DuctInflow inflow{rate, 0.0, rate * air::energy(T)};
+    const oracle::DuctInflow inflow{rate, 0.0, rate * air::energy(T_AIR)};
     const double mass = duct.mass(), energy = duct.energy();
     constexpr double STEADY = 60e-3;
     duct.advance(STEADY, inflow);

@@ -21,7 +21,7 @@ using namespace corpuscle::test;
 namespace {
 
 constexpr double DISH = 30.0, FRONT_PANEL = 1.0;  ///< its radius [mm]; part
-constexpr double END = 4.0, FRAME = 0.2;          ///< [ms]
+constexpr double LAST = 4.0, FRAME = 0.2;         ///< [ms]
 
 /// Rows and areas of the front panel's shells that lie lowest over the inflator's dish, within half
 /// the 0.7 mm from one layer to the next.
@@ -63,10 +63,10 @@ struct PleatCurve {
     double chance = 0.0;
 };
 PleatCurve pleat_pressure(int particles, int seed) {
-    const ModelRun run(
-        "driver_bag_folded_coarse",
-        fmt::format("-j 1 -D NP={} -D DTPLOT={} --until {} --seed {}", particles, FRAME, END, seed),
-        "driver_bag_folded");
+    const ModelRun run("driver_bag_folded_coarse",
+                       fmt::format("-j 1 -D NP={} -D DTPLOT={} --until {} --seed {}", particles,
+                                   FRAME, LAST, seed),
+                       "driver_bag_folded");
     REQUIRE(run.status() == 0);
     const io::Hdf5Reader results(run.results());
     const Pleat pleat = first_pleat(results);

@@ -16,7 +16,7 @@ using namespace corpuscle::test;
 
 namespace {
 
-constexpr double DENSITY = 0.011, PRESSURE = 0.0075;  ///< at 10^5 particles and 40 runs
+constexpr double L1_DENSITY = 0.011, PRESSURE = 0.0075;  ///< at 10^5 particles and 40 runs
 constexpr double DENSITY_NOISE = 0.0020, PRESSURE_NOISE = 0.0025;  ///< in them, .0016 sqrt(64/40)
 
 /// A bound for `runs`: noise adds to each slab's error as squares do. Fewer than 40: a tenth more,
@@ -30,7 +30,7 @@ void check(const std::string& name, int runs) {
     const oracle::SodError bench =
         oracle::sod_error({gas::CollisionModel::LIN, 100000, 1.0 / 60.0, 0.1}, runs);
     const SodDeckError error = sod_deck_error(100000, runs);
-    const double density = bound(DENSITY, DENSITY_NOISE, error.density_noise, runs),
+    const double density = bound(L1_DENSITY, DENSITY_NOISE, error.density_noise, runs),
                  pressure = bound(PRESSURE, PRESSURE_NOISE, error.pressure_noise, runs);
     report(name + fmt::format(": L1 of density, bench and decks (noise {:.4f}, bound {:.4f})",
                               error.density_noise, density),

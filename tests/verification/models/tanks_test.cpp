@@ -15,7 +15,7 @@ using corpuscle::test::ModelRun;
 namespace {
 
 constexpr double OPENS = 5e-3;  // both tanks                                              [s]
-constexpr double P_ATM = 101325.0;
+constexpr double OUTSIDE = 101325.0;
 const std::string BAG = "/history/airbag/1/";
 
 /// The gas of a run as it is when the tank opens.
@@ -63,13 +63,13 @@ TEST_CASE("a vented tank blows down as Wang and Nefske's flow does", "[models][v
                            " -D TSW=" + std::to_string(uniform_from));
     REQUIRE(run.status() == 0);
     const oracle::StirredTank tank = tank_at_opening(run, {{0.028, 28.0, 0.0}});
-    CHECK(tank.pressure() == Approx(5.0 * P_ATM).epsilon(0.01));
+    CHECK(tank.pressure() == Approx(5.0 * OUTSIDE).epsilon(0.01));
     constexpr double AREA = 0.1 * 0.1 / 9.0;
     const double worst = worst_error(
         run, tank, BAG + "mass",
         [C23 = C23](const oracle::StirredTank& now) {
             return C23 * AREA / now.mass() *
-                   oracle::nozzle_flux(now.pressure(), now.temperature(), 0.028, 28.0, P_ATM);
+                   oracle::nozzle_flux(now.pressure(), now.temperature(), 0.028, 28.0, OUTSIDE);
         },
         [](const oracle::StirredTank& now) { return now.mass(); });
     WARN("C23 = " << C23 << ": mass is off by " << worst << " at worst");
@@ -113,7 +113,7 @@ TEST_CASE("a porous tank leaks each of its gases by density, area and velocity",
         tank_at_opening(run, {{0.028, 28.0, 0.0}, {0.004, 20.79, 0.0}});
     const auto share = [](const oracle::StirredTank& now) {
         const double velocity =
-            60.0 * std::clamp((now.pressure() - P_ATM) / (4.0 * P_ATM), 0.0, 1.0);
+            60.0 * std::clamp((now.pressure() - OUTSIDE) / (4.0 * OUTSIDE), 0.0, 1.0);
         return 6.0 * 0.1 * 0.1 * 0.1 * velocity / now.volume;
     };
     for (const std::size_t g : {0, 1}) {

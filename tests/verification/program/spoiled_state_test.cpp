@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double BREAKS_AT = 0.32e-3, ENDS_AT = 0.3e-3;  ///< [s]
+constexpr double SPOILED_AT = 0.32e-3, ENDS_AT = 0.3e-3;  ///< [s]
 
 std::pair<int, std::string> run(const fs::path& deck, const fs::path& out,
                                 const std::string& options) {
@@ -41,11 +41,11 @@ std::pair<int, std::string> run(const fs::path& deck, const fs::path& out,
                                    CORPUSCLE_PROGRAM, deck.string(), out.string(), options));
 }
 
-/// The cube with a fault at BREAKS_AT, which leaves a checkpoint.
+/// The cube with a fault at SPOILED_AT, which leaves a checkpoint.
 std::string broken_cube() {
     return support::BusyCube{fmt::format("*LOAD_NODE_POINT\n8, 1, 77, 1e100\n*DEFINE_CURVE\n77\n"
                                          "0.0, 0.0\n{0}, 0.0\n{0}, 1e100\n1.0, 1e100\n",
-                                         BREAKS_AT)}
+                                         SPOILED_AT)}
         .deck();
 }
 

@@ -49,7 +49,7 @@ double place(const Tuck& f, double gap, double s) {
     return f.line - drawn - ((1.0 - w) * f.band + w * d);
 }
 
-struct Range {
+struct Reach {
     double low = INF, high = -INF;
     void include(double v) {
         low = std::min(low, v);
@@ -74,7 +74,7 @@ void check_width(const Tuck& f, const Points& local, double gap, double size) {
     double over = 0.0;
     for (const Vec3& p : local) {
         if (p.x() <= f.line) continue;
-        Range t;  // of the bag within two elements, a long edge, of where p comes to lie
+        Reach t;  // of the bag within two elements, a long edge, of where p comes to lie
         for (const Vec3& q : local)
             if (q.x() <= f.line && std::abs(q.x() - (2.0 * f.line - p.x())) < 2.0 * size)
                 t.include(q.y());
@@ -98,7 +98,7 @@ Points to_local(const Tuck& f, const Points& x) {
 
 void choose_bands(Tuck& f, const Points& x, double gap, double size) {
     const Points local = to_local(f, x);
-    Range s;
+    Reach s;
     for (const Vec3& p : local) s.include(p.x());
     if (f.line <= s.low || f.line >= s.high)
         throw InputError(fmt::format(
@@ -126,7 +126,7 @@ void choose_bands(Tuck& f, const Points& x, double gap, double size) {
 void apply(const Tuck& f, double gap, Points& x) {
     const Points local = to_local(f, x);
     check_two_layers(f, local, gap);
-    Range s, t;  // of what is pushed in
+    Reach s, t;  // of what is pushed in
     for (const Vec3& p : local)
         if (p.x() > f.line) {
             s.include(p.x());

@@ -12,27 +12,27 @@
 namespace corpuscle::fold {
 namespace {
 
-constexpr double WANTED = 0.28;     ///< of an element: reach of a cell that improving aims at
-constexpr double TOO_SMALL = 0.17;  ///< that of cells that lose an edge
+constexpr double WANTED = 0.28;          ///< of an element: reach of a cell that improving aims at
+constexpr double SMALLEST_REACH = 0.17;  ///< that of cells that lose an edge
 constexpr int ROUNDS = 8;
 constexpr double NEAR = 2.5;  ///< elements round a hole's circle that change for it
-constexpr int TRIES = 8;      ///< radii of a hole, of the rim
+constexpr int RADII = 8;      ///< radii of a hole, of the rim
 constexpr double HOLE_ERROR = 0.02, RIM_ERROR = 1e-3;  ///< of an area that is good enough
-constexpr double SNAP = 0.45, GIVES_WAY = 0.4;         ///< of an edge, for circles
+constexpr double SNAP = 0.45, BENDS = 0.4;             ///< of an edge, for circles
 
 void settle(const Circle& c, Vec3& X) {
     X = c.middle + c.radius / (X - c.middle).norm() * (X - c.middle);
 }
 
 std::vector<int> imprint_circle(Sheet& sheet, const Circle& c, int name) {
-    Imprint line{name, {}, SNAP, GIVES_WAY, [&](Vec3& X) { settle(c, X); }};
+    Imprint line{name, {}, SNAP, BENDS, [&](Vec3& X) { settle(c, X); }};
     for (const Vec3& X : sheet.X) line.level.push_back((X - c.middle).norm() - c.radius);
     return imprint(sheet, line);
 }
 
 void improve(Sheet& sheet, double size, const Freedom& freedom) {
     for (int k = 0; k < 3; ++k) {
-        collapse({TOO_SMALL * size}, freedom, sheet);
+        collapse({SMALLEST_REACH * size}, freedom, sheet);
         smooth(sheet, WANTED * size, ROUNDS, freedom);
     }
 }
@@ -81,7 +81,7 @@ public:
     void offer(double error, Sheet sheet) {
         const double over = std::max(0.0, error - allowed_);
         double least = INF;
-        for (const Cell& c : sheet.cells) least = std::min(least, reach(c, sheet.X));
+        for (const Cell& c : sheet.cells) least = std::min(least, fold::reach(c, sheet.X));
         if (over > over_ || (over == over_ && least <= least_)) return;
         over_ = over;
         least_ = least;
@@ -106,7 +106,7 @@ double area_of(const Sheet& sheet, int region) {
 Sheet cut_holes(const std::vector<Cut>& cuts, double size, const Sheet& whole) {
     std::vector<Cut> tried = cuts;
     Choice choice(HOLE_ERROR);
-    for (int k = 0; k < TRIES; ++k) {
+    for (int k = 0; k < RADII; ++k) {
         Sheet sheet = cut_once(tried, size, whole);
         double worst = 0.0;
         for (std::size_t i = 0; i < cuts.size(); ++i) {
@@ -126,7 +126,7 @@ Sheet cut_rim(double radius, double size, const Sheet& whole) {
     Circle rim{Vec3::Zero(), radius};
     const double wanted = area_of(rim);
     Choice choice(RIM_ERROR);
-    for (int k = 0; k < TRIES; ++k) {
+    for (int k = 0; k < RADII; ++k) {
         Sheet sheet = whole;
         keep_inside(sheet, imprint_circle(sheet, rim, RIM));
         improve(sheet, size, {{{RIM, [&](Vec3& X) { settle(rim, X); }}}, {}});

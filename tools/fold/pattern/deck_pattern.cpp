@@ -19,7 +19,7 @@ constexpr double FLAT = 0.98;        ///< of a shell's area, that the pattern sh
 constexpr double SAME_PLACE = 1e-3;  ///< of an element, for nodes that are sewn to each other
 constexpr int SEAM = -1000000, BORDER = -2;  ///< lines that count as curved: their nodes stay
 
-enum Panel { FRONT, BACK };
+enum PanelRow { UPPER, LOWER };
 
 class DeckSewing {
 public:
@@ -76,7 +76,7 @@ private:
             if (!front.empty() && !holds(front, id) && !holds(back, id)) strangers.insert(id);
             const bool is_front = front.empty() ? mean_height(mesh_.shells[e]) > 0.5 * (low + high)
                                                 : holds(front, id);
-            panel_.push_back(is_front ? FRONT : BACK);
+            panel_.push_back(is_front ? UPPER : LOWER);
         }
         for (const int id : strangers)
             fault("part {} is in neither front nor back of [pattern]", id);
@@ -100,33 +100,33 @@ private:
             cells_[panel_[e]].push_back(c);
             row_[panel_[e]].push_back(e);
         }
-        for (const Panel p : {FRONT, BACK})
+        for (const PanelRow p : {UPPER, LOWER})
             if (cells_[p].empty())
-                fault("the {} panel has no shells", p == FRONT ? "front" : "back");
+                fault("the {} panel has no shells", p == UPPER ? "front" : "back");
     }
 
     /// Nodes of the back that are sewn to the front become those of the front.
     void sew() {
         std::array<std::set<Index>, 2> rim, all;
-        for (const Panel p : {FRONT, BACK}) {
+        for (const PanelRow p : {UPPER, LOWER}) {
             for (const auto& [a, b] : rim_edges(cells_[p])) rim[p].insert({a, b});
             for (const Cell& c : cells_[p]) all[p].insert(c.begin(), c.end());
         }
-        for (const Index n : all[FRONT])
-            if (all[BACK].contains(n) && !(rim[FRONT].contains(n) && rim[BACK].contains(n)))
+        for (const Index n : all[UPPER])
+            if (all[LOWER].contains(n) && !(rim[UPPER].contains(n) && rim[LOWER].contains(n)))
                 fault("node {} is in both panels, expected at their rims only", mesh_.node_id[n]);
         const double reach = SAME_PLACE * r_.pattern.element;
         std::map<Index, Index> partner;
-        for (const Index n : rim[BACK]) {
-            if (rim[FRONT].contains(n)) {
+        for (const Index n : rim[LOWER]) {
+            if (rim[UPPER].contains(n)) {
                 seam_.insert(n);
                 continue;
             }
-            for (const Index m : rim[FRONT])
+            for (const Index m : rim[UPPER])
                 if ((mesh_.x[m] - mesh_.x[n]).head<2>().norm() < reach) partner[n] = m;
             if (partner.contains(n)) seam_.insert(partner[n]);
         }
-        for (Cell& c : cells_[BACK])
+        for (Cell& c : cells_[LOWER])
             for (Index& n : c)
                 if (const auto found = partner.find(n); found != partner.end()) n = found->second;
         check_rims();
@@ -135,8 +135,8 @@ private:
     /// What stays open must be whole holes.
     void check_rims() {
         if (seam_.empty()) fault("the rims of the two panels have no place in common");
-        std::vector<Cell> both = cells_[FRONT];
-        both.insert(both.end(), cells_[BACK].begin(), cells_[BACK].end());
+        std::vector<Cell> both = cells_[UPPER];
+        both.insert(both.end(), cells_[LOWER].begin(), cells_[LOWER].end());
         std::set<Index> open;
         for (const auto& [a, b] : rim_edges(both))
             for (const Index n : {a, b})
@@ -164,11 +164,11 @@ private:
         for (const Vec3& x : mesh_.x) s.X.emplace_back(x.x(), x.y(), 0.0);
         s.x = s.X;
         s.on.resize(s.X.size());
-        for (const auto& edge : rim_edges(cells_[FRONT]))
+        for (const auto& edge : rim_edges(cells_[UPPER]))
             if (seam_.contains(edge.first) && seam_.contains(edge.second))
                 seam_edges_.push_back(edge);
         std::vector<std::set<int>> parts(s.X.size());
-        for (const Panel p : {FRONT, BACK}) {
+        for (const PanelRow p : {UPPER, LOWER}) {
             std::set<Index> nodes;
             for (std::size_t i = 0; i < cells_[p].size(); ++i) {
                 const Cell& c = cells_[p][i];
@@ -183,7 +183,7 @@ private:
                         mesh_.shell_id[row_[p][i]]);
             }
             for (const Index n : nodes)
-                if (!seam_.contains(n)) s.x[n].z() = (p == FRONT ? 1.0 : -1.0) * half_gap(s.X[n]);
+                if (!seam_.contains(n)) s.x[n].z() = (p == UPPER ? 1.0 : -1.0) * half_gap(s.X[n]);
         }
         for (std::size_t n = 0; n < parts.size(); ++n) {
             if (seam_.contains(static_cast<Index>(n)))
@@ -204,7 +204,7 @@ private:
                 is_new)
                 bag_.parts.push_back(
                     {id, fmt::format("part {} of {}", id, r_.pattern.deck.filename().string()),
-                     panel == FRONT});
+                     panel == UPPER});
             bag_.sheet.part.push_back(row.at({id, panel}));
             bag_.has_vents |= id == r_.parts.vent;
             if (id == r_.parts.module || id == r_.parts.reinforcement)
@@ -217,7 +217,7 @@ private:
     std::string file_;
     io::DeckMesh mesh_;
     std::vector<std::string> faults_;
-    std::vector<Panel> panel_;                     ///< by shell
+    std::vector<PanelRow> panel_;                  ///< by shell
     std::array<std::vector<Cell>, 2> cells_;       ///< by panel
     std::array<std::vector<std::size_t>, 2> row_;  ///< their shells
     std::set<Index> seam_;

@@ -58,10 +58,9 @@ void advance(Turn& turn, const Vec3& inertia, double dt) {
 /// level.
 Findings pendulum(const Runs& runs) {
     constexpr double QUARTER = 1.854074677301372;  // K(sin 45°)
-    double mass = 0.0, moment = 0.0, inertia = 0.0;
+    double moment = 0.0, inertia = 0.0;
     for (const double x : {0.0, 0.1, 0.2, 0.3}) {
         const double m = 2000.0 * 0.002 * 0.1 * 0.1 * (x == 0.0 || x == 0.3 ? 0.5 : 1.0);
-        mass += m;
         moment += m * x;
         inertia += m * x * x;
     }

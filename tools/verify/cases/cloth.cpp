@@ -11,7 +11,7 @@
 namespace corpuscle::verify {
 namespace {
 
-constexpr double LENGTH = 1.0, E = 3e8, DENSITY = 800.0;
+constexpr double STRIP = 1.0, STRIP_E = 3e8, STRIP_RHO = 800.0;
 
 /// When the node of the history comes back to where it was, linear between samples.           [s]
 double half_period(const MeasuredRun& run, int axis) {
@@ -29,7 +29,7 @@ double half_period(const MeasuredRun& run, int axis) {
 Findings against(const Runs& runs, int axis, double speed) {
     return by_run(runs, [&](const MeasuredRun& run) {
         return std::map<std::string, double>{
-            {"half_period", half_period(run, axis) * speed / LENGTH - 1.0}};
+            {"half_period", half_period(run, axis) * speed / STRIP - 1.0}};
     });
 }
 
@@ -39,22 +39,22 @@ Findings against(const Runs& runs, int axis, double speed) {
 /// stretched.
 Findings taut_string(const Runs& runs) {
     constexpr double STRETCH = 1.01, GREEN = 0.5 * (STRETCH * STRETCH - 1.0);
-    return against(runs, 2, std::sqrt(E * GREEN * STRETCH * STRETCH / DENSITY));
+    return against(runs, 2, std::sqrt(STRIP_E * GREEN * STRETCH * STRETCH / STRIP_RHO));
 }
 
 Findings plane_wave(const Runs& runs) {
-    return against(runs, 0, std::sqrt(E / DENSITY));
+    return against(runs, 0, std::sqrt(STRIP_E / STRIP_RHO));
 }
 
 /// Warp and weft are moved across each other: c² = G / rho.
 Findings shear_wave(const Runs& runs) {
     constexpr double G = 4e6;
-    return against(runs, 1, std::sqrt(G / DENSITY));
+    return against(runs, 1, std::sqrt(G / STRIP_RHO));
 }
 
 /// 10 m/s along each axis, d = 50 / s.
 Findings damped_sheet(const Runs& runs) {
-    constexpr double MASS = DENSITY * 0.3e-3 * 0.1 * 0.1, DAMPING = 50.0;
+    constexpr double MASS = STRIP_RHO * 0.3e-3 * 0.1 * 0.1, DAMPING = 50.0;
     constexpr double FIRST = 0.5 * MASS * 300.0;
     return by_run(runs, [&](const MeasuredRun& run) {
         const double left = FIRST * std::exp(-2.0 * DAMPING * run.time().back());

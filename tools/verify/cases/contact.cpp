@@ -14,7 +14,7 @@
 namespace corpuscle::verify {
 namespace {
 
-constexpr double THICKNESS = 0.33e-3, MODULUS = 300e6, DENSITY = 800.0;
+constexpr double CLOTH_H = 0.33e-3, CLOTH_E = 300e6, CLOTH_RHO = 800.0;
 
 /// Modulus through the thickness over that in the plane [docs/theory/contact.md].
 constexpr double THROUGH = 1.0 / 30.0;
@@ -29,24 +29,24 @@ double momentum_left(const MeasuredRun& run) {
 
 /// `layers` of cloth on a fixed plate under p. Between two middles of cloth p = E (h/g - 1), at the
 /// plate, where one of the two gives way, p = 2 E (h/g - 1):
-///     height = h ((layers - 1) / (1 + p/E) + 1 / (1 + p/2E)),   E = THROUGH MODULUS
+///     height = h ((layers - 1) / (1 + p/E) + 1 / (1 + p/2E)),   E = THROUGH CLOTH_E
 Findings stack(const Runs& runs) {
-    constexpr double PRESSURE = 200e3, RELATIVE = PRESSURE / (THROUGH * MODULUS);
+    constexpr double PRESSURE = 200e3, RELATIVE = PRESSURE / (THROUGH * CLOTH_E);
     constexpr double MIDDLE = 0.025;  // away from the sheet's edges [m]
     return by_run(runs, [&](const MeasuredRun& run) {
         const auto start = run.vectors("/mesh/coordinates");
         const auto now = run.vectors(run.frames().back() + "coordinates");
         double top = 0.0, sum = 0.0, nodes = 0.0;
         for (const Vec3& x : start) top = std::max(top, x.z());
-        const double layers = std::round(top / THICKNESS);
+        const double layers = std::round(top / CLOTH_H);
         for (std::size_t n = 0; n < start.size(); ++n) {
-            if (start[n].z() < top - 0.5 * THICKNESS) continue;
+            if (start[n].z() < top - 0.5 * CLOTH_H) continue;
             if (std::max(std::abs(start[n].x()), std::abs(start[n].y())) > MIDDLE) continue;
             sum += now[n].z();
             nodes += 1.0;
         }
         const double exact =
-            THICKNESS * ((layers - 1.0) / (1.0 + RELATIVE) + 1.0 / (1.0 + 0.5 * RELATIVE));
+            CLOTH_H * ((layers - 1.0) / (1.0 + RELATIVE) + 1.0 / (1.0 + 0.5 * RELATIVE));
         return std::map<std::string, double>{{"height", sum / nodes / exact - 1.0}};
     });
 }
@@ -61,7 +61,7 @@ Findings sliding_sheet(const Runs& runs) {
 /// Pressed by p over A on both sides: J = 2 mu p A t.
 Findings rubbing_sheet(const Runs& runs) {
     constexpr double PRESSURE = 5e3, AREA = 0.1 * 0.1, FRICTION = 0.2;
-    constexpr double MASS = DENSITY * THICKNESS * 0.16 * 0.16, SPEED = 20.0;
+    constexpr double MASS = CLOTH_RHO * CLOTH_H * 0.16 * 0.16, SPEED = 20.0;
     return by_run(runs, [&](const MeasuredRun& run) {
         const double exact = 2.0 * FRICTION * PRESSURE * AREA * run.time().back();
         const double impulse = MASS * SPEED * (1.0 - momentum_left(run));

@@ -15,51 +15,51 @@
 namespace corpuscle::verify {
 namespace {
 
-constexpr std::size_t SLABS = 100;
+constexpr std::size_t TUBE_SLABS = 100;
 
 /// Density and pressure in slabs of a tube of 1 m, over those of the left side at the start.
 struct Profile {
-    std::array<double, SLABS> density{}, pressure{};
+    std::array<double, TUBE_SLABS> density{}, pressure{};
 
     void add(const Profile& other, double weight) {
-        for (std::size_t b = 0; b < SLABS; ++b) {
+        for (std::size_t b = 0; b < TUBE_SLABS; ++b) {
             density[b] += weight * other.density[b];
             pressure[b] += weight * other.pressure[b];
         }
     }
 };
 
-constexpr double P = 1e5, T = 300.0, MOLAR_MASS = 0.028, AREA = 0.01;  ///< of the left
+constexpr double P_LEFT = 1e5, T_LEFT = 300.0, M_TUBE = 0.028, SECTION = 0.01;  ///< of the left
 
 /// rho and p = (sum m v² - (sum m v_x)² / sum m) / 3 V in the last frame.
 Profile measured(const MeasuredRun& run) {
     const std::string frame = run.frames().back() + "particles/";
     const auto x = run.vectors(frame + "position"), v = run.vectors(frame + "velocity");
     const auto mass = run.read(frame + "mass");
-    std::array<double, SLABS> m{}, mv{}, mvv{};
+    std::array<double, TUBE_SLABS> m{}, mv{}, mvv{};
     for (std::size_t i = 0; i < mass.size(); ++i) {
-        const auto slab = static_cast<std::size_t>(std::max(0.0, x[i].x() * SLABS));
-        const std::size_t b = std::min(SLABS - 1, slab);
+        const auto slab = static_cast<std::size_t>(std::max(0.0, x[i].x() * TUBE_SLABS));
+        const std::size_t b = std::min(TUBE_SLABS - 1, slab);
         m[b] += mass[i];
         mv[b] += mass[i] * v[i].x();
         mvv[b] += mass[i] * v[i].squaredNorm();
     }
-    constexpr double VOLUME = AREA / SLABS;
-    constexpr double DENSITY = P * MOLAR_MASS / (GAS_CONSTANT * T);
+    constexpr double VOLUME = SECTION / TUBE_SLABS;
+    constexpr double DENSITY = P_LEFT * M_TUBE / (GAS_CONSTANT * T_LEFT);
     Profile profile;
-    for (std::size_t b = 0; b < SLABS; ++b) {
+    for (std::size_t b = 0; b < TUBE_SLABS; ++b) {
         profile.density[b] = m[b] / VOLUME / DENSITY;
-        profile.pressure[b] = (mvv[b] - mv[b] * mv[b] / m[b]) / (3.0 * VOLUME) / P;
+        profile.pressure[b] = (mvv[b] - mv[b] * mv[b] / m[b]) / (3.0 * VOLUME) / P_LEFT;
     }
     return profile;
 }
 
 /// `t` after the opening, in the middles of the slabs.
 Profile exact(double t) {
-    const double c_T = std::sqrt(GAS_CONSTANT * T / MOLAR_MASS);
+    const double c_T = std::sqrt(GAS_CONSTANT * T_LEFT / M_TUBE);
     Profile profile;
-    for (std::size_t b = 0; b < SLABS; ++b) {
-        const double x = (static_cast<double>(b) + 0.5) / SLABS - 0.5;
+    for (std::size_t b = 0; b < TUBE_SLABS; ++b) {
+        const double x = (static_cast<double>(b) + 0.5) / TUBE_SLABS - 0.5;
         const oracle::Gas1D gas =
             oracle::exact_riemann(1.4, {1.0, 0.0, 1.0}, {0.125, 0.0, 0.1}, x / (t * c_T));
         profile.density[b] = gas.density;
@@ -68,9 +68,9 @@ Profile exact(double t) {
     return profile;
 }
 
-double distance(const std::array<double, SLABS>& a, const std::array<double, SLABS>& b) {
+double distance(const std::array<double, TUBE_SLABS>& a, const std::array<double, TUBE_SLABS>& b) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < SLABS; ++i) sum += std::abs(a[i] - b[i]) / SLABS;
+    for (std::size_t i = 0; i < TUBE_SLABS; ++i) sum += std::abs(a[i] - b[i]) / TUBE_SLABS;
     return sum;
 }
 
@@ -128,15 +128,15 @@ Findings sod(const Runs& runs) {
 ///     c/c0 = 2/(gamma+1) - (gamma-1)/(gamma+1) x/(c0 t),   rho/rho0 = (c/c0)^(2/(gamma-1))
 Findings vacuum(const Runs& runs) {
     constexpr double OPENS = 3e-3, GAMMA = 1.4;
-    const double c0 = std::sqrt(GAMMA * GAS_CONSTANT * T / MOLAR_MASS);
+    const double c0 = std::sqrt(GAMMA * GAS_CONSTANT * T_LEFT / M_TUBE);
     std::vector<Profile> found, truth;
     for (const MeasuredRun& run : runs) {
         const auto time = run.time();
         const double t = time.back() - *std::lower_bound(time.begin(), time.end(), OPENS);
         found.push_back(measured(run));
         Profile fan;
-        for (std::size_t b = 0; b < SLABS; ++b) {
-            const double x = (static_cast<double>(b) + 0.5) / SLABS - 0.5;
+        for (std::size_t b = 0; b < TUBE_SLABS; ++b) {
+            const double x = (static_cast<double>(b) + 0.5) / TUBE_SLABS - 0.5;
             const double c = (2.0 - (GAMMA - 1.0) * x / (c0 * t)) / (GAMMA + 1.0);
             fan.density[b] = std::pow(std::clamp(c, 0.0, 1.0), 2.0 / (GAMMA - 1.0));
         }
@@ -181,7 +181,7 @@ Findings fast_piston(const Runs& runs) {
 /// which comes back from the closed end.
 Findings piston_wave(const Runs& runs) {
     constexpr double GAMMA = 28.0 / (28.0 - GAS_CONSTANT), P0 = 101325.0, U = 60.0;
-    const double rho = P0 * MOLAR_MASS / (GAS_CONSTANT * T), c = std::sqrt(GAMMA * P0 / rho);
+    const double rho = P0 * M_TUBE / (GAS_CONSTANT * T_LEFT), c = std::sqrt(GAMMA * P0 / rho);
     const double g = 0.25 * (GAMMA + 1.0) * U, W = g + std::sqrt(g * g + c * c);
     const double rise = rho * W * U, arrives = 1.0 / W;
     // gas that runs at u against a wall: the state between equal streams

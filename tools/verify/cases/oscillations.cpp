@@ -15,8 +15,9 @@
 namespace corpuscle::verify {
 namespace {
 
-constexpr double P = 101325.0, T = 300.0, M = 0.028, CP = 28.0;
-constexpr double GAMMA = CP / (CP - GAS_CONSTANT), DENSITY = P * M / (GAS_CONSTANT * T);
+constexpr double P_REST = 101325.0, T_REST = 300.0, M_AIR = 0.028, CP_AIR = 28.0;
+constexpr double GAMMA_AIR = CP_AIR / (CP_AIR - GAS_CONSTANT),
+                 RHO_REST = P_REST * M_AIR / (GAS_CONSTANT * T_REST);
 
 struct Swing {
     double omega, decay;  ///< both                                                      [1/s]
@@ -61,7 +62,7 @@ double lost(const Swing& swing) {
 std::vector<double> way_on_air(const std::vector<double>& time, double mass, double length,
                                double area, double speed) {
     const auto a = [&](double x) {
-        return P * area / mass * (std::pow(1.0 + x / length, -GAMMA) - 1.0);
+        return P_REST * area / mass * (std::pow(1.0 + x / length, -GAMMA_AIR) - 1.0);
     };
     double x = 0.0, v = speed;
     std::vector<double> way{x};
@@ -112,7 +113,9 @@ Stretch fitted_stretch(const std::vector<double>& time, const std::vector<double
 
 /// The tube's piston pressure less that of the closed end, mean of each sample.
 std::vector<double> difference_of_ends(const std::vector<double>& time, double speed, double ramp) {
-    oracle::EulerTube tube(GAMMA, 1.0, 400, [](double) { return oracle::Gas1D{DENSITY, 0.0, P}; });
+    oracle::EulerTube tube(GAMMA_AIR, 1.0, 400, [](double) {
+        return oracle::Gas1D{RHO_REST, 0.0, P_REST};
+    });
     const auto piston = [&](double t) {
         return -speed * std::max(0.0, 1.0 - std::abs(t / ramp - 1.0));
     };
@@ -138,8 +141,8 @@ std::vector<double> difference_of_ends(const std::vector<double>& time, double s
 /// same fit, for a swing of 5 % of the column is not harmonic.
 Findings plate_on_gas(const Runs& runs) {
     constexpr double PLATE = 0.25, LENGTH = 0.2, AREA = 0.04, SPEED = 3.4;
-    constexpr double MASS = PLATE + DENSITY * AREA * LENGTH / 3.0;
-    const double omega = std::sqrt(GAMMA * P * AREA / (MASS * LENGTH));
+    constexpr double MASS = PLATE + RHO_REST * AREA * LENGTH / 3.0;
+    const double omega = std::sqrt(GAMMA_AIR * P_REST * AREA / (MASS * LENGTH));
     return by_run(runs, [&](const MeasuredRun& run) {
         const auto time = run.time();
         const Swing exact = fitted_swing(time, way_on_air(time, MASS, LENGTH, AREA, SPEED), omega);
@@ -157,7 +160,7 @@ Findings plate_on_gas(const Runs& runs) {
 /// 100 000; random pairs would lose 15 %.
 Findings standing_wave(const Runs& runs) {
     constexpr double SPEED = 20.0, RAMP = 1.4e-3, LENGTH = 1.0;
-    const double period = 2.0 * LENGTH / std::sqrt(GAMMA * P / DENSITY);
+    const double period = 2.0 * LENGTH / std::sqrt(GAMMA_AIR * P_REST / RHO_REST);
     const auto time = runs.front().time();
     const auto exact = difference_of_ends(time, SPEED, RAMP);
     return by_run(runs, [&](const MeasuredRun& run) {

@@ -15,7 +15,7 @@
 namespace corpuscle::verify {
 namespace {
 
-const std::string BAG = "/history/airbag/1/";
+const std::string TANK = "/history/airbag/1/";
 constexpr double OPENS = 5e-3;  ///< of the tanks of models/                                 [s]
 constexpr double P_ATM = 101325.0;
 
@@ -23,8 +23,8 @@ constexpr double P_ATM = 101325.0;
 oracle::StirredTank tank_at_opening(const MeasuredRun& run,
                                     std::vector<oracle::StirredTank::Gas> gases) {
     for (std::size_t g = 0; g < gases.size(); ++g)
-        gases[g].mass = run.at(BAG + "species/" + std::to_string(g + 1) + "/mass", OPENS);
-    return {std::move(gases), run.at(BAG + "energy", OPENS), run.at(BAG + "volume", OPENS)};
+        gases[g].mass = run.at(TANK + "species/" + std::to_string(g + 1) + "/mass", OPENS);
+    return {std::move(gases), run.at(TANK + "energy", OPENS), run.at(TANK + "volume", OPENS)};
 }
 
 /// Greatest relative error of a history over all samples after `opens`.
@@ -44,8 +44,8 @@ double worst_error(const MeasuredRun& run, oracle::StirredTank tank, const std::
 
 /// Gas that stays in a tank expands without heat, at any rate of outflow: T m^(1 - gamma) is kept.
 double worst_off_isentrope(const MeasuredRun& run, double gamma) {
-    const auto time = run.time(), T = run.read(BAG + "temperature"), m = run.read(BAG + "mass");
-    const double T_0 = run.at(BAG + "temperature", OPENS), m_0 = run.at(BAG + "mass", OPENS);
+    const auto time = run.time(), T = run.read(TANK + "temperature"), m = run.read(TANK + "mass");
+    const double T_0 = run.at(TANK + "temperature", OPENS), m_0 = run.at(TANK + "mass", OPENS);
     double worst = 0.0;
     for (std::size_t i = 0; i < time.size(); ++i) {
         if (time[i] <= OPENS) continue;
@@ -69,8 +69,8 @@ Findings vented_tank(const Runs& runs) {
         const auto mass = [](const oracle::StirredTank& now) { return now.mass(); };
         const auto heat = [](const oracle::StirredTank& now) { return now.temperature(); };
         return std::map<std::string, double>{
-            {"mass", worst_error(run, tank, BAG + "mass", share, mass)},
-            {"temperature", worst_error(run, tank, BAG + "temperature", share, heat)},
+            {"mass", worst_error(run, tank, TANK + "mass", share, mass)},
+            {"temperature", worst_error(run, tank, TANK + "temperature", share, heat)},
             {"isentrope", worst_off_isentrope(run, CP / (CP - GAS_CONSTANT))}};
     });
 }
@@ -80,10 +80,10 @@ Findings effusion(const Runs& runs) {
     constexpr double AREA = 0.1 * 0.1 / 9.0, M = 0.028, CP = 28.0, STEPS = 20.0;
     const double pi = std::acos(-1.0), cv = (CP - GAS_CONSTANT) / M, R = GAS_CONSTANT / M;
     return by_run(runs, [&](const MeasuredRun& run) {
-        const double C23 = run.parameter("C23"), volume = run.at(BAG + "volume", OPENS);
-        const auto time = run.time(), mass = run.read(BAG + "mass"),
-                   temperature = run.read(BAG + "temperature");
-        double m = run.at(BAG + "mass", OPENS), T = run.at(BAG + "temperature", OPENS);
+        const double C23 = run.parameter("C23"), volume = run.at(TANK + "volume", OPENS);
+        const auto time = run.time(), mass = run.read(TANK + "mass"),
+                   temperature = run.read(TANK + "temperature");
+        double m = run.at(TANK + "mass", OPENS), T = run.at(TANK + "temperature", OPENS);
         double now = OPENS, worst_m = 0.0, worst_T = 0.0;
         for (std::size_t i = 0; i < time.size(); ++i) {
             if (time[i] <= OPENS) continue;
@@ -118,7 +118,7 @@ Findings porous_tank(const Runs& runs) {
             tank_at_opening(run, {{0.028, 28.0, 0.0}, {0.004, 20.79, 0.0}});
         const auto error = [&](std::size_t gas) {
             const auto mass = [gas](const oracle::StirredTank& now) { return now.gases[gas].mass; };
-            return worst_error(run, tank, BAG + "species/" + std::to_string(gas + 1) + "/mass",
+            return worst_error(run, tank, TANK + "species/" + std::to_string(gas + 1) + "/mass",
                                share, mass);
         };
         return std::map<std::string, double>{{"air", error(0)}, {"helium", error(1)}};
@@ -183,8 +183,8 @@ Findings uniform_tank(const Runs& runs) {
             to.energy += span * CP / M * (in * T_IN - out * T_out);
             return to;
         };
-        const auto time = run.time(), m = run.read(BAG + "mass"),
-                   hot = run.read(BAG + "temperature");
+        const auto time = run.time(), m = run.read(TANK + "mass"),
+                   hot = run.read(TANK + "temperature");
         double mass = 0.0, heat = 0.0;
         for (std::size_t i = 1; i < time.size(); ++i) {
             const double dt = (time[i] - time[i - 1]) / STEPS;
@@ -203,7 +203,7 @@ Findings uniform_tank(const Runs& runs) {
 Findings vent_by_chamber(const Runs& runs) {
     constexpr double C23 = 0.6, AREA = 0.01 / 9.0, M = 0.028, CP = 28.0, FROM = 0.5e-3;
     return by_run(runs, [&](const MeasuredRun& run) {
-        const std::string vents = BAG + "chamber/1/", neighbour = BAG + "chamber/2/";
+        const std::string vents = TANK + "chamber/1/", neighbour = TANK + "chamber/2/";
         oracle::StirredTank tank{{{M, CP, run.at(vents + "mass", 0.0)}},
                                  run.at(vents + "energy", 0.0),
                                  run.at(vents + "volume", 0.0)};
@@ -230,7 +230,7 @@ Findings far_vent(const Runs& runs) {
     return by_run(runs, [&](const MeasuredRun& run) {
         const oracle::Gas1D rest{P_ATM * M / (GAS_CONSTANT * T), 0.0, P_ATM};
         oracle::EulerDuct duct(GAMMA, 1.0, 400, rest, P_ATM, SOURCE);
-        const auto time = run.time(), out = run.read(BAG + "mass_out_vent");
+        const auto time = run.time(), out = run.read(TANK + "mass_out_vent");
         double worst = 0.0, arrives = INF;
         for (std::size_t i = 0; i < time.size(); ++i) {
             duct.advance(std::min(time[i], UNTIL), on);
@@ -240,7 +240,7 @@ Findings far_vent(const Runs& runs) {
                 arrives = time[i];
         }
         return std::map<std::string, double>{
-            {"early", run.at(BAG + "mass_out_vent", 0.9 * arrives) / (RATE * UNTIL)},
+            {"early", run.at(TANK + "mass_out_vent", 0.9 * arrives) / (RATE * UNTIL)},
             {"mass", worst / (duct.mass_out() * AREA)}};
     });
 }

@@ -13,7 +13,7 @@ using namespace corpuscle::contact;
 
 namespace {
 
-constexpr double DT = 1e-5;  ///< [s]
+constexpr double SPAN = 1e-5;  ///< [s]
 const Vec3 FLIGHT(300.0, -60.0, 90.0);
 
 /// A sheet that flies, drifts apart patch by patch, waves and shakes.
@@ -41,9 +41,9 @@ struct Flying {
 };
 
 void step(PatchMotion& motion, const Flying& flying, int n) {
-    const Points x = flying.at(n * DT), next = flying.at((n + 1) * DT);
-    const Points v = support::velocity_between(x, next, DT);
-    motion.foresee(v, DT);
+    const Points x = flying.at(n * SPAN), next = flying.at((n + 1) * SPAN);
+    const Points v = support::velocity_between(x, next, SPAN);
+    motion.foresee(v, SPAN);
     motion.follow(next);
 }
 
@@ -56,7 +56,7 @@ TEST_CASE("two patches' nodes move against each other by no more than their drif
     Points marked = flying.at(0.0);
     double measured = 0.0, greatest = 0.0;
     for (int n = 0; n < 60; ++n) {
-        const Points x = flying.at(n * DT);
+        const Points x = flying.at(n * SPAN);
         if (n == 25) {
             motion.mark(x);
             marked = x;
@@ -80,5 +80,5 @@ TEST_CASE("two patches' nodes move against each other by no more than their drif
         step(motion, flying, n);
     }
     CHECK(greatest > 5e-3);
-    CHECK(measured < 0.5 * 24 * DT * FLIGHT.norm());  // flying together is none
+    CHECK(measured < 0.5 * 24 * SPAN * FLIGHT.norm());  // flying together is none
 }

@@ -14,10 +14,10 @@ using namespace corpuscle::contact;
 
 namespace {
 
-constexpr double REACH = 1.5e-3, DT = 1e-5;  ///< [m], [s]
+constexpr double PAIR_REACH = 1.5e-3, PAIR_SPAN = 1e-5;  ///< [m], [s]
 
 /// Least distance of two patches' nodes and triangles, edges and edges that share no node; INF when
-/// it is above 2 REACH.                                                                     [m]
+/// it is above 2 PAIR_REACH.                                                                     [m]
 double least_distance(const Cloth& cloth, Index p, Index q, const Points& x) {
     double least = INF;
     const auto look = [&](const Pair& pair) {
@@ -26,7 +26,8 @@ double least_distance(const Cloth& cloth, Index p, Index q, const Points& x) {
     for (const Index t : cloth.patches[p])
         for (const Index u : cloth.patches[q]) {
             const Triangle &a = cloth.triangles[t], &b = cloth.triangles[u];
-            if (!triangle_box(a, x, x, REACH).overlaps(triangle_box(b, x, x, REACH))) continue;
+            if (!triangle_box(a, x, x, PAIR_REACH).overlaps(triangle_box(b, x, x, PAIR_REACH)))
+                continue;
             const auto is_of = [](Index n, const Triangle& of) {
                 return n == of[0] || n == of[1] || n == of[2];
             };
@@ -87,13 +88,14 @@ TEST_CASE("what is left out is out of reach, however cloth moves, until it does 
         for (unsigned state = 0; state < 8; ++state) {
             // from gentle waves to cloth that runs through itself
             const Waves motion(sheet.x, 2e-3 * (1 << state % 4), 1e-3 * (state % 3), state);
-            PatchPairs patches(cloth, std::vector<double>(cloth.triangles.size(), 0.5 * REACH));
+            PatchPairs patches(cloth,
+                               std::vector<double>(cloth.triangles.size(), 0.5 * PAIR_REACH));
             patches.start(motion.at(0.0));
             for (int n = 0; n < 24; ++n, ++steps) {
-                const Points x = motion.at(n * DT), next = motion.at((n + 1) * DT);
-                const Points v = support::velocity_between(x, next, DT);
+                const Points x = motion.at(n * PAIR_SPAN), next = motion.at((n + 1) * PAIR_SPAN);
+                const Points v = support::velocity_between(x, next, PAIR_SPAN);
                 if (n > 0) patches.follow(x);
-                patches.foresee(v, DT);
+                patches.foresee(v, PAIR_SPAN);
                 if (n == 0 || !patches.holds(x)) {
                     patches.find(x, 12.0);
                     ++finds;
@@ -107,9 +109,9 @@ TEST_CASE("what is left out is out of reach, however cloth moves, until it does 
                             std::min(least_distance(cloth, both.first, both.second, x),
                                      least_distance(cloth, both.first, both.second, next));
                         const bool is_in = std::binary_search(pairs.begin(), pairs.end(), both);
-                        near += least < REACH;
+                        near += least < PAIR_REACH;
                         left_out += !is_in;
-                        if (!is_in) CHECK(least >= REACH);
+                        if (!is_in) CHECK(least >= PAIR_REACH);
                     }
             }
         }
@@ -128,9 +130,9 @@ TEST_CASE("cloth folded flat is searched across its fold", "[contact]") {
     ContactCard card;
     card.thickness = 1e-3;
     const Cloth cloth(spring.setup(card, flat.x));  // patches are those of the flat cloth
-    PatchPairs patches(cloth, std::vector<double>(cloth.triangles.size(), 0.5 * REACH));
+    PatchPairs patches(cloth, std::vector<double>(cloth.triangles.size(), 0.5 * PAIR_REACH));
     patches.start(folded.x);
-    patches.foresee(Points(folded.x.size(), Vec3::Zero()), DT);
+    patches.foresee(Points(folded.x.size(), Vec3::Zero()), PAIR_SPAN);
     patches.find(folded.x, 12.0);
     std::size_t across = 0;
     for (std::size_t p = 0; p < cloth.patches.size(); ++p)

@@ -10,13 +10,13 @@ using namespace corpuscle;
 using namespace corpuscle::contact;
 
 namespace {
-constexpr Pair NODE{{0, 1, 2, 3}, false}, EDGES{{0, 1, 2, 3}, true};
+constexpr Pair NODE_PAIR{{0, 1, 2, 3}, false}, EDGE_PAIR{{0, 1, 2, 3}, true};
 }
 
 TEST_CASE("a node that flies through a triangle is caught before it gets there", "[contact]") {
     const Corners x{Vec3(0.2, 0.2, 1.0), Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
     const auto time = [&](double fall) {
-        return time_of_impact(NODE, x,
+        return time_of_impact(NODE_PAIR, x,
                               {Vec3(0, 0, -fall), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}, 1.0);
     };
     CHECK(time(2.0) < 0.5);
@@ -29,8 +29,8 @@ TEST_CASE("a node that flies through a triangle is caught before it gets there",
 TEST_CASE("what moves together never meets", "[contact]") {
     const Corners x{Vec3(0.2, 0.2, 1e-6), Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
     const Vec3 far(300.0, -200.0, 100.0);
-    CHECK(time_of_impact(NODE, x, {far, far, far, far}, 1.0) == NO_IMPACT);
-    CHECK(time_of_impact(EDGES, x, {far, far, far, far}, 1.0) == NO_IMPACT);
+    CHECK(time_of_impact(NODE_PAIR, x, {far, far, far, far}, 1.0) == NO_IMPACT);
+    CHECK(time_of_impact(EDGE_PAIR, x, {far, far, far, far}, 1.0) == NO_IMPACT);
 }
 
 TEST_CASE("no pair comes nearer than promised before its time of impact", "[contact]") {
@@ -42,7 +42,7 @@ TEST_CASE("no pair comes nearer than promised before its time of impact", "[cont
         Corners x, move;
         for (Vec3& p : x) p = any();
         for (Vec3& p : move) p = 1.5 * any();
-        const Pair& pair = i % 2 == 0 ? NODE : EDGES;
+        const Pair& pair = i % 2 == 0 ? NODE_PAIR : EDGE_PAIR;
         const double time = time_of_impact(pair, x, move, 0.1);
         impacts += time != NO_IMPACT;
         const double promised = 0.1 * std::min(0.1, nearest(pair, x).apart.norm());

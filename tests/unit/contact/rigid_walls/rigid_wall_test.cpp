@@ -22,7 +22,7 @@ WallCard wall_card(std::size_t nodes, double friction = 0.0) {
     return card;
 }
 
-constexpr double DT = 1e-5;
+constexpr double WALL_STEP = 1e-5;
 
 }  // namespace
 
@@ -34,9 +34,9 @@ TEST_CASE("a node stops at the wall, and the wall feels its momentum", "[contact
     const double kinetic = 0.5 * mass[0] * 2500.0;
     Vec3 impulse = Vec3::Zero();
     for (int n = 0; n < 20; ++n) {
-        wall.hold(x, mass, n * DT, DT, v);
-        x[0] += DT * v[0];
-        impulse += DT * wall.force();
+        wall.hold(x, mass, n * WALL_STEP, WALL_STEP, v);
+        x[0] += WALL_STEP * v[0];
+        impulse += WALL_STEP * wall.force();
         REQUIRE(PLANE.normal.dot(x[0] - PLANE.point) > -1e-15);
     }
     CHECK(PLANE.normal.dot(x[0] - PLANE.point) < 1e-15);
@@ -52,7 +52,7 @@ TEST_CASE("a wall lets go of what leaves it", "[contact]") {
     const std::vector<double> mass{1.0};
     const Points x{PLANE.point};
     Points v{3.0 * PLANE.normal};
-    wall.hold(x, mass, 0.0, DT, v);
+    wall.hold(x, mass, 0.0, WALL_STEP, v);
     CHECK(v[0] == 3.0 * PLANE.normal);
     CHECK(wall.force().isZero());
 }
@@ -66,12 +66,12 @@ TEST_CASE("sliding along a wall: free, rubbed by mu times the normal impulse, or
     const std::vector<double> mass{0.5};
     const Points x{PLANE.point};
     Points v{-10.0 * PLANE.normal + 8.0 * along};
-    wall.hold(x, mass, 0.0, DT, v);
+    wall.hold(x, mass, 0.0, WALL_STEP, v);
     const double left = friction == 0.0 ? 8.0 : friction == 0.3 ? 5.0 : 0.0;
     CHECK((v[0] - left * along).norm() < 1e-12);
     CHECK(wall.stopping_energy() == Approx(0.25 * 100.0));
     CHECK(wall.friction_energy() == Approx(0.25 * (64.0 - left * left)).margin(1e-12));
-    CHECK(wall.force().dot(along) * DT == Approx(0.5 * (8.0 - left)).margin(1e-12));
+    CHECK(wall.force().dot(along) * WALL_STEP == Approx(0.5 * (8.0 - left)).margin(1e-12));
 }
 
 TEST_CASE("nodes behind the wall at its birth are named and let alone until they come out",
@@ -83,15 +83,15 @@ TEST_CASE("nodes behind the wall at its birth are named and let alone until they
     Points x{PLANE.point - 1e-3 * PLANE.normal, PLANE.point + 1e-3 * PLANE.normal};
     Points v{-5.0 * PLANE.normal, -500.0 * PLANE.normal};
     const Points before = v;
-    wall.hold(x, mass, 0.0, DT, v);
+    wall.hold(x, mass, 0.0, WALL_STEP, v);
     CHECK(v == before);  // not yet born
-    wall.hold(x, mass, 1e-3, DT, v);
+    wall.hold(x, mass, 1e-3, WALL_STEP, v);
     CHECK(wall.nodes_behind() == std::vector<Index>{0});
     CHECK(v[0] == before[0]);
     CHECK(v[1].dot(PLANE.normal) == Approx(-100.0));
 
     x[0] = PLANE.point + 1e-6 * PLANE.normal;
-    wall.hold(x, mass, 2e-3, DT, v);
+    wall.hold(x, mass, 2e-3, WALL_STEP, v);
     CHECK(wall.nodes_behind().empty());
     CHECK(v[0].dot(PLANE.normal) == Approx(-0.1));
 }

@@ -12,15 +12,15 @@ using namespace corpuscle::fabric;
 
 namespace {
 
-struct Sheet {
+struct FlatLaw {
     double E_1, E_2, nu_21, G;
 };
-const Sheet SHEETS[] = {{300e6, 250e6, 0.1, 3e6},    // woven
-                        {300e6, 300e6, 0.2, 125e6},  // isotropic
-                        {400e6, 50e6, 0.05, 20e6},   // warp much stiffer
-                        {50e6, 400e6, 0.3, 200e6}};  // stiff in shear
+const FlatLaw SHEETS[] = {{300e6, 250e6, 0.1, 3e6},    // woven
+                          {300e6, 300e6, 0.2, 125e6},  // isotropic
+                          {400e6, 50e6, 0.05, 20e6},   // warp much stiffer
+                          {50e6, 400e6, 0.3, 200e6}};  // stiff in shear
 
-OrthotropicTensionField law_of(const Sheet& s) {
+OrthotropicTensionField law_of(const FlatLaw& s) {
     return {s.E_1, s.E_2, s.nu_21, s.G};
 }
 
@@ -30,7 +30,7 @@ Strain<double> random_strain(std::mt19937& random) {
 }
 
 /// S:C:S/2, the energy of a stress in an unwrinkled sheet.
-double complementary(const Sheet& m, double S_1, double S_2, double S_12) {
+double complementary(const FlatLaw& m, double S_1, double S_2, double S_12) {
     return 0.5 * (S_1 * S_1 / m.E_1 + S_2 * S_2 / m.E_2 - 2 * m.nu_21 / m.E_2 * S_1 * S_2 +
                   S_12 * S_12 / m.G);
 }
@@ -38,7 +38,7 @@ double complementary(const Sheet& m, double S_1, double S_2, double S_12) {
 }  // namespace
 
 TEST_CASE("a tension field never presses", "[fabric][law]") {
-    const Sheet sheet = GENERATE(from_range(std::begin(SHEETS), std::end(SHEETS)));
+    const FlatLaw sheet = GENERATE(from_range(std::begin(SHEETS), std::end(SHEETS)));
     const OrthotropicTensionField law = law_of(sheet);
     std::mt19937 random(1);
     for (int i = 0; i < 2000; ++i) {
@@ -53,7 +53,7 @@ TEST_CASE("a tension field never presses", "[fabric][law]") {
 TEST_CASE("no stress without compression holds more energy than the tension field finds",
           "[fabric][law]") {
     // w = max over S >= 0 of S:E - S:C:S/2, here by trying many S
-    const Sheet sheet = GENERATE(from_range(std::begin(SHEETS), std::end(SHEETS)));
+    const FlatLaw sheet = GENERATE(from_range(std::begin(SHEETS), std::end(SHEETS)));
     const OrthotropicTensionField law = law_of(sheet);
     std::mt19937 random(2);
     std::uniform_real_distribution<double> share(0.0, 1.0), angle(0.0, 3.141592653589793);
@@ -75,7 +75,7 @@ TEST_CASE("no stress without compression holds more energy than the tension fiel
 }
 
 TEST_CASE("stress is the slope of energy, across all borders", "[fabric][law]") {
-    const Sheet sheet = GENERATE(from_range(std::begin(SHEETS), std::end(SHEETS)));
+    const FlatLaw sheet = GENERATE(from_range(std::begin(SHEETS), std::end(SHEETS)));
     const OrthotropicTensionField law = law_of(sheet);
     const double step = 1e-7;
     std::mt19937 random(3);
@@ -110,7 +110,7 @@ TEST_CASE("the tension field of woven cloth holds that of a film", "[fabric][law
 }
 
 TEST_CASE("warp and weft may change places, and shear its sign", "[fabric][law]") {
-    const Sheet m = GENERATE(from_range(std::begin(SHEETS), std::end(SHEETS)));
+    const FlatLaw m = GENERATE(from_range(std::begin(SHEETS), std::end(SHEETS)));
     const OrthotropicTensionField one = law_of(m);
     const OrthotropicTensionField other(m.E_2, m.E_1, m.nu_21 * m.E_1 / m.E_2, m.G);
     std::mt19937 random(5);

@@ -7,21 +7,19 @@
 #include "gas/inflow/inflator.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/random.hpp"
+#include "tests/unit/gas/random_gas.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::gas;
 
 namespace {
 
-const SpeciesCard AIR{0.028, 28.0, 0.0, 0.0};
-const SpeciesCard HELIUM{0.004, 20.79, 0.0, 0.0};
-
 /// Two gases through two inflators' three orifices; curves 0 and 1 are flows, 2 and 3 temperatures.
-struct Scene {
+struct TwoInflators {
     BagCard card;
     std::vector<Curve> curves;
 
-    Scene() {
+    TwoInflators() {
         curves = {{1, {0.0, 0.9e-3, 1.1e-3, 1.0}, {0.1, 0.1, 0.0, 0.0}},
                   {2, {1e-4, 5e-4, 5e-4, 2e-3}, {0.0, 0.2, 0.05, 0.01}},
                   {3, {0.0, 1.0}, {210.9, 210.9}},
@@ -44,7 +42,7 @@ struct Scene {
     }
 };
 
-std::vector<Entry> all_of(const Scene& scene) {
+std::vector<Entry> all_of(const TwoInflators& scene) {
     std::vector<Entry> entries;
     scene.inflators().entering(INF, scene.axes(), entries);
     return entries;
@@ -82,7 +80,7 @@ TEST_CASE("a flow curve's time_of undoes its sum", "[gas]") {
 
 TEST_CASE("inflow follows the curve within one particle at every instant", "[gas]") {
     const std::uint64_t seed = GENERATE(range(1, 25));
-    Scene scene;
+    TwoInflators scene;
     scene.card.particles = GENERATE(17, 400);
     scene.curves[0] = random_flow(seed);
     scene.curves[1] = random_flow(1000 + seed);
@@ -106,7 +104,7 @@ TEST_CASE("inflow follows the curve within one particle at every instant", "[gas
 }
 
 TEST_CASE("each orifice gets its share within one particle at every instant", "[gas]") {
-    Scene scene;
+    TwoInflators scene;
     scene.card.orifices.clear();
     for (double weight : {1.0, 2.5, 0.01, 7.0, 0.0, 3.3}) {
         scene.card.orifices.emplace_back().weight = weight;
@@ -128,7 +126,7 @@ TEST_CASE("each orifice gets its share within one particle at every instant", "[
 }
 
 TEST_CASE("gases keep to their inflator's orifices and particles to equal moles", "[gas]") {
-    const Scene scene;
+    const TwoInflators scene;
     const Inflators inflators = scene.inflators();
     for (const Entry& entry : all_of(scene)) CHECK((entry.orifice == 0) == (entry.inflow == 0));
 
@@ -142,7 +140,7 @@ TEST_CASE("gases keep to their inflator's orifices and particles to equal moles"
 
 TEST_CASE("a particle brings u(T_stag), its translation in one direction inside the cone",
           "[gas]") {
-    const Scene scene;
+    const TwoInflators scene;
     const Inflators inflators = scene.inflators();
     Vec3 mean = Vec3::Zero();
     double jets = 0.0, mean_cosine = 0.0;
@@ -171,7 +169,7 @@ TEST_CASE("a particle brings u(T_stag), its translation in one direction inside 
 }
 
 TEST_CASE("entries do not depend on how time is cut, nor on a stop and restart", "[gas]") {
-    const Scene scene;
+    const TwoInflators scene;
     const std::vector<Entry> whole = all_of(scene);
 
     std::vector<Entry> pieces;
@@ -196,7 +194,7 @@ TEST_CASE("entries do not depend on how time is cut, nor on a stop and restart",
 }
 
 TEST_CASE("all faults of an inflator are told at once", "[gas]") {
-    Scene scene;
+    TwoInflators scene;
     scene.curves[0].y[1] = -0.1;
     scene.curves[3].y[0] = -50.0;
     scene.card.inflow[1].inflator = 5;
@@ -212,7 +210,7 @@ TEST_CASE("all faults of an inflator are told at once", "[gas]") {
 }
 
 TEST_CASE("inflow that cannot be is refused", "[gas]") {
-    Scene scene;
+    TwoInflators scene;
     SECTION("nothing flows before all is to be in") {
         scene.card.all_in = 1e-4;
         CHECK_THROWS_WITH(scene.inflators(), Catch::Contains("brings nothing in"));

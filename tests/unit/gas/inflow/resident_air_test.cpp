@@ -34,12 +34,12 @@ Enclosure enclosure(const shapes::Shape& shape) {
     return {shape.triangles, shape.x, id, "bag"};
 }
 
-const Species AIR({0.029, 29.1, 0.001, 0.0}, GAS_CONSTANT, "air");
+const Species AMBIENT_AIR({0.029, 29.1, 0.001, 0.0}, GAS_CONSTANT, "air");
 constexpr ResidentAir SOME{20000, 3, 500, 1e-8, 350.0};
 
 Particles fill(const shapes::Shape& shape) {
     Particles particles;
-    add_resident_air(SOME, AIR, enclosure(shape), shape.x, 7, "bag", particles);
+    add_resident_air(SOME, AMBIENT_AIR, enclosure(shape), shape.x, 7, "bag", particles);
     return particles;
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("resident air fills a folded bag evenly, at rest, with exact energy", 
     const double exact = 1.5 * GAS_CONSTANT * SOME.temperature / 0.029 * all;
     CHECK(momentum.norm() < 1e-12 * std::sqrt(2.0 * all * translational));
     CHECK(translational == Approx(exact).epsilon(1e-12));
-    CHECK(translational + internal == Approx(all * AIR.u(SOME.temperature)).epsilon(1e-12));
+    CHECK(translational + internal == Approx(all * AMBIENT_AIR.u(SOME.temperature)).epsilon(1e-12));
 
     // The centre of volume, by the divergence theorem, and its deviation at this number: some 3e-4.
     Vec3 moment = Vec3::Zero();

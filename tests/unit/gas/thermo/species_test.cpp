@@ -4,6 +4,7 @@
 
 #include "gas/thermo/species.hpp"
 #include "solver/base/error.hpp"
+#include "tests/unit/gas/random_gas.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::gas;
@@ -11,9 +12,7 @@ using namespace corpuscle::gas;
 namespace {
 
 const SpeciesCard NITROGEN{0.028, 26.1, 8.18e-3, -1.98e-6};
-const SpeciesCard CARBON_DIOXIDE{0.044, 22.26, 59.81e-3, -35.01e-6};
 const SpeciesCard PROPANE{0.0441, 10.1, 0.239, -7.4e-5};
-const SpeciesCard HELIUM{0.004, 20.79, 0.0, 0.0};
 
 Species make(const SpeciesCard& card) {
     return {card, GAS_CONSTANT, "gas"};

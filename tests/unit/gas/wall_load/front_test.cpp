@@ -18,10 +18,11 @@ using namespace corpuscle::gas;
 
 namespace {
 
-constexpr double TIME = 50e-6, STEP = 5e-6;   ///< [s]
-constexpr double LOW = 1.0, HIGH = 3.0;       ///< pressure ahead of the front, behind it   [Pa]
-constexpr double FROM = 0.2, SPEED = 1000.0;  ///< where it starts [m], its speed         [m/s]
-constexpr int CELLS = 20, STEPS = 60;
+constexpr double TIME = 50e-6, STEP = 5e-6;  ///< [s]
+constexpr double LOW = 1.0, HIGH = 3.0;      ///< pressure ahead of the front, behind it   [Pa]
+constexpr double FRONT_FROM = 0.2,
+                 FRONT_SPEED = 1000.0;  ///< where it starts [m], its speed         [m/s]
+constexpr int CELLS = 20, FRONT_STEPS = 60;
 
 /// A cube whose lid alone is free; all of it is hit in the middle of each facet.
 class Lid {
@@ -89,9 +90,9 @@ private:
 
 TEST_CASE("a front's load is felt at the front, not ahead of it", "[gas]") {
     Lid lid;
-    for (int s = 0; s < STEPS; ++s) lid.step(FROM + SPEED * STEP * s);
-    const double lasted = STEPS * STEP, end = FROM + SPEED * lasted;
-    const double behind = lid.mean(0.0, FROM, lasted);
+    for (int s = 0; s < FRONT_STEPS; ++s) lid.step(FRONT_FROM + FRONT_SPEED * STEP * s);
+    const double lasted = FRONT_STEPS * STEP, end = FRONT_FROM + FRONT_SPEED * lasted;
+    const double behind = lid.mean(0.0, FRONT_FROM, lasted);
     CHECK(behind == Approx((HIGH - LOW) * (lasted - TIME)).epsilon(0.02));
     for (const double ahead : {0.2, 0.3, 0.4})
         CHECK(std::abs(lid.mean(end + ahead, end + ahead + 0.1, lasted)) < 0.01 * behind);

@@ -11,7 +11,7 @@ using namespace corpuscle::gas;
 
 namespace {
 
-constexpr double TIME = 1e-3, STEP = 1e-5;
+constexpr double ROUGH_TIME = 1e-3, ROUGH_STEP = 1e-5;
 
 /// Two parts of one right-angled triangle each, of area 1/2.
 BagWalls two_triangles() {
@@ -28,7 +28,7 @@ const Points X{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
 }  // namespace
 
 TEST_CASE("a bag without friction has none on any facet", "[gas]") {
-    const Roughness roughness(BagCard{}, two_triangles(), {}, TIME);
+    const Roughness roughness(BagCard{}, two_triangles(), {}, ROUGH_TIME);
     CHECK(roughness.now().on(1) == 0.0);
     CHECK(roughness.now().of_facet.empty());
 }
@@ -37,7 +37,7 @@ TEST_CASE("a part's own friction goes before that of all", "[gas]") {
     BagCard card;
     card.friction = {{{}, 0.2}, {{5}, -0.5}};
     card.friction_pushes_along = false;
-    const Roughness roughness(card, two_triangles(), {}, TIME);
+    const Roughness roughness(card, two_triangles(), {}, ROUGH_TIME);
     CHECK(roughness.now().on(0) == 0.2);
     CHECK(roughness.now().on(1) == -0.5);
     CHECK_FALSE(roughness.now().pushes_along);
@@ -48,17 +48,17 @@ TEST_CASE("friction by a curve follows the mean pressure of its own part's hits 
     BagCard card;
     card.friction = {{{5}, 0.0, 0}};
     const std::vector<Curve> curves{{1, {0.0, 1000.0}, {0.0, 1.0}}};
-    Roughness roughness(card, two_triangles(), curves, TIME);
-    constexpr double PRESSURE = 300.0, AIR = 200.0;
+    Roughness roughness(card, two_triangles(), curves, ROUGH_TIME);
+    constexpr double PRESSURE = 300.0, OF_AIR = 200.0;
     FlightResult flight;
     flight.hits = {{{0, 0, {1, 0, 0}, Vec3(0, 0, 7.0), 0.0, Vec3::Zero()}},
-                   {{1, 0, {1, 0, 0}, Vec3(0, 0, 0.5 * PRESSURE * STEP), 0.0, Vec3::Zero()}}};
+                   {{1, 0, {1, 0, 0}, Vec3(0, 0, 0.5 * PRESSURE * ROUGH_STEP), 0.0, Vec3::Zero()}}};
     double before = 0.0;
     for (int s = 1; s <= 1000; ++s) {
-        roughness.receive(flight, STEP, AIR, X);
-        if (s == 100) before = roughness.now().on(1);  // one TIME: 1 - 1/e of the way
+        roughness.receive(flight, ROUGH_STEP, OF_AIR, X);
+        if (s == 100) before = roughness.now().on(1);  // one ROUGH_TIME: 1 - 1/e of the way
     }
-    CHECK(before == Approx((AIR + PRESSURE * (1.0 - std::exp(-1.0))) / 1000.0));
-    CHECK(roughness.now().on(1) == Approx((AIR + PRESSURE) / 1000.0).epsilon(1e-3));
+    CHECK(before == Approx((OF_AIR + PRESSURE * (1.0 - std::exp(-1.0))) / 1000.0));
+    CHECK(roughness.now().on(1) == Approx((OF_AIR + PRESSURE) / 1000.0).epsilon(1e-3));
     CHECK(roughness.now().on(0) == 0.0);
 }

@@ -18,7 +18,7 @@ using namespace corpuscle::gas;
 
 namespace {
 
-constexpr double TIME = 50e-6, STEP = 5e-6;
+constexpr double LOAD_TIME = 50e-6, LOAD_STEP = 5e-6;
 
 /// Nodes' impulse released exponentially, each for itself: plain smoothing.
 class PlainSmoothing {
@@ -30,9 +30,9 @@ public:
     }
     void release(Points& f) {
         for (std::size_t n = 0; n < f.size(); ++n) {
-            const Vec3 given = -std::expm1(-STEP / TIME) * owed_[n];
+            const Vec3 given = -std::expm1(-LOAD_STEP / LOAD_TIME) * owed_[n];
             owed_[n] -= given;
-            f[n] += given / STEP;
+            f[n] += given / LOAD_STEP;
         }
     }
 
@@ -41,14 +41,14 @@ private:
 };
 
 /// A closed surface whose facets are hit at random, each equally often, with an impulse that is
-/// exponential in size (as m v_n² is): one hit a facet and `TIME` at `pressure` 1.
+/// exponential in size (as m v_n² is): one hit a facet and `LOAD_TIME` at `pressure` 1.
 class HitSurface {
 public:
     explicit HitSurface(bool is_plain, double mass = 1.0)
         : surface_(
               std::make_shared<WettedSurface>(shape_.triangles, shape_.triangles.size(), shape_.x)),
           held_(shape_.x.size(), 0),
-          load_(surface_, held_, {}, {TIME, TIME}, 0.0),
+          load_(surface_, held_, {}, {LOAD_TIME, LOAD_TIME}, 0.0),
           plain_(shape_.x.size()),
           is_plain_(is_plain),
           area_(surface_->points(), Vec3::Zero()),
@@ -69,10 +69,10 @@ public:
             const auto& [a, b, c] = shape_.triangles[f];
             if (shape_.x[a][0] > until) continue;
             Random draw(9, Stream::WALL, step_, f);
-            for (double t = -std::log(draw.uniform()); t < pressure * STEP / TIME;
+            for (double t = -std::log(draw.uniform()); t < pressure * LOAD_STEP / LOAD_TIME;
                  t -= std::log(draw.uniform())) {
                 const double u = draw.uniform(), v = draw.uniform(), root = std::sqrt(u);
-                const Vec3 impulse = -std::log(draw.uniform()) * TIME *
+                const Vec3 impulse = -std::log(draw.uniform()) * LOAD_TIME *
                                      vector_area(shape_.x[a], shape_.x[b], shape_.x[c]);
                 flight_.hits[0].push_back({static_cast<Index>(f),
                                            0,
@@ -91,7 +91,7 @@ public:
         } else {
             load_.find_sides(flight_, shape_.x, shape_.x);
             load_.receive(flight_, particle_mass_, particle_);
-            load_.release(STEP, shape_.x, v_, mass_, f);
+            load_.release(LOAD_STEP, shape_.x, v_, mass_, f);
         }
         Facets out;
         for (const Triangle& t : shape_.triangles) {
@@ -102,8 +102,8 @@ public:
                 (on - pressure) * (on - pressure) / static_cast<double>(shape_.triangles.size());
         }
         for (std::size_t n = 0; n < f.size(); ++n) {
-            given_.add(shape_.x[n], STEP * f[n]);
-            outward_ += STEP * f[n].dot(area_[n].normalized());
+            given_.add(shape_.x[n], LOAD_STEP * f[n]);
+            outward_ += LOAD_STEP * f[n].dot(area_[n].normalized());
         }
         out.scatter = std::sqrt(out.scatter);
         return out;
@@ -150,7 +150,8 @@ Measured measure(bool is_plain) {
         const double scatter = wall.step(1.0).scatter;
         if (s >= STEPS / 2) out.scatter += scatter / (STEPS / 2);
     }
-    while (wall.step(2.0).mean < 2.0 - std::exp(-1.0) && out.delay < 100 * STEP) out.delay += STEP;
+    while (wall.step(2.0).mean < 2.0 - std::exp(-1.0) && out.delay < 100 * LOAD_STEP)
+        out.delay += LOAD_STEP;
     return out;
 }
 
@@ -162,7 +163,7 @@ TEST_CASE("the load on a wall is a third as noisy as plain smoothing, at the sam
                                        << 100 * plain.scatter << " %, delay " << 1e6 * quiet.delay
                                        << " against " << 1e6 * plain.delay << " us");
     CHECK(quiet.scatter < plain.scatter / 3.0);
-    CHECK(quiet.delay <= plain.delay + STEP);
+    CHECK(quiet.delay <= plain.delay + LOAD_STEP);
 }
 
 TEST_CASE("what the wall is owed is what hits brought less what was given, and goes in 0.3 ms",
@@ -179,7 +180,7 @@ TEST_CASE("what the wall is owed is what hits brought less what was given, and g
     }
     const double before = wall.outward();
     for (int s = 0; s < 60; ++s) wall.step(0.0);
-    const double owed = before * TIME / (200 * STEP);  // one delay's worth of pressure
+    const double owed = before * LOAD_TIME / (200 * LOAD_STEP);  // one delay's worth of pressure
     CHECK(wall.load().owed().linear.norm() < 0.01 * owed);
     CHECK(wall.load().owed().angular.norm() < 0.01 * owed);
 }
@@ -220,14 +221,14 @@ TEST_CASE("the gas answers a wall's motion at once, and gives all of it what hit
         Vec3 sum = Vec3::Zero();  ///< what they get together
     };
     const auto pushed = [&](auto&& speed) {
-        WallLoad load(surface, held, {}, {TIME, TIME}, 0.0);
+        WallLoad load(surface, held, {}, {LOAD_TIME, LOAD_TIME}, 0.0);
         load.begin_with(PRESSURE, FLUX, shape.x);
         Pushed all;
         for (int s = 0; s < 500; ++s) {  // 50 times the delay
             Points v(shape.x.size()), f(shape.x.size(), Vec3::Zero());
             for (std::size_t n = 0; n < v.size(); ++n)
                 v[n] = (s == 0 ? speed(n) : 0.0) * shape.x[n];
-            load.release(STEP, shape.x, v, mass, f);
+            load.release(LOAD_STEP, shape.x, v, mass, f);
             if (s == 0) all.first = f[0].dot(shape.x[0]);
             for (std::size_t n = 0; n < f.size(); ++n) {
                 all.along += f[n].dot(normal[n]);
@@ -254,7 +255,7 @@ TEST_CASE("what is charged to wall that gas has left is paid where gas is", "[ga
     const std::size_t nodes = shape.x.size();
     const std::vector<std::uint8_t> held(nodes, 0);
     const std::vector<double> particle_mass{1e-9}, mass(nodes, 1.0);
-    WallLoad load(surface, held, {}, {TIME, TIME}, 0.0);
+    WallLoad load(surface, held, {}, {LOAD_TIME, LOAD_TIME}, 0.0);
     Particles gas;
     gas.add(Vec3::Zero(), Vec3::Zero(), 1.0, 0, 0);
     const Points v(nodes, Vec3::Zero());
@@ -267,8 +268,8 @@ TEST_CASE("what is charged to wall that gas has left is paid where gas is", "[ga
         load.find_sides(flight, shape.x, shape.x);
         load.receive(flight, particle_mass, gas);
         Points f(nodes, Vec3::Zero());
-        load.release(STEP, shape.x, v, mass, f);
-        load.book(v, STEP);
+        load.release(LOAD_STEP, shape.x, v, mass, f);
+        load.book(v, LOAD_STEP);
     };
     step();
     const std::size_t far = surface->side(shape.triangles.size() - 1, false);

@@ -19,13 +19,6 @@ ContactCard contact_of(const std::string& text) {
     return model.contacts[0];
 }
 
-std::string only_fault(const std::string& text) {
-    const DeckFolder folder;
-    const auto faults = folder.faults(small_deck(text));
-    REQUIRE(faults.size() == 1);
-    return faults[0];
-}
-
 using Rows = std::vector<Index>;
 
 }  // namespace

@@ -12,18 +12,6 @@ using namespace corpuscle::test;
 
 namespace {
 
-Model read(const std::string& text) {
-    const DeckFolder folder;
-    return folder.read(small_deck(text));
-}
-
-std::string only_fault(const std::string& text) {
-    const DeckFolder folder;
-    const auto faults = folder.faults(small_deck(text));
-    REQUIRE(faults.size() == 1);
-    return faults[0];
-}
-
 std::string held(const std::string& constraints, const std::string& system) {
     return "*MAT_RIGID\n5,2.0,1.e9,0.3\n" + constraints + "\n\n" + system;
 }
@@ -52,27 +40,28 @@ const std::string MERGED = TWO + "*CONSTRAINED_RIGID_BODIES\n50,51\n";
 TEST_CASE("CMO = -1: axes by places, vectors and nodes, a digit for each that is held", "[io]") {
     const std::string code = "-1,9,101001";
     // the deck's order does not matter
-    const Model by_places = read(held(code, "*DEFINE_COORDINATE_SYSTEM\n9,1,1,0,1,4,0\n0,2,0\n"));
+    const Model by_places =
+        read_small(held(code, "*DEFINE_COORDINATE_SYSTEM\n9,1,1,0,1,4,0\n0,2,0\n"));
     CHECK((card(by_places).axes - quarter_turn()).norm() < 1e-15);
     CHECK(card(by_places).fixed_moves == 0b101U);  // x, z
     CHECK(card(by_places).fixed_turns == 0b100U);  // about z
     const Model by_vectors =
-        read(held(code, "*DEFINE_COORDINATE_VECTOR_TITLE\nrail\n9,0,3,0,-1,5,0\n"));
+        read_small(held(code, "*DEFINE_COORDINATE_VECTOR_TITLE\nrail\n9,0,3,0,-1,5,0\n"));
     CHECK((card(by_vectors).axes - quarter_turn()).norm() < 1e-15);
-    const Model by_nodes = read(held(code, "*DEFINE_COORDINATE_NODES\n9,2,3,1\n"));
+    const Model by_nodes = read_small(held(code, "*DEFINE_COORDINATE_NODES\n9,2,3,1\n"));
     CHECK((card(by_nodes).axes - quarter_turn()).norm() < 1e-15);
-    const Model low = read(held("-1.0,9,111", "*DEFINE_COORDINATE_NODES\n9,2,3,1\n"));
+    const Model low = read_small(held("-1.0,9,111", "*DEFINE_COORDINATE_NODES\n9,2,3,1\n"));
     CHECK(card(low).fixed_moves == 0U);  // 000111
     CHECK(card(low).fixed_turns == 0b111U);
-    CHECK(card(read(held("1,7,7", ""))).axes == Mat3(Mat3::Identity()));
+    CHECK(card(read_small(held("1,7,7", ""))).axes == Mat3(Mat3::Identity()));
 }
 
 TEST_CASE("nodes that are placed by a transformation give axes where they end", "[io]") {
     const std::string nodes = "*NODE\n61,0,0,0\n62,1,0,0\n63,0,1,0\n*SET_NODE\n6\n61,62,63\n";
     const Model model =
-        read(held("-1,9,100000", "*DEFINE_COORDINATE_NODES\n9,61,62,63\n" + nodes +
-                                     "*DEFINE_TRANSFORMATION\n3\nROTATE,0,0,1,0,0,0,90\n"
-                                     "*NODE_TRANSFORM\n3,6\n"));
+        read_small(held("-1,9,100000", "*DEFINE_COORDINATE_NODES\n9,61,62,63\n" + nodes +
+                                           "*DEFINE_TRANSFORMATION\n3\nROTATE,0,0,1,0,0,0,90\n"
+                                           "*NODE_TRANSFORM\n3,6\n"));
     CHECK((card(model).axes - quarter_turn()).norm() < 1e-12);
 }
 
@@ -89,7 +78,7 @@ TEST_CASE("what is wrong with local constraints is told", "[io]") {
 }
 
 TEST_CASE("merged parts: lead, inertia, extra nodes on any of them", "[io]") {
-    const Model model = read(MERGED + "*CONSTRAINED_EXTRA_NODES_NODE\n51,22\n50,6\n");
+    const Model model = read_small(MERGED + "*CONSTRAINED_EXTRA_NODES_NODE\n51,22\n50,6\n");
     REQUIRE(model.rigid_merges.size() == 1);
     CHECK(model.rigid_merges[0].lead == 2);
     CHECK(model.rigid_merges[0].part == 3);
@@ -100,13 +89,13 @@ TEST_CASE("merged parts: lead, inertia, extra nodes on any of them", "[io]") {
         "*MAT_RIGID\n5,2.0,1.e9,0.3\n\n\n*PART_INERTIA\nlead\n50,1,5\n"
         "1,2,3,4.5\n1,0,0,2,0,2.5\n\n*PART\nled\n51,1,5\n"
         "*CONSTRAINED_RIGID_BODIES\n50,51,";
-    CHECK(read(inertia + "0\n").rigid_merges.at(0).keeps_inertia);
-    CHECK_FALSE(read(inertia + "1\n").rigid_merges.at(0).keeps_inertia);
+    CHECK(read_small(inertia + "0\n").rigid_merges.at(0).keeps_inertia);
+    CHECK_FALSE(read_small(inertia + "1\n").rigid_merges.at(0).keeps_inertia);
 }
 
 TEST_CASE("merged parts start with the momentum and angular momentum of their nodes", "[io]") {
     // the lead moves at 3 along y, the other rests: a mass of 0.6 each, centres 2 apart
-    const Model model = read(MERGED + "*INITIAL_VELOCITY_GENERATION\n50,2,0,0,3,0\n\n");
+    const Model model = read_small(MERGED + "*INITIAL_VELOCITY_GENERATION\n50,2,0,0,3,0\n\n");
     REQUIRE(model.rigid_velocity.size() == 1);
     CHECK(model.rigid_velocity[0].part == 2);
     CHECK((model.rigid_velocity[0].velocity - Vec3(0, 1.5, 0)).norm() < 1e-12);
@@ -114,7 +103,7 @@ TEST_CASE("merged parts start with the momentum and angular momentum of their no
     const double inertia = 2.0 * (m * 0.5 + m * 1.0);    // of the corners, and of the centres
     CHECK((model.rigid_velocity[0].spin - Vec3(0, 0, turning / inertia)).norm() < 1e-12);
     // a field of all: as it is
-    const Model all = read(MERGED + "*INITIAL_VELOCITY\n\n1,2,3\n");
+    const Model all = read_small(MERGED + "*INITIAL_VELOCITY\n\n1,2,3\n");
     REQUIRE(all.rigid_velocity.size() == 1);
     CHECK((all.rigid_velocity[0].velocity - Vec3(1, 2, 3)).norm() < 1e-12);
     CHECK(all.rigid_velocity[0].spin.norm() < 1e-12);

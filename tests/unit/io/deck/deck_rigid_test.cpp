@@ -33,18 +33,6 @@ const std::string BRICK_NODES = R"(*NODE
 112,0,3,6
 )";
 
-std::string only_fault(const std::string& text) {
-    const DeckFolder folder;
-    const auto faults = folder.faults(small_deck(text));
-    REQUIRE(faults.size() == 1);
-    return faults[0];
-}
-
-Model read(const std::string& text) {
-    const DeckFolder folder;
-    return folder.read(small_deck(text));
-}
-
 Mat3 brick_inertia(double mass, const Vec3& size) {
     const Vec3 s = size.cwiseProduct(size);
     return mass / 12.0 * Vec3(s.y() + s.z(), s.x() + s.z(), s.x() + s.y()).asDiagonal();
@@ -72,7 +60,7 @@ void check_closed(const Model& model, Index part, double volume) {
 }  // namespace
 
 TEST_CASE("*PART_INERTIA: mass, centre and inertia as they are written", "[io]") {
-    const Model model = read(INERTIA + "1,2,3,4.5\n1,0.1,0.2,2,0.3,2.5\n7,8,9,1,2,3\n");
+    const Model model = read_small(INERTIA + "1,2,3,4.5\n1,0.1,0.2,2,0.3,2.5\n7,8,9,1,2,3\n");
     REQUIRE(model.rigid_inertia.size() == 1);
     const RigidInertia& body = model.rigid_inertia[0];
     CHECK(body.part == 2);
@@ -89,7 +77,7 @@ TEST_CASE("*PART_INERTIA: mass, centre and inertia as they are written", "[io]")
 
 TEST_CASE("*PART_INERTIA: a node as centre, and local axes", "[io]") {
     // local x along global y, local y along -x
-    const Model model = read(INERTIA + "1,2,3,4.5,1,6\n1,0,0,2,0,2.5\n\n0,3,0,-1,1,0\n");
+    const Model model = read_small(INERTIA + "1,2,3,4.5,1,6\n1,0,0,2,0,2.5\n\n0,3,0,-1,1,0\n");
     const RigidInertia& body = model.rigid_inertia.at(0);
     CHECK(body.centre == Vec3(2, 1, 0));
     CHECK((body.inertia - Mat3(Vec3(2, 1, 2.5).asDiagonal())).norm() < 1e-15);
@@ -106,22 +94,22 @@ TEST_CASE(
     const std::string deck = INERTIA +
                              "1,1,0,4.5\n1,0,0,2,0,2.5\n7,8,9\n*ELEMENT_SHELL\n"
                              "14,50,2,5,6,6\n";
-    const Model own = read(deck + "*INITIAL_VELOCITY_RIGID_BODY\n50,1,0,0\n");
+    const Model own = read_small(deck + "*INITIAL_VELOCITY_RIGID_BODY\n50,1,0,0\n");
     REQUIRE(own.rigid_velocity.size() == 1);
     CHECK(own.rigid_velocity[0].velocity == Vec3(1, 0, 0));
     const std::string generation = "*INITIAL_VELOCITY_GENERATION\n50,2,0,0,0,5\n";
-    const Model kept = read(deck + generation + "\n");
+    const Model kept = read_small(deck + generation + "\n");
     CHECK(kept.rigid_velocity.at(0).velocity == Vec3(7, 8, 9));
-    const Model given = read(deck + generation + "0,0,0,0,0,0,0,1\n");
+    const Model given = read_small(deck + generation + "0,0,0,0,0,0,0,1\n");
     CHECK((given.rigid_velocity.at(0).velocity - Vec3(0, 0, 5)).norm() < 1e-12);
 }
 
 TEST_CASE("a turning field of velocities gives a part with its own centre that centre's", "[io]") {
     // 2 rad/s about z through node 2 at (1, 0, 0); the centre of mass is set to (1, 4, 0)
-    const Model model = read(INERTIA +
-                             "1,4,0,4.5\n1,0,0,2,0,2.5\n\n*ELEMENT_SHELL\n"
-                             "14,50,2,5,6,6\n15,50,2,6,3,3\n"
-                             "*INITIAL_VELOCITY_GENERATION\n50,2,2.0\n1,0,0,0,0,1\n");
+    const Model model = read_small(INERTIA +
+                                   "1,4,0,4.5\n1,0,0,2,0,2.5\n\n*ELEMENT_SHELL\n"
+                                   "14,50,2,5,6,6\n15,50,2,6,3,3\n"
+                                   "*INITIAL_VELOCITY_GENERATION\n50,2,2.0\n1,0,0,0,0,1\n");
     REQUIRE(model.rigid_velocity.size() == 1);
     CHECK((model.rigid_velocity[0].spin - Vec3(0, 0, 2)).norm() < 1e-12);
     CHECK((model.rigid_velocity[0].velocity - Vec3(-8, 0, 0)).norm() < 1e-12);
@@ -135,7 +123,7 @@ TEST_CASE("what is wrong with *PART_INERTIA is told", "[io]") {
                    "span the local xy plane"));
     CHECK(contains(only_fault("*PART_INERTIA\nsoft\n50,1,1\n0,0,0,1\n1,0,0,2,0,2.5\n\n"),
                    "(MID) = 1, expected a *MAT_RIGID"));
-    CHECK(any_contains(read(INERTIA + "0,0,0,1\n1,0,0,2,0,9\n\n").warnings,
+    CHECK(any_contains(read_small(INERTIA + "0,0,0,1\n1,0,0,2,0,9\n\n").warnings,
                        "no body has such principal moments"));
 }
 
@@ -145,7 +133,7 @@ TEST_CASE("solids of a rigid part: skin, mass, centre, inertia", "[io]") {
                                               "8,50\n105,106,107,108,109,110,111,112\n"
                                             : "7,50,101,102,103,104,105,106,107,108\n"
                                               "8,50,105,106,107,108,109,110,111,112\n";
-    const Model model = read(SOLID_PART + BRICK_NODES + "*ELEMENT_SOLID\n" + solids);
+    const Model model = read_small(SOLID_PART + BRICK_NODES + "*ELEMENT_SOLID\n" + solids);
     CHECK(model.shells.size() == 3 + 10);
     CHECK(model.shells[3].id == 14);  // after shell 13
     check_closed(model, 2, 36.0);
@@ -162,11 +150,11 @@ TEST_CASE("solids of a rigid part: skin, mass, centre, inertia", "[io]") {
 
 TEST_CASE("wedges, pyramids and tetrahedra fill a brick as well", "[io]") {
     // a wedge and, for the other half, a pyramid and a tetrahedron
-    const Model model = read(SOLID_PART + BRICK_NODES +
-                             "*ELEMENT_SOLID\n"
-                             "1,50,102,101,105,106,104,104,108,108\n"
-                             "2,50,102,104,108,106,107,107,107,107\n"
-                             "3,50,102,103,104,107,107,107,107,107\n");
+    const Model model = read_small(SOLID_PART + BRICK_NODES +
+                                   "*ELEMENT_SOLID\n"
+                                   "1,50,102,101,105,106,104,104,108,108\n"
+                                   "2,50,102,104,108,106,107,107,107,107\n"
+                                   "3,50,102,103,104,107,107,107,107,107\n");
     check_closed(model, 2, 24.0);
     const RigidInertia& body = model.rigid_inertia.at(0);
     CHECK(body.mass == Approx(48.0));
@@ -191,7 +179,7 @@ TEST_CASE("nodes inside solids ride on them, sets know the skin, *PART_INERTIA g
                             id(i + 1, j + 1, k), id(i, j + 1, k), id(i, j, k + 1),
                             id(i + 1, j, k + 1), id(i + 1, j + 1, k + 1), id(i, j + 1, k + 1));
     }
-    const Model model = read(deck + "*INITIAL_VELOCITY_GENERATION\n50,2,0,0,0,5\n\n");
+    const Model model = read_small(deck + "*INITIAL_VELOCITY_GENERATION\n50,2,0,0,0,5\n\n");
     check_closed(model, 2, 8.0);
     REQUIRE(model.rigid_extra_nodes.size() == 1);
     CHECK(model.node_id[model.rigid_extra_nodes[0].node] == id(1, 1, 1));
@@ -202,8 +190,8 @@ TEST_CASE("nodes inside solids ride on them, sets know the skin, *PART_INERTIA g
 
 TEST_CASE("what is wrong with solids is told", "[io]") {
     const std::string brick = "7,50,101,102,103,104,105,106,107,108\n";
-    const Model soft = read("*SECTION_SOLID\n9,1\n*PART\nsoft\n50,9,1\n" + BRICK_NODES +
-                            "*ELEMENT_SOLID\n" + brick + "*BOUNDARY_SPC_NODE\n101,0,1,1,1\n");
+    const Model soft = read_small("*SECTION_SOLID\n9,1\n*PART\nsoft\n50,9,1\n" + BRICK_NODES +
+                                  "*ELEMENT_SOLID\n" + brick + "*BOUNDARY_SPC_NODE\n101,0,1,1,1\n");
     CHECK(any_contains(soft.warnings, "(SECID) = 9: solids that deform are taken as one rigid"));
     const auto& stiff = std::get<fabric::RigidCard>(soft.materials[soft.parts[2].material].card);
     CHECK(stiff.density == 700.0);
@@ -229,9 +217,9 @@ TEST_CASE("extra nodes ride on a rigid part, once, and on no other", "[io]") {
     const std::string deck = RIGID +
                              "*PART\nplate\n50,1,5\n*PART\nother\n51,1,5\n*ELEMENT_SHELL\n"
                              "14,50,2,5,6,6\n*SET_NODE\n4\n1,4,2\n";
-    const Model model = read(deck +
-                             "*CONSTRAINED_EXTRA_NODES_SET\n50,4\n"
-                             "*CONSTRAINED_EXTRA_NODES_NODE\n50,1\n50,3\n");
+    const Model model = read_small(deck +
+                                   "*CONSTRAINED_EXTRA_NODES_SET\n50,4\n"
+                                   "*CONSTRAINED_EXTRA_NODES_NODE\n50,1\n50,3\n");
     std::set<Index> riders;
     for (const RigidExtraNode& extra : model.rigid_extra_nodes) {
         CHECK(extra.part == 2);

@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -97,6 +98,20 @@ more cloth
 /// With lines behind it.
 inline std::string small_deck(const std::string& more = "") {
     return SMALL_MESH + more + "*END\n";
+}
+
+/// The model of a small deck with `more` behind it.
+inline Model read_small(const std::string& more) {
+    const DeckFolder folder;
+    return folder.read(small_deck(more));
+}
+
+/// The one fault of a small deck with `more` behind it.
+inline std::string only_fault(const std::string& more) {
+    const DeckFolder folder;
+    const auto faults = folder.faults(small_deck(more));
+    REQUIRE(faults.size() == 1);
+    return faults[0];
 }
 
 inline bool contains(const std::string& text, const std::string& part) {

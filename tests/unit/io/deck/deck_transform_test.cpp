@@ -21,13 +21,6 @@ std::vector<Vec3> placed(const std::string& lines) {
     return {model.x.end() - 4, model.x.end()};
 }
 
-std::string only_fault(const std::string& text) {
-    const DeckFolder folder;
-    const auto faults = folder.faults(small_deck(NODES + text));
-    REQUIRE(faults.size() == 1);
-    return faults[0];
-}
-
 void check_at(const Vec3& x, const Vec3& expected) {
     INFO(x.transpose() << ", expected " << expected.transpose());
     CHECK((x - expected).norm() < 1e-12);
@@ -59,15 +52,15 @@ TEST_CASE("lines of a transformation act in their order", "[deck]") {
 }
 
 TEST_CASE("a rotation by points or a mirror is refused by name", "[deck]") {
-    CHECK(only_fault("*DEFINE_TRANSFORMATION\n7\nROTATE,1,2,30\n").find("turning by points") !=
-          std::string::npos);
-    CHECK(only_fault("*DEFINE_TRANSFORMATION\n7\nMIRROR,1,2,30,4,5,6\n")
+    CHECK(only_fault(NODES + "*DEFINE_TRANSFORMATION\n7\nROTATE,1,2,30\n")
+              .find("turning by points") != std::string::npos);
+    CHECK(only_fault(NODES + "*DEFINE_TRANSFORMATION\n7\nMIRROR,1,2,30,4,5,6\n")
               .find("expected TRANSL, SCALE or ROTATE") != std::string::npos);
-    CHECK(only_fault("*DEFINE_TRANSFORMATION\n7\nSCALE,-1\n").find("factors above 0") !=
+    CHECK(only_fault(NODES + "*DEFINE_TRANSFORMATION\n7\nSCALE,-1\n").find("factors above 0") !=
           std::string::npos);
-    CHECK(only_fault("*DEFINE_TRANSFORMATION\n7\nROTATE,0,0,0,1,1,1,5\n").find("an axis") !=
+    CHECK(only_fault(NODES + "*DEFINE_TRANSFORMATION\n7\nROTATE,0,0,0,1,1,1,5\n").find("an axis") !=
           std::string::npos);
-    CHECK(only_fault("*NODE_TRANSFORM\n7,9\n").find("TRSID") != std::string::npos);
+    CHECK(only_fault(NODES + "*NODE_TRANSFORM\n7,9\n").find("TRSID") != std::string::npos);
 }
 
 TEST_CASE("nodes from which a mass was found are not moved behind its back", "[deck]") {
@@ -75,5 +68,5 @@ TEST_CASE("nodes from which a mass was found are not moved behind its back", "[d
         "*DEFINE_TRANSFORMATION\n7\nTRANSL,1,1,1\n*NODE_TRANSFORM\n7,9\n"
         "*MAT_RIGID\n5,2.0,1.e9,0.3\n\n\n*PART_INERTIA\nhead\n50,1,5\n"
         "0,0,0,4.0,0,102\n1,0,0,1,0,1\n\n*ELEMENT_SHELL\n91,50,101,102,103,103\n";
-    CHECK(only_fault(body).find("node 102 is one") != std::string::npos);
+    CHECK(only_fault(NODES + body).find("node 102 is one") != std::string::npos);
 }

@@ -104,9 +104,9 @@ TEST_CASE("a d3plot holds mesh, ids and states, value by value", "[export]") {
             for (const float value :
                  {stress[0], stress[1], 0.0F, stress[2], 0.0F, 0.0F, frame.shell_pressure[s]})
                 CHECK(state.real() == value);
-            const auto& strain = frame.shell_strain[s];
+            const auto& of_shell = frame.shell_strain[s];
             for (int face = 0; face < 2; ++face)
-                for (const float value : {strain[0], strain[1], 0.0F, strain[2], 0.0F, 0.0F})
+                for (const float value : {of_shell[0], of_shell[1], 0.0F, of_shell[2], 0.0F, 0.0F})
                     CHECK(state.real() == value);
         }
         for (std::size_t s = 0; s < 2; ++s)

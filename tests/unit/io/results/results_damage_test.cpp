@@ -28,7 +28,7 @@ std::string bytes_of(const std::filesystem::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-void write(const std::filesystem::path& file, const std::string& bytes) {
+void write_bytes(const std::filesystem::path& file, const std::string& bytes) {
     std::ofstream(file, std::ios::binary) << bytes;
 }
 
@@ -83,7 +83,7 @@ TEST_CASE("a bit that was turned over in results is found, or was in nobody's nu
         std::string damaged = whole;
         const auto at = draw.below(static_cast<std::uint32_t>(whole.size()));
         damaged[at] = static_cast<char>(damaged[at] ^ (1 << draw.below(8)));
-        write(file, damaged);
+        write_bytes(file, damaged);
         CAPTURE(i, at);
         try {
             const Content now = content_of(file);
@@ -107,7 +107,7 @@ TEST_CASE("results whose texts lie where no text is are an error, not a crash", 
     for (std::size_t at = heap; at < heap + 400; at += 4) {
         std::string damaged = whole;
         for (const std::size_t i : {0, 1, 2, 3}) damaged[at + i] = '\xf0';
-        write(file, damaged);
+        write_bytes(file, damaged);
         CAPTURE(at - heap);
         try {
             const Hdf5Reader results(file);
@@ -127,7 +127,7 @@ TEST_CASE("results that were cut off anywhere do not open", "[io]") {
     const std::string whole = whole_results(folder.path);
     const auto file = folder.path / "damaged.h5";
     for (int i = 0; i < 60; ++i) {
-        write(file, whole.substr(0, whole.size() * i / 60));
+        write_bytes(file, whole.substr(0, whole.size() * i / 60));
         CAPTURE(i);
         CHECK_THROWS_AS(content_of(file), SystemError);
     }
@@ -148,12 +148,12 @@ TEST_CASE("any bit of a checkpoint that was turned over is found", "[io]") {
         for (int bit = 0; bit < 8; ++bit) {
             std::string damaged = whole;
             damaged[at] = static_cast<char>(damaged[at] ^ (1 << bit));
-            write(folder.path / "checkpoint", damaged);
+            write_bytes(folder.path / "checkpoint", damaged);
             CAPTURE(at, bit);
             REQUIRE_THROWS_AS(io::read_checkpoint(folder.path), SystemError);
         }
     for (std::size_t size = 1; size < whole.size(); ++size) {
-        write(folder.path / "checkpoint", whole.substr(0, size));
+        write_bytes(folder.path / "checkpoint", whole.substr(0, size));
         CAPTURE(size);
         REQUIRE_THROWS_AS(io::read_checkpoint(folder.path), SystemError);
     }

@@ -15,7 +15,7 @@ using namespace corpuscle;
 
 namespace {
 
-std::string text_of(const std::filesystem::path& file) {
+std::string xml_of(const std::filesystem::path& file) {
     std::ostringstream text;
     text << std::ifstream(file).rdbuf();
     return text.str();
@@ -79,7 +79,7 @@ TEST_CASE("after each version the XDMF file is well-formed and fits results.h5",
     const scene::Folder folder("xdmf");
     const RecordLayout layout = scene::layout();
     io::ResultsFile results(folder.path, scene::info(), layout);
-    CHECK(is_well_formed(text_of(folder.path / "results.xdmf")));
+    CHECK(is_well_formed(xml_of(folder.path / "results.xdmf")));
     const std::vector<int> particles{0, 4, -1, 7};
     std::size_t gas = 0;
     for (std::size_t i = 0; i < particles.size(); ++i) {
@@ -88,7 +88,7 @@ TEST_CASE("after each version the XDMF file is well-formed and fits results.h5",
         if (i + 1 == particles.size()) results.finish("normal");
         if (particles[i] > 0) ++gas;
 
-        const std::string xml = text_of(folder.path / "results.xdmf");
+        const std::string xml = xml_of(folder.path / "results.xdmf");
         REQUIRE(is_well_formed(xml));
         CHECK(count(xml, "<Time ") == i + 1 + gas);
         CHECK(count(xml, fmt::format("<Time Value=\"{}\"/>", 1.5 * static_cast<double>(i))) ==

@@ -38,7 +38,9 @@ TEST_CASE("whatever becomes of a confined reader, this process goes on and says 
                Contains("its reader crashed") && Contains("fault"));
     const auto begin = std::chrono::steady_clock::now();
     CHECK_THAT(failure([]() -> std::vector<char> {
-                   for (volatile unsigned i = 0;; i = i + 1) {
+                   for (volatile unsigned i = 0;;) {
+                       const unsigned next = i + 1;
+                       i = next;
                    }
                }),
                Contains("took more than 1 s"));

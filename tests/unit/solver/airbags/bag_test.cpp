@@ -18,7 +18,7 @@ using scenes::momentum;
 
 namespace {
 
-const auto nothing = [](Simulation&) {};
+const auto no_change = [](Simulation&) {};
 
 }  // namespace
 
@@ -159,7 +159,7 @@ TEST_CASE("going over to uniform pressure leaves mass, temperature and motion as
     CHECK(uniform.bags()[0].owed().linear.norm() <= 0.02 * owed.norm());
 
     // The walls feel no jump: with and without the switch they go the same way.
-    while (!particles.is_over()) particles.step(nothing);
+    while (!particles.is_over()) particles.step(no_change);
     const auto volume = [](const Simulation& of) {
         return of.bags()[0].enclosure().volume(of.nodes().x);
     };
@@ -186,7 +186,7 @@ TEST_CASE("air as particles carries the atmosphere from the first step on", "[so
         worst = std::max(worst, std::abs(at_t.books().residual));
     };
     while (!simulation.is_over()) simulation.step(watch);
-    // Noise shakes a bag that nothing holds open; without the load of the first 50 us it would be
+    // Noise shakes a bag that no_change holds open; without the load of the first 50 us it would be
     // half its size by now.
     CHECK(least > 0.95);
     CHECK(most < 1.01);
@@ -214,7 +214,7 @@ TEST_CASE("inflow and air as particles share NP by moles, and go over to uniform
     Simulation simulation(model);
     const double air = 1e5 * 1e-3 / (GAS_CONSTANT * 300.0), helium = 1e-4 / 0.003;
     CHECK(simulation.particles() == Approx(3000.0 * air / (air + helium)).margin(1.0));
-    while (!simulation.is_over()) simulation.step(nothing);
+    while (!simulation.is_over()) simulation.step(no_change);
     simulation.close([&](Simulation& at_end) {
         const AirbagSample bag = at_end.sample().airbags[0];
         CHECK(bag.particles == 3000);

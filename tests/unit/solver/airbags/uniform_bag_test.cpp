@@ -139,7 +139,7 @@ TEST_CASE("a rigid tank blows down by the equations of Wang and Nefske", "[solve
     model.end_time = 8e-3;
     gas::UniformBagCard& card = model.uniform_bags[0];
     card.overpressure = 4.0 * ATM;
-    card.exits = {{{0.7}, false, {4e-4}}};
+    card.exits = {{{0.7}, false, {4e-4}, {}}};
     Simulation simulation(model);
 
     double m = 1.2e-3, T = 5.0 * ATM / (1.2 * (CP - CV)), t = 0.0, worst = 0.0;
@@ -177,7 +177,7 @@ TEST_CASE("exits stay shut below PPOP, and a curve of gauge pressure replaces th
     model.end_time = 1e-3;
     gas::UniformBagCard& card = model.uniform_bags[0];
     card.overpressure = 5e4;
-    card.exits = {{{1.0}, false, {1e-4}}};
+    card.exits = {{{1.0}, false, {1e-4}, {}}};
     const auto left = [&] {
         Simulation simulation(model);
         while (!simulation.is_over()) simulation.step(NOTHING);

@@ -159,7 +159,7 @@ TEST_CASE("a brick on an incline sticks below the friction angle and slides abov
     model.walls[0].friction = mu;
     model.curves = {Curve{1, {0.0, 1.0}, {1.0, 1.0}}};
     // bodies feel the opposite of the base's acceleration: down the slope along x
-    model.body_loads = {{0, 0, -G * std::sin(angle)}, {2, 0, G * std::cos(angle)}};
+    model.body_loads = {{0, 0, -G * std::sin(angle), {}}, {2, 0, G * std::cos(angle), {}}};
     model.end_time = 0.2;
     Simulation simulation(model);
     const auto nothing = [](Simulation&) {};

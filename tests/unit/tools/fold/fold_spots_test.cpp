@@ -17,7 +17,7 @@ using namespace corpuscle::fold;
 
 namespace {
 
-const std::string PATTERN =
+const std::string HALVED_DISC =
     "[pattern]\nkind = \"disc\"\ndiameter = 300\nelement = 15\ngap = 1.0\n"
     "[[fold]]\nkind = \"half\"\nat = 40\n";
 const std::string INFLATOR = "[inflator]\nat = [-20.0, 10.0]\ndiameter = 80\n";
@@ -34,7 +34,7 @@ std::string text_of(const std::filesystem::path& file) {
 }  // namespace
 
 TEST_CASE("nodes about the inflator and under clamps are sets of the deck", "[fold]") {
-    const Recipe recipe = parse_recipe(PATTERN + INFLATOR + CLAMP, "bag.toml");
+    const Recipe recipe = parse_recipe(HALVED_DISC + INFLATOR + CLAMP, "bag.toml");
     const Bag bag = fold::fold(recipe);
     CHECK(bag.module.size() > 10);  // of some 22 nodes in a circle of 80
     for (const Index n : bag.module) {
@@ -53,18 +53,18 @@ TEST_CASE("nodes about the inflator and under clamps are sets of the deck", "[fo
 
 TEST_CASE("a spot without nodes is a fault with its line and what would do", "[fold]") {
     const Recipe recipe = parse_recipe(
-        PATTERN + "[[clamp]]\nat = [400, 0]\ndiameter = 50\npanel = \"back\"\n", "bag.toml");
+        HALVED_DISC + "[[clamp]]\nat = [400, 0]\ndiameter = 50\npanel = \"back\"\n", "bag.toml");
     CHECK_THROWS_WITH(fold::fold(recipe),
                       Catch::StartsWith("bag.toml:9: [[clamp]] of diameter 50 at (400, 0) holds no "
                                         "node of the back panel: the nearest is 249.8 away"));
-    CHECK_THROWS_WITH(parse_recipe(PATTERN + INFLATOR + "[hole]\ndiameter = 60\n", "bag.toml"),
+    CHECK_THROWS_WITH(parse_recipe(HALVED_DISC + INFLATOR + "[hole]\ndiameter = 60\n", "bag.toml"),
                       Catch::Contains("the [hole]'s cover is the inflator's place"));
 }
 
 TEST_CASE("a refused fold leaves its mesh, and its advice was tried", "[fold]") {
     const scene::Folder folder("refused");
     std::filesystem::create_directories(folder.path);
-    const Recipe recipe = parse_recipe(PATTERN, "bag.toml");
+    const Recipe recipe = parse_recipe(HALVED_DISC, "bag.toml");
     const Bag bag = fold::fold(recipe);
     Inspection found = inspect(bag, 1.0);
     REQUIRE_NOTHROW(refuse_crossings(recipe, bag, found, folder.path / "out.k"));

@@ -15,12 +15,12 @@ using namespace corpuscle::fold;
 
 namespace {
 
-constexpr double GAP = 1.0;
+constexpr double TUCK_GAP = 1.0;
 
 /// Points along s of the two panels, which are sewn at the right end.
 Points panel(double side) {
     Points x;
-    for (double s = -100.0; s <= 99.0; s += 1.0) x.emplace_back(s, 0.0, side * 0.5 * GAP);
+    for (double s = -100.0; s <= 99.0; s += 1.0) x.emplace_back(s, 0.0, side * 0.5 * TUCK_GAP);
     x.emplace_back(100.0, 0.0, 0.0);
     for (double s = -100.0; s <= 100.0; s += 1.0) {  // so that the cloth has a width
         x.emplace_back(s, -50.0, 0.0);
@@ -33,7 +33,7 @@ Tuck tuck_at(double line) {
     Tuck f;
     f.line = line;
     f.name = "a tuck";
-    choose_bands(f, panel(1.0), GAP, 8.0);
+    choose_bands(f, panel(1.0), TUCK_GAP, 8.0);
     return f;
 }
 
@@ -51,7 +51,7 @@ TEST_CASE("a tuck lies between the panels, which it opens", "[fold]") {
     const Tuck f = tuck_at(60.0);
     for (const double side : {1.0, -1.0}) {
         Points x = panel(side);
-        apply(f, GAP, x);
+        apply(f, TUCK_GAP, x);
         const auto at = [&](double s) { return x[static_cast<std::size_t>(s + 100.0)]; };
         CHECK(at(0.0) == Vec3(0.0, 0.0, 0.5 * side));  // before the ramp nothing moves
         const double drawn = 40.0 - at(40.0).x();
@@ -68,7 +68,7 @@ TEST_CASE("a tuck lies between the panels, which it opens", "[fold]") {
 TEST_CASE("a tuck stretches nothing", "[fold]") {
     Points x = panel(1.0);
     const Points flat = x;
-    apply(tuck_at(60.0), GAP, x);
+    apply(tuck_at(60.0), TUCK_GAP, x);
     double length = 0.0;
     for (std::size_t n = 0; n < 200; ++n) {
         CHECK((x[n + 1] - x[n]).norm() < (flat[n + 1] - flat[n]).norm() + 1e-12);
@@ -82,15 +82,15 @@ TEST_CASE("a tuck knows what comes to lie where", "[fold]") {
     for (const double s : {-50.0, 3.0, 30.0, 45.0, 75.0, 90.0}) {
         Points x = panel(1.0);
         x.emplace_back(s, 0.0, 0.5);
-        apply(f, GAP, x);
-        const auto found = before(f, GAP, x.back().x());
+        apply(f, TUCK_GAP, x);
+        const auto found = before(f, TUCK_GAP, x.back().x());
         const bool is_known = std::any_of(found.begin(), found.end(),
                                           [&](double v) { return std::abs(v - s) < 1e-9; });
         CHECK(is_known);
         for (const double v : found) {
             Points y = panel(1.0);
             y.emplace_back(v, 0.0, 0.5);
-            apply(f, GAP, y);
+            apply(f, TUCK_GAP, y);
             CHECK(y.back().x() == Approx(x.back().x()));
         }
     }
