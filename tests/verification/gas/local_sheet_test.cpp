@@ -161,7 +161,7 @@ TEST_CASE("a sheet is pushed by a shock when it is there", "[sheet][front]") {
     constexpr double WIDTH = 2.0 / 60.0, AHEAD = 0.1;
     const std::vector<double> times{0.4e-3, 0.6e-3};
     const double delay = load_delay(tube);
-    const auto pushes = pushes_of_shock(tube, 4, times, delay);
+    const auto pushes = pushes_of_shock(tube, 8, times, delay);
     const double speed = shock_speed(tube);
     for (std::size_t i = 0; i < times.size(); ++i) {
         const double t = times[i], front = 0.5 + speed * t;
