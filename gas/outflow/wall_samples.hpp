@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <span>
 #include <vector>
@@ -119,10 +120,13 @@ private:
         /// of its difference from the room's.                                         [Pa²]
         double off = 0.0, off_beside_room = 0.0;
 
-        /// How far the pressure here goes with that of the room, 1, rather than stays, 0: weights of
-        /// both estimates by how near each memory of them has been to the other.
+        /// Does the pressure here go with that of the room, 1, or stay, 0? Odds of both by their
+        /// likelihoods: what the quick memory tells is normal about what the steady one says, but
+        /// for chance.
         [[nodiscard]] double follows_room() const {
-            return off + off_beside_room > 0.0 ? off / (off + off_beside_room) : 0.5;
+            if (!(quick.push2 > 0.0)) return 0.5;
+            const double chance = quick.variance() + steady.variance();
+            return 1.0 / (1.0 + std::exp(0.5 * (off_beside_room - off) / chance));
         }
 
         template <class Archive>
@@ -146,7 +150,7 @@ private:
     [[nodiscard]] double temperature(std::size_t sample, const Inside& room, double weight) const;
     void mix(const Memory& q, const Inside& room, double own, double pressure, double T,
              Inside& out) const;
-    void stagnate(const Memory& q, const Inside& out, double& pressure, double& T) const;
+    void stagnate(const Memory& q, double& pressure, double& T, Inside& out) const;
 
     std::shared_ptr<const WettedSurface> surface_;
     std::vector<Species> species_;

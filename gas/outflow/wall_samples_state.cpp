@@ -177,8 +177,9 @@ void WallSamples::mix(const Memory& q, const Inside& room, double own, double pr
     out.molar_mass = M / std::max(all, of_particles);
 }
 
-/// The state that gas in motion along the wall comes to at rest.
-void WallSamples::stagnate(const Memory& q, const Inside& out, double& pressure, double& T) const {
+/// The state that gas in motion along the wall comes to at rest. U² is known to ± sqrt(2 scatter) U, and so is the pressure
+/// that it adds: without that error gas at the pressure outside would leave whenever chance stirs it.
+void WallSamples::stagnate(const Memory& q, double& pressure, double& T, Inside& out) const {
     // U² without what chance makes of it; where that is not beyond chance, none.
     const double scatter = 0.5 * q.square / (q.mass * q.mass);
     const double square = q.momentum.squaredNorm() / (q.mass * q.mass), drift = square - scatter;
@@ -190,7 +191,10 @@ void WallSamples::stagnate(const Memory& q, const Inside& out, double& pressure,
     const double drawn = std::min(drift, sonic);
     const double still = T - 0.5 * drawn * (gamma - 1.0) / R;
     const double stagnation = still + 0.5 * drawn * (gamma - 1.0) / (gamma * R);
-    pressure *= std::pow(stagnation / still, gamma / (gamma - 1.0));
+    const double at_rest = pressure * std::pow(stagnation / still, gamma / (gamma - 1.0));
+    out.error =
+        std::hypot(out.error, std::sqrt(2.0 * scatter * square) / drift * (at_rest - pressure));
+    pressure = at_rest;
     T = stagnation;
 }
 
@@ -226,7 +230,7 @@ void WallSamples::state(std::size_t sample, const Inside& room, Inside& out) con
     const bool has_hits = std::any_of(q.of.begin(), q.of.end(), [](double n) { return n > 0.0; });
     const double own = has_hits ? std::max(weight, heat_weight) : 0.0;
     mix(q, room, own, pressure, T, out);
-    if (own > 0.0 && q.mass > 0.0 && out.gamma > 1.0) stagnate(q, out, pressure, T);
+    if (own > 0.0 && q.mass > 0.0 && out.gamma > 1.0) stagnate(q, pressure, T, out);
     out.pressure = pressure + room.air_pressure;
     out.temperature = T;
 }

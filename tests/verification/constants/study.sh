@@ -9,7 +9,7 @@ if [ "${1:-}" = -j ]; then jobs=$2; shift 2; fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 git ls-files -z | xargs -0 cp --parents -t "$work"
-cmake -S "$work" --preset release -B "$work/build" -DCORPUSCLE_TESTS=OFF >/dev/null
+cmake -S "$work" --preset release -B "$work/build" -DCORPUSCLE_TESTS=OFF -DCORPUSCLE_JOIN=ON >/dev/null
 built() { cmake --build "$work/build" --target corpuscle >"$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }; }
 # Puts a constant of FILE to VALUE
 put() { # FILE NAME VALUE
