@@ -28,9 +28,9 @@ echo
 echo "By \`tests/verification/constants/study.sh\`: each constant at three values, its own in the middle and in bold, all others left"
 echo "alone, and the error of a quantity that it acts on (\`corpuscle verify CASE --quick\`; ± of 95 % between seeds)."
 echo
-echo "| constant | what it sets | case: quantity | budget | values | errors |"
-echo "|---|---|---|---|---|---|"
-while IFS='|' read -r file name values case what sets; do
+echo "| constant | what it sets | why its value | case: quantity | budget | values | errors |"
+echo "|---|---|---|---|---|---|---|"
+while IFS='|' read -r file name values case what sets why; do
     read -r file name case <<<"$file $name $case"
     [ $# -eq 0 ] || [[ " $* " == *" $name "* ]] || continue
     what=$(sed 's/^ *//; s/ *$//' <<<"$what")
@@ -54,5 +54,5 @@ while IFS='|' read -r file name values case what sets; do
         shown+="${shown:+, }$value" errors+="${errors:+, }$error" i=$((i + 1))
     done
     cp "$file" "$work/$file"
-    echo "| \`$name\` |$sets | $case: $what | $budget | $shown | $errors |"
+    echo "| \`$name\` |$sets|$why | $case: $what | $budget | $shown | $errors |"
 done < <(grep -vE '^#|^$' "$table")
