@@ -56,7 +56,7 @@ std::string duct(int particles) {
 std::vector<double> exact_outflow(const std::vector<double>& time, double jet_share) {
     const oracle::Gas1D rest{air::density(air::P_ATM, T_AIR), 0.0, air::P_ATM};
     oracle::EulerDuct duct(air::GAMMA, LENGTH, 400, rest, air::P_ATM, 0.02);
-    // a jet has sqrt(3 R T_AIR / M), T_AIR of the gas at rest, spread evenly over a cone of 30 degrees
+    // a jet has sqrt(3 R T / M), T of the gas at rest, spread evenly over a cone of 30 degrees
     const double speed = std::sqrt(3.0 * GAS_CONSTANT * T_AIR / air::MOLAR_MASS);
     const double along = 0.5 * (1.0 + std::cos(std::acos(-1.0) / 6.0));
     const double flux = DUCT_RATE / AREA;

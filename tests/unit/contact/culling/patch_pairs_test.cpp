@@ -17,7 +17,7 @@ namespace {
 constexpr double PAIR_REACH = 1.5e-3, PAIR_SPAN = 1e-5;  ///< [m], [s]
 
 /// Least distance of two patches' nodes and triangles, edges and edges that share no node; INF when
-/// it is above 2 PAIR_REACH.                                                                     [m]
+/// it is above 2 PAIR_REACH.                                                                [m]
 double least_distance(const Cloth& cloth, Index p, Index q, const Points& x) {
     double least = INF;
     const auto look = [&](const Pair& pair) {
