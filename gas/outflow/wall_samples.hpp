@@ -25,7 +25,7 @@ namespace corpuscle::gas {
 ///
 ///     p_hits = sum J / integral A dt,
 ///
-/// and their energy. Hits scatter, p_hits with the variance s² = sum J² / 2 / (integral)².
+/// how that went with the pressure of the room, and the hits' energy. Hits scatter, p_hits with the variance s² = sum J² / 2 / (integral)².
 /// Whether the gas differs from place to place shows between the patches of a room: the variance
 /// of their p_hits about p_room beyond that of chance, S². The best estimate of both is
 /// [James & Stein 1961; Efron & Morris 1973]
@@ -82,11 +82,16 @@ public:
     }
 
 private:
+    /// A pressure and its variance by chance.                                  [Pa], [Pa²]
+    struct Known {
+        double pressure, variance;
+    };
     /// Sums over hits, of late.
     struct Memory {
         double exposure = 0.0;               ///< integral of A dt                      [m^2 s]
         double push = 0.0;                   ///< sum of J                              [N s]
-        double excess = 0.0;                 ///< the same less integral of p_room A dt [N s]
+        double room = 0.0, room2 = 0.0;      ///< integrals of p_room A dt, p_room² A dt
+        double push_room = 0.0;              ///< sum of J p_room                       [N² s/m²]
         double push2 = 0.0;                  ///< sum of J²                             [N² s²]
         double count = 0.0;                  ///< hits
         double energy = 0.0, energy2 = 0.0;  ///< beyond what the room's gas carries    [J], [J²]
@@ -97,49 +102,46 @@ private:
         std::vector<double> of;              ///< hits by species
 
         [[nodiscard]] double pressure() const { return push / exposure; }
-        [[nodiscard]] double difference() const { return excess / exposure; }
+        [[nodiscard]] double room_pressure() const { return room / exposure; }
+        [[nodiscard]] double difference() const { return (push - room) / exposure; }
         [[nodiscard]] double variance() const { return 0.5 * push2 / (exposure * exposure); }
+        /// Pressure here where the room's is so much: hits' own line over the room's pressure.
+        [[nodiscard]] Known at(double room_pressure) const;
         void clear();
         /// What is remembered is multiplied by `kept`, `more` is added.
         void renew(double kept, const Memory& more);
 
         template <class Archive>
         void visit_state(Archive& archive) {
-            archive(exposure, push, excess, push2, count, energy, energy2, slope, mass, momentum,
-                    square, of);
+            archive(exposure, push, room, room2, push_room, push2, count, energy, energy2, slope,
+                    mass, momentum, square, of);
         }
     };
     struct Sample {
         std::vector<Index> sides, points;  ///< ascending
-        bool drifts = false;
+        bool drifts = false;               ///< gas may flow past it, to a hole
         Index room = 0;
         double area = 0.0;  ///< at the last flight                                     [m^2]
         bool tells = true;  ///< of differences in its room: all that come bounce
         Memory now, quick, steady;
-        /// How far the steady memory has lately been from the quick one, squared: of pressure, and
-        /// of its difference from the room's.                                         [Pa²]
-        double off = 0.0, off_beside_room = 0.0;
-
-        /// Does the pressure here go with that of the room, 1, or stay, 0? Odds of both by their
-        /// likelihoods: what the quick memory tells is normal about what the steady one says, but
-        /// for chance.
-        [[nodiscard]] double follows_room() const {
-            if (!(quick.push2 > 0.0)) return 0.5;
-            const double chance = quick.variance() + steady.variance();
-            return 1.0 / (1.0 + std::exp(0.5 * (off_beside_room - off) / chance));
-        }
 
         template <class Archive>
         void visit_state(Archive& archive) {
-            archive(area, quick, steady, off, off_beside_room);
+            archive(area, quick, steady);
         }
     };
     /// How the gas of a room differs from place to place, beyond chance: variances.
     struct Spread {
         double pressure = 0.0, temperature = 0.0;  ///< [Pa²], [K²]
+        /// T² k / C, k of a particle, C of the gas before a unit of wall: its T fluctuates by so much.
+        double fluctuation = 0.0;  ///< [K² m²]
         template <class Archive>
         void visit_state(Archive& archive) {
-            archive(pressure, temperature);
+            archive(pressure, temperature, fluctuation);
+        }
+        /// Variance by chance of the temperature that hits on a sample tell.                    [K²]
+        [[nodiscard]] double chance(const Memory& hits, double area) const {
+            return 0.5 * hits.energy2 / (hits.slope * hits.slope) + fluctuation / area;
         }
     };
     void cut_into_patches(const BagWalls& walls, std::span<const Vec3> x);
@@ -150,7 +152,11 @@ private:
     [[nodiscard]] double temperature(std::size_t sample, const Inside& room, double weight) const;
     void mix(const Memory& q, const Inside& room, double own, double pressure, double T,
              Inside& out) const;
-    void stagnate(const Memory& q, double& pressure, double& T, Inside& out) const;
+    /// Weights of a sample's own state against its room's.
+    struct Own {
+        double pressure, temperature;
+    };
+    void stagnate(const Memory& q, const Own& own, double& pressure, double& T, Inside& out) const;
 
     std::shared_ptr<const WettedSurface> surface_;
     std::vector<Species> species_;

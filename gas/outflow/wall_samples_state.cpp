@@ -23,6 +23,9 @@ constexpr double STEADIER = 15.0;
 /// Standard deviations between the two memories from which the state has changed.
 constexpr double CHANGED = 3.5;
 
+/// Change of the pressure at a wall for one of its room's, and the error of it, while nothing else is known.
+constexpr double SLOPE = 0.5, SLOPE_ERROR = 0.5;
+
 /// Standard deviations of the variance between patches that chance is allowed.
 constexpr double CHANCE = 2.0;
 
@@ -30,6 +33,10 @@ constexpr double CHANCE = 2.0;
 /// motion and internal energy fluctuate against each other, so that those that hit, the faster
 /// ones, carry some 0.3 % less than gas of the room's T does. As much as chance makes comes on top.
 constexpr double MODEL_BIAS = 0.01;
+
+/// Share of p by which hits beside a vent may bring more than gas at rest would: it flows there, and
+/// cells are as wide as what tells the state.
+constexpr double FLOW_BIAS = 0.03;
 
 /// By how much all hits on the patches of a room seem warmer than its gas at T, as far as the model
 /// makes it.                                                                            [K]
@@ -61,7 +68,9 @@ void WallSamples::Memory::renew(double kept, const Memory& more) {
     const auto add = [&](double& old, double fresh) { old = kept * old + fresh; };
     add(exposure, more.exposure);
     add(push, more.push);
-    add(excess, more.excess);
+    add(room, more.room);
+    add(room2, more.room2);
+    add(push_room, more.push_room);
     add(push2, more.push2);
     add(count, more.count);
     add(energy, more.energy);
@@ -73,10 +82,26 @@ void WallSamples::Memory::renew(double kept, const Memory& more) {
     for (std::size_t k = 0; k < of.size(); ++k) add(of[k], more.of[k]);
 }
 
+/// p_hits + b (p_room - its mean), b = C / D of the hits' covariance with p_room; before it is known a half, give or take a
+/// half: a pressure that goes with its room's has 1, one that stays has 0.
+WallSamples::Known WallSamples::Memory::at(double room_pressure) const {
+    if (!(push2 > 0.0)) return {0.0, 0.0};
+    const double mean = this->room_pressure(),
+                 chance = 0.5 * push2 / exposure;  // of a unit of exposure
+    const double prior = chance / (SLOPE_ERROR * SLOPE_ERROR);
+    const double weight = std::max(0.0, room2 - mean * room) + prior;
+    const double b = (push_room - mean * push + SLOPE * prior) / weight;
+    const double beyond = room_pressure - mean;
+    return {pressure() + b * beyond, variance() + chance / weight * beyond * beyond};
+}
+
 /// What is remembered fades with exp(-dt / memory).
 void WallSamples::remember(Sample& s, double dt, const Inside& room) {
     s.now.exposure = s.area * dt;
-    s.now.excess = s.now.push - (room.pressure - room.air_pressure) * s.area * dt;
+    const double of_room = room.pressure - room.air_pressure;
+    s.now.room = of_room * s.now.exposure;
+    s.now.room2 = of_room * s.now.room;
+    s.now.push_room = of_room * s.now.push;
     const double rate =
         s.area > 0.0 ? (s.quick.count + s.now.count) / (s.quick.exposure + s.now.exposure) * s.area
                      : 0.0;
@@ -85,13 +110,9 @@ void WallSamples::remember(Sample& s, double dt, const Inside& room) {
     s.steady.renew(std::exp(-dt / (STEADIER * longest_)), s.now);
     s.now.clear();
     if (!(s.quick.exposure > 0.0)) return;
-    const double beside = s.quick.difference() - s.steady.difference(),
-                 alone = s.quick.pressure() - s.steady.pressure();
-    const double fresh = -std::expm1(-dt / longest_);
-    s.off += fresh * (alone * alone - s.off);
-    s.off_beside_room += fresh * (beside * beside - s.off_beside_room);
-    const double apart = std::lerp(alone, beside, s.follows_room());
-    if (apart * apart > CHANGED * CHANGED * (s.quick.variance() + s.steady.variance()))
+    const Known expected = s.steady.at(s.quick.room_pressure());
+    const double apart = s.quick.pressure() - expected.pressure;
+    if (apart * apart > CHANGED * CHANGED * (s.quick.variance() + expected.variance))
         s.steady = s.quick;
 }
 
@@ -116,21 +137,30 @@ void WallSamples::find_spread(std::span<const Inside> rooms) {
         }
     };
     std::vector<Sums> p(rooms.size()), T(rooms.size());
-    std::vector<double> common(rooms.size());
-    for (std::size_t r = 0; r < rooms.size(); ++r)
-        common[r] =
-            common_bias(samples_, patches_.size(), static_cast<Index>(r), rooms[r].temperature);
+    std::vector<double> common(rooms.size()), wall(rooms.size());
+    for (std::size_t k = 0; k < patches_.size(); ++k) wall[samples_[k].room] += samples_[k].area;
+    for (std::size_t r = 0; r < rooms.size(); ++r) {
+        const Inside& room = rooms[r];
+        common[r] = common_bias(samples_, patches_.size(), static_cast<Index>(r), room.temperature);
+        spread_[r].fluctuation = room.heat_capacity > 0.0
+                                     ? room.temperature * room.temperature * gas_constant_ *
+                                           moles_each_ / room.heat_capacity * wall[r]
+                                     : 0.0;
+    }
     for (std::size_t k = 0; k < patches_.size(); ++k) {
         const Sample& sample = samples_[k];
         const Memory& s = sample.quick;
-        if (!sample.tells || !(s.exposure > 0.0)) continue;
+        if (!sample.tells || !(s.exposure > 0.0) || !(sample.area > 0.0)) continue;
+        const Inside& room = rooms[sample.room];
         p[sample.room].add(sample.area, s.count, s.difference(), s.variance());
-        if (s.slope > 0.0 && rooms[sample.room].temperature > 0.0)
+        if (s.slope > 0.0 && room.temperature > 0.0)
             T[sample.room].add(s.count, s.count, s.energy / s.slope - common[sample.room],
-                               0.5 * s.energy2 / (s.slope * s.slope));
+                               spread_[sample.room].chance(s, sample.area));
     }
-    for (std::size_t r = 0; r < rooms.size(); ++r)
-        spread_[r] = {p[r].beyond_chance(), T[r].beyond_chance()};
+    for (std::size_t r = 0; r < rooms.size(); ++r) {
+        spread_[r].pressure = p[r].beyond_chance();
+        spread_[r].temperature = T[r].beyond_chance();
+    }
 }
 
 /// Temperature of hits on it: of the room, and what the sample tells beyond that.           [K]
@@ -177,9 +207,12 @@ void WallSamples::mix(const Memory& q, const Inside& room, double own, double pr
     out.molar_mass = M / std::max(all, of_particles);
 }
 
-/// The state that gas in motion along the wall comes to at rest. U² is known to ± sqrt(2 scatter) U, and so is the pressure
-/// that it adds: without that error gas at the pressure outside would leave whenever chance stirs it.
-void WallSamples::stagnate(const Memory& q, double& pressure, double& T, Inside& out) const {
+/// The state that gas in motion along the wall comes to at rest, as far as the state is that of its hits: the room's is at
+/// rest already. U² is known to ± sqrt(2 scatter) U, and so is the pressure that it adds: without that error gas at the
+/// pressure outside would leave whenever chance stirs it.
+/// @param own  weights of the sample's own pressure and temperature                          [-]
+void WallSamples::stagnate(const Memory& q, const Own& own, double& pressure, double& T,
+                           Inside& out) const {
     // U² without what chance makes of it; where that is not beyond chance, none.
     const double scatter = 0.5 * q.square / (q.mass * q.mass);
     const double square = q.momentum.squaredNorm() / (q.mass * q.mass), drift = square - scatter;
@@ -191,11 +224,11 @@ void WallSamples::stagnate(const Memory& q, double& pressure, double& T, Inside&
     const double drawn = std::min(drift, sonic);
     const double still = T - 0.5 * drawn * (gamma - 1.0) / R;
     const double stagnation = still + 0.5 * drawn * (gamma - 1.0) / (gamma * R);
-    const double at_rest = pressure * std::pow(stagnation / still, gamma / (gamma - 1.0));
-    out.error =
-        std::hypot(out.error, std::sqrt(2.0 * scatter * square) / drift * (at_rest - pressure));
-    pressure = at_rest;
-    T = stagnation;
+    const double more =
+        own.pressure * pressure * (std::pow(stagnation / still, gamma / (gamma - 1.0)) - 1.0);
+    out.error = std::hypot(out.error, std::sqrt(2.0 * scatter * square) / drift * more);
+    pressure += more;
+    T += own.temperature * (stagnation - T);
 }
 
 void WallSamples::state(std::size_t sample, const Inside& room, Inside& out) const {
@@ -203,23 +236,22 @@ void WallSamples::state(std::size_t sample, const Inside& room, Inside& out) con
     const Memory& s = samples_[sample].steady;
     if (!(s.exposure > 0.0) || !room.holds_gas()) return;
     const Spread& spread = spread_[samples_[sample].room];
-    const double variance = s.variance();
+    const double of_room = room.pressure - room.air_pressure;
+    const Known here = s.at(of_room);
+    // a bias, which counts as far as it is not small beside what tells the place from its room
+    const double most = samples_[sample].drifts ? FLOW_BIAS * of_room * FLOW_BIAS * of_room : 0.0;
+    const double bias = most > 0.0 ? most * most / (most + spread.pressure) : 0.0;
+    const double weight =
+        spread.pressure > 0.0 ? spread.pressure / (spread.pressure + here.variance + bias) : 0.0;
+    double pressure = std::max(0.0, of_room + weight * (here.pressure - of_room));
+    out.error = std::hypot(room.error, std::sqrt(weight * here.variance));
+
     // temperatures even out sooner than the steady one fades
     const Memory& q = samples_[sample].quick;
-    const double weight =
-        spread.pressure > 0.0 ? spread.pressure / (spread.pressure + variance) : 0.0;
-    const double of_room = room.pressure - room.air_pressure;
-    const double follows = samples_[sample].follows_room();
-    const double alone = s.pressure() - of_room, beside = s.difference();
-    double pressure = of_room + weight * std::lerp(alone, beside, follows);
-    pressure = std::max(0.0, pressure);
-    const double unsure = weight * std::sqrt(follows * (1.0 - follows)) * (beside - alone);
-    out.error = std::hypot(room.error, std::sqrt(weight * variance), unsure);
-
-    const double heat_variance = q.slope > 0.0 ? 0.5 * q.energy2 / (q.slope * q.slope) : 0.0;
-    const double heat_weight = spread.temperature > 0.0 && q.slope > 0.0
-                                   ? spread.temperature / (spread.temperature + heat_variance)
-                                   : 0.0;
+    const double area = samples_[sample].area;
+    double heat_weight = 0.0;
+    if (spread.temperature > 0.0 && q.slope > 0.0 && area > 0.0)
+        heat_weight = spread.temperature / (spread.temperature + spread.chance(q, area));
     // Carried energy holds the energy of motion along the wall, too.
     double T = temperature(sample, room, heat_weight);
     if (!(T > 0.0) || !(pressure > 0.0)) {
@@ -230,7 +262,8 @@ void WallSamples::state(std::size_t sample, const Inside& room, Inside& out) con
     const bool has_hits = std::any_of(q.of.begin(), q.of.end(), [](double n) { return n > 0.0; });
     const double own = has_hits ? std::max(weight, heat_weight) : 0.0;
     mix(q, room, own, pressure, T, out);
-    if (own > 0.0 && q.mass > 0.0 && out.gamma > 1.0) stagnate(q, pressure, T, out);
+    if (own > 0.0 && q.mass > 0.0 && out.gamma > 1.0)
+        stagnate(q, {weight, heat_weight}, pressure, T, out);
     out.pressure = pressure + room.air_pressure;
     out.temperature = T;
 }
