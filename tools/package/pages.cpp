@@ -67,7 +67,7 @@ int try_arguments(int argc, char** argv) {
 int main(int argc, char** argv) try {
     if (argc > 1 && std::string_view(argv[1]) == "--parse")
         return try_arguments(argc - 1, argv + 1);
-    if (argc == 2) return write_all(argv[1]);
+    if (argc == 2 && *argv[1] != '-') return write_all(argv[1]);
     fmt::print(stderr, "usage: corpuscle_pages FOLDER | --parse ARGS ...\n");
     return 2;
 } catch (const std::exception& error) {
