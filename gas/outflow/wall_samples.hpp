@@ -25,16 +25,17 @@ namespace corpuscle::gas {
 ///
 ///     p_hits = sum J / integral A dt,
 ///
-/// how that went with the pressure of the room, and the hits' energy. Hits scatter, p_hits with the variance s² = sum J² / 2 / (integral)².
-/// Whether the gas differs from place to place shows between the patches of a room: the variance
-/// of their p_hits about p_room beyond that of chance, S². The best estimate of both is
-/// [James & Stein 1961; Efron & Morris 1973]
+/// how that went with the pressure of the room, and the hits' energy. Hits scatter, p_hits with the
+/// variance s² = sum J² / 2 / (integral)². Whether the gas differs from place to place shows between
+/// the patches of a room: the variance of their p_hits about p_room beyond that of chance, S². The
+/// best estimate of both is [James & Stein 1961; Efron & Morris 1973]
 ///
 ///     p = p_room + (p_hits - p_room) S² / (S² + s²),       error of p: s S / sqrt(S² + s²).
 ///
 /// Gas that is stirred has S = 0 and everywhere the mean state of its room, without scatter; a
 /// front, a jet or a part of the bag that gas has not reached has the state of its own hits. The
-/// mean of p is that of the hits: nothing is biased.
+/// mean of p is that of the hits, which beside a vent is up to some per cent above the gas's: there
+/// s² is greater in the weight (docs/theory/walls.md).
 class WallSamples {
 public:
     WallSamples() = default;
@@ -90,7 +91,8 @@ private:
     struct Memory {
         double exposure = 0.0;               ///< integral of A dt                      [m^2 s]
         double push = 0.0;                   ///< sum of J                              [N s]
-        double room = 0.0, room2 = 0.0;      ///< integrals of p_room A dt, p_room² A dt
+        double room = 0.0;                   ///< integral of p_room A dt               [N s]
+        double room2 = 0.0;                  ///< integral of p_room² A dt              [N² s/m²]
         double push_room = 0.0;              ///< sum of J p_room                       [N² s/m²]
         double push2 = 0.0;                  ///< sum of J²                             [N² s²]
         double count = 0.0;                  ///< hits
@@ -105,7 +107,8 @@ private:
         [[nodiscard]] double room_pressure() const { return room / exposure; }
         [[nodiscard]] double difference() const { return (push - room) / exposure; }
         [[nodiscard]] double variance() const { return 0.5 * push2 / (exposure * exposure); }
-        /// Pressure here where the room's is so much: hits' own line over the room's pressure.
+        /// Pressure here where the room's is so much, by the hits' line over the room's pressure.
+        /// Needs an exposure above 0.
         [[nodiscard]] Known at(double room_pressure) const;
         void clear();
         /// What is remembered is multiplied by `kept`, `more` is added.

@@ -82,14 +82,20 @@ void WallSamples::Memory::renew(double kept, const Memory& more) {
     for (std::size_t k = 0; k < of.size(); ++k) add(of[k], more.of[k]);
 }
 
-/// p_hits + b (p_room - its mean), b = C / D of the hits' covariance with p_room; before it is known a half, give or take a
-/// half: a pressure that goes with its room's has 1, one that stays has 0.
+/// Least squares, means by exposure W = integral A dt, chance s² W = sum J² / 2 / W:
+///
+///     p(p_room) = p_hits + b (p_room - mean),        error²: s² + s² W (p_room - mean)² / D,
+///     b = (sum J (p_room - mean) + lambda / 2) / D,  D = integral (p_room - mean)² dW + lambda.
+///
+/// lambda = 4 s² W is what is known of b beforehand, 1/2 ± 1/2: a pressure that goes with its room's
+/// has 1, one that stays has 0. (Linear regression with a prior; docs/theory/walls.md.)
 WallSamples::Known WallSamples::Memory::at(double room_pressure) const {
     if (!(push2 > 0.0)) return {0.0, 0.0};
     const double mean = this->room_pressure(),
                  chance = 0.5 * push2 / exposure;  // of a unit of exposure
     const double prior = chance / (SLOPE_ERROR * SLOPE_ERROR);
     const double weight = std::max(0.0, room2 - mean * room) + prior;
+    if (!(weight > 0.0)) return {pressure(), variance()};  // hits so long ago that they underflow
     const double b = (push_room - mean * push + SLOPE * prior) / weight;
     const double beyond = room_pressure - mean;
     return {pressure() + b * beyond, variance() + chance / weight * beyond * beyond};
