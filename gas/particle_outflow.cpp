@@ -64,6 +64,17 @@ void ParticleGas::look_inside(const Points& x) {
     }
 }
 
+namespace {
+
+/// What a vent drew in the step before; of porous fabric, which is its own sample, nothing.
+WallSamples::Drawn drawn_by(const Opening& opening) {
+    const double hole = opening.free * opening.area;
+    if (opening.vent < 0 || !(hole > 0.0)) return {};
+    return {.flux = opening.flow / hole, .size = std::sqrt(hole)};
+}
+
+}  // namespace
+
 /// The gas at each opening, on its own side; at an internal one, through which gas goes both ways,
 /// the mean of both sides.
 void ParticleGas::look_at_openings() {
@@ -77,7 +88,8 @@ void ParticleGas::look_at_openings() {
             continue;
         }
         if (!all[o].is_internal) {
-            bag_.samples.state(static_cast<std::size_t>(all[o].sample), room, here);
+            bag_.samples.state(static_cast<std::size_t>(all[o].sample), room, drawn_by(all[o]),
+                               here);
             continue;
         }
         const auto facet = static_cast<std::size_t>(all[o].facets[0]);

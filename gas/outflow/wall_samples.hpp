@@ -33,9 +33,8 @@ namespace corpuscle::gas {
 ///     p = p_room + (p_hits - p_room) S² / (S² + s²),       error of p: s S / sqrt(S² + s²).
 ///
 /// Gas that is stirred has S = 0 and everywhere the mean state of its room, without scatter; a
-/// front, a jet or a part of the bag that gas has not reached has the state of its own hits. The
-/// mean of p is that of the hits, which beside a vent is up to some per cent above the gas's: there
-/// s² is greater in the weight (docs/theory/walls.md).
+/// front, a jet or a part of the bag that gas has not reached has the state of its own hits. Beside a
+/// hole that draws, hits press more than the gas has pressure; p_hits is without that (docs/theory/walls.md).
 class WallSamples {
 public:
     WallSamples() = default;
@@ -45,6 +44,12 @@ public:
                 std::span<const Species> species, std::span<const double> particle_mass,
                 double gas_constant, double longest, std::span<const char> passes,
                 std::span<const Vec3> x);
+
+    /// What a hole beside a sample draws.
+    struct Drawn {
+        double flux = 0.0;  ///< [kg/(m² s)]
+        double size = 1.0;  ///< of the hole, square root of its area                        [m]
+    };
 
     [[nodiscard]] bool empty() const { return samples_.empty(); }
     /// Sides of each patch; patches do not cross the borders of parts or rooms.
@@ -60,7 +65,11 @@ public:
 
     /// The gas at a sample: that of its room but for what its hits tell; come to rest, isentropically,
     /// from its drift along the wall, if the sample is one of a hole.
-    void state(std::size_t sample, const Inside& room, Inside& out) const;
+    /// @param drawn  what a hole beside it draws
+    void state(std::size_t sample, const Inside& room, const Drawn& drawn, Inside& out) const;
+    void state(std::size_t sample, const Inside& room, Inside& out) const {
+        state(sample, room, {}, out);
+    }
 
     [[nodiscard]] Index room(std::size_t sample) const { return samples_[sample].room; }
     [[nodiscard]] const std::vector<Index>& points(std::size_t sample) const {
@@ -153,6 +162,7 @@ private:
     void remember(Sample& sample, double dt, const Inside& room);
     void find_spread(std::span<const Inside> rooms);
     [[nodiscard]] double temperature(std::size_t sample, const Inside& room, double weight) const;
+    [[nodiscard]] double excess(const Inside& room, const Drawn& drawn) const;
     void mix(const Memory& q, const Inside& room, double own, double pressure, double T,
              Inside& out) const;
     /// Weights of a sample's own state against its room's.

@@ -34,9 +34,8 @@ constexpr double CHANCE = 2.0;
 /// ones, carry some 0.3 % less than gas of the room's T does. As much as chance makes comes on top.
 constexpr double MODEL_BIAS = 0.01;
 
-/// Share of p by which hits beside a vent may bring more than gas at rest would: it flows there, and
-/// cells are as wide as what tells the state.
-constexpr double FLOW_BIAS = 0.03;
+/// Of j / (rho sigma) / (n^(1/3) L), by how much hits beside a hole press more than the gas has pressure.
+constexpr double STRAIN = 0.45;
 
 /// By how much all hits on the patches of a room seem warmer than its gas at T, as far as the model
 /// makes it.                                                                            [K]
@@ -237,20 +236,38 @@ void WallSamples::stagnate(const Memory& q, const Own& own, double& pressure, do
     T += own.temperature * (stagnation - T);
 }
 
-void WallSamples::state(std::size_t sample, const Inside& room, Inside& out) const {
+/// Gas that flows to a hole of size L with j / rho is strained before the wall beside it by about j / (rho L), and
+/// presses there with p_nn > p, p_nn - p going with viscosity times strain. The viscosity of particles is that of
+/// rho sigma and their distance n^(-1/3):
+///
+///     p_hits / p - 1 = STRAIN j / (rho sigma) / (n^(1/3) L),       sigma = sqrt(R T).
+///
+/// @return p_hits / p - 1                                                                [-]
+double WallSamples::excess(const Inside& room, const Drawn& drawn) const {
+    if (!(drawn.flux > 0.0)) return 0.0;
+    double density = 0.0, number = 0.0;  // of particles                     [kg/m³], [1/m³]
+    for (std::size_t k = 0; k < species_.size(); ++k) {
+        density += room.density[k];
+        number += room.density[k] / particle_mass_[k];
+    }
+    if (!(number > 0.0)) return 0.0;
+    const double sigma = std::sqrt(gas_constant_ / room.molar_mass * room.temperature);
+    return STRAIN * drawn.flux / (density * sigma) / (std::cbrt(number) * drawn.size);
+}
+
+void WallSamples::state(std::size_t sample, const Inside& room, const Drawn& drawn,
+                        Inside& out) const {
     out = room;
     const Memory& s = samples_[sample].steady;
     if (!(s.exposure > 0.0) || !room.holds_gas()) return;
     const Spread& spread = spread_[samples_[sample].room];
     const double of_room = room.pressure - room.air_pressure;
-    const Known here = s.at(of_room);
-    // a bias, which counts as far as it is not small beside what tells the place from its room
-    const double most = samples_[sample].drifts ? FLOW_BIAS * of_room * FLOW_BIAS * of_room : 0.0;
-    const double bias = most > 0.0 ? most * most / (most + spread.pressure) : 0.0;
+    const Known hits = s.at(of_room);
+    const double here = hits.pressure / (1.0 + excess(room, drawn));
     const double weight =
-        spread.pressure > 0.0 ? spread.pressure / (spread.pressure + here.variance + bias) : 0.0;
-    double pressure = std::max(0.0, of_room + weight * (here.pressure - of_room));
-    out.error = std::hypot(room.error, std::sqrt(weight * here.variance));
+        spread.pressure > 0.0 ? spread.pressure / (spread.pressure + hits.variance) : 0.0;
+    double pressure = std::max(0.0, of_room + weight * (here - of_room));
+    out.error = std::hypot(room.error, std::sqrt(weight * hits.variance));
 
     // temperatures even out sooner than the steady one fades
     const Memory& q = samples_[sample].quick;

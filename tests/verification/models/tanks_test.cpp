@@ -3,8 +3,10 @@
 // Tanks that empty, against the differential equations of a stirred tank.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "tests/support/runs/model_run.hpp"
 #include "tools/verify/exact/stirred_tank.hpp"
@@ -77,6 +79,34 @@ TEST_CASE("a vented tank blows down as Wang and Nefske's flow does", "[models][v
     CHECK(run.history(BAG + "part/2/mass_out").back() ==
           Approx(run.history(BAG + "mass_out_vent").back()));
     check_books(run);
+}
+
+TEST_CASE("a tank that particles stir keeps its mass to .3 %", "[models][vents]") {
+    constexpr int SEEDS = 4;
+    constexpr double AREA = 0.1 * 0.1 / 9.0;
+    std::vector<double> error;  // of all times, mean of the seeds
+    for (int seed = 1; seed <= SEEDS; ++seed) {
+        const ModelRun run("vented_tank",
+                           "-j 1 -D NP=10000 -D C23=1.0 --seed " + std::to_string(seed));
+        REQUIRE(run.status() == 0);
+        const auto time = run.history("/history/time"), mass = run.history(BAG + "mass");
+        oracle::StirredTank tank = tank_at_opening(run, {{0.028, 28.0, 0.0}});
+        error.resize(time.size(), 0.0);
+        double now = OPENS;
+        for (std::size_t i = 0; i < time.size(); ++i) {
+            if (time[i] <= OPENS) continue;
+            tank.empty(time[i] - now, 50, [](const oracle::StirredTank& t) {
+                return AREA / t.mass() *
+                       oracle::nozzle_flux(t.pressure(), t.temperature(), 0.028, 28.0, OUTSIDE);
+            });
+            now = time[i];
+            error[i] += (mass[i] / tank.mass() - 1.0) / SEEDS;
+        }
+    }
+    const auto [least, most] = std::minmax_element(error.begin(), error.end());
+    WARN("mass is off by " << *least << " to " << *most << ", mean of " << SEEDS << " seeds");
+    CHECK(*least > -0.003);
+    CHECK(*most < 0.003);
 }
 
 TEST_CASE("a tank that has come to the pressure outside keeps what it has", "[models][vents]") {
