@@ -145,7 +145,8 @@ private:
     /// How the gas of a room differs from place to place, beyond chance: variances.
     struct Spread {
         double pressure = 0.0, temperature = 0.0;  ///< [Pa²], [K²]
-        /// T² k / C, k of a particle, C of the gas before a unit of wall: its T fluctuates by so much.
+        /// T² k / C, k of a particle, C of the particles before a unit of wall (by their share of
+        /// the moles): their T fluctuates by so much.
         double fluctuation = 0.0;  ///< [K² m²]
         template <class Archive>
         void visit_state(Archive& archive) {

@@ -147,10 +147,11 @@ void WallSamples::find_spread(std::span<const Inside> rooms) {
     for (std::size_t r = 0; r < rooms.size(); ++r) {
         const Inside& room = rooms[r];
         common[r] = common_bias(samples_, patches_.size(), static_cast<Index>(r), room.temperature);
-        spread_[r].fluctuation = room.heat_capacity > 0.0
-                                     ? room.temperature * room.temperature * gas_constant_ *
-                                           moles_each_ / room.heat_capacity * wall[r]
-                                     : 0.0;
+        // air that is no particles does not fluctuate, nor does it share in what they do
+        const double C = room.heat_capacity * (1.0 - room.air_pressure / room.pressure);
+        spread_[r].fluctuation = C > 0.0 ? room.temperature * room.temperature * gas_constant_ *
+                                               moles_each_ / C * wall[r]
+                                         : 0.0;
     }
     for (std::size_t k = 0; k < patches_.size(); ++k) {
         const Sample& sample = samples_[k];
