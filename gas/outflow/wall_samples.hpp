@@ -148,9 +148,10 @@ private:
         /// T² k / C, k of a particle, C of the particles before a unit of wall (by their share of
         /// the moles): their T fluctuates by so much.
         double fluctuation = 0.0;  ///< [K² m²]
+        double common = 0.0;       ///< by which all hits seem warmer than the room           [K]
         template <class Archive>
         void visit_state(Archive& archive) {
-            archive(pressure, temperature, fluctuation);
+            archive(pressure, temperature, fluctuation, common);
         }
         /// Variance by chance of the temperature that hits on a sample tell.                    [K²]
         [[nodiscard]] double chance(const Memory& hits, double area) const {

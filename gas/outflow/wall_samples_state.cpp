@@ -142,11 +142,12 @@ void WallSamples::find_spread(std::span<const Inside> rooms) {
         }
     };
     std::vector<Sums> p(rooms.size()), T(rooms.size());
-    std::vector<double> common(rooms.size()), wall(rooms.size());
+    std::vector<double> wall(rooms.size());
     for (std::size_t k = 0; k < patches_.size(); ++k) wall[samples_[k].room] += samples_[k].area;
     for (std::size_t r = 0; r < rooms.size(); ++r) {
         const Inside& room = rooms[r];
-        common[r] = common_bias(samples_, patches_.size(), static_cast<Index>(r), room.temperature);
+        spread_[r].common =
+            common_bias(samples_, patches_.size(), static_cast<Index>(r), room.temperature);
         // air that is no particles does not fluctuate, nor does it share in what they do
         const double C = room.heat_capacity * (1.0 - room.air_pressure / room.pressure);
         spread_[r].fluctuation = C > 0.0 ? room.temperature * room.temperature * gas_constant_ *
@@ -160,7 +161,7 @@ void WallSamples::find_spread(std::span<const Inside> rooms) {
         const Inside& room = rooms[sample.room];
         p[sample.room].add(sample.area, s.count, s.difference(), s.variance());
         if (s.slope > 0.0 && room.temperature > 0.0)
-            T[sample.room].add(s.count, s.count, s.energy / s.slope - common[sample.room],
+            T[sample.room].add(s.count, s.count, s.energy / s.slope - spread_[sample.room].common,
                                spread_[sample.room].chance(s, sample.area));
     }
     for (std::size_t r = 0; r < rooms.size(); ++r) {
@@ -173,9 +174,8 @@ void WallSamples::find_spread(std::span<const Inside> rooms) {
 double WallSamples::temperature(std::size_t sample, const Inside& room, double weight) const {
     if (!(weight > 0.0)) return room.temperature;
     const Memory& q = samples_[sample].quick;
-    const double common =
-        common_bias(samples_, patches_.size(), samples_[sample].room, room.temperature);
-    return std::max(0.0, room.temperature + weight * (q.energy / q.slope - common));
+    const double here = q.energy / q.slope - spread_[samples_[sample].room].common;
+    return std::max(0.0, room.temperature + weight * here);
 }
 
 /// Mixture: hits of a gas come as n / sqrt(M).

@@ -18,7 +18,7 @@ namespace corpuscle::io {
 namespace {
 
 /// First words of the file. The number changes whenever a class lists its state in another way.
-constexpr std::string_view MAGIC = "corpuscle checkpoint 15\n";
+constexpr std::string_view MAGIC = "corpuscle checkpoint 16\n";
 
 std::filesystem::path file_in(const std::filesystem::path& folder) {
     return folder / "checkpoint";
