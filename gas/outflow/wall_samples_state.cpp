@@ -238,8 +238,8 @@ void WallSamples::stagnate(const Memory& q, const Own& own, double& pressure, do
 }
 
 /// Gas that flows to a hole of size L with j / rho is strained before the wall beside it by about j / (rho L), and
-/// presses there with p_nn > p, p_nn - p going with viscosity times strain. The viscosity of particles is that of
-/// rho sigma and their distance n^(-1/3):
+/// presses there with p_nn > p, p_nn - p going with viscosity times strain. The viscosity of LIN goes with rho sigma
+/// and the particles' distance n^(-1/3):
 ///
 ///     p_hits / p - 1 = STRAIN j / (rho sigma) / (n^(1/3) L),       sigma = sqrt(R T).
 ///
