@@ -7,7 +7,8 @@
 // hard_spheres.hpp, cells of a third of the l of the air at rest. Flows: flows.hpp. The table of
 // docs/theory/collisions.md:
 //
-//     verify_dsmc "[.long]"
+//     verify_dsmc "[.long]"        all of it, whose checks need the spheres
+//     verify_dsmc "[.program]"     the columns of the program
 #include <fmt/format.h>
 #include <catch2/catch.hpp>
 
@@ -95,6 +96,21 @@ constexpr double SPHERES_DIFFUSE = 3.01;  ///< D / (c l) of helium and air: 1.01
 constexpr double LIN_DIFFUSES = 0.25;     ///< D / (c h)
 constexpr double LIKE_SPHERES = 12.0;  ///< l of spheres that diffuse as LIN in cells of h: h / 12
 
+/// Columns of the program, behind those of `spheres`.
+std::vector<Maker> beside_program(std::vector<Maker> spheres) {
+    for (const Maker& maker :
+         {Maker{By::LIN, 1.0, 8}, {By::LIN, 2.0, 8}, {By::LIN, 4.0, 4}, {By::PAIRS, 2.0, 4}})
+        spheres.push_back(maker);
+    return spheres;
+}
+
+void print_diffusivities(const std::vector<Maker>& makers, const std::vector<Means>& tube) {
+    fmt::print("\nD of helium and air, in c λ of spheres, else in c h:\n");
+    for (std::size_t i = 0; i < makers.size(); ++i)
+        fmt::print("{}: {:.3f}\n", makers[i].name(),
+                   makers[i].resolution * diffusivity_of(tube[i]));
+}
+
 }  // namespace
 
 TEST_CASE("helium and air diffuse in LIN as in spheres of a twelfth of a cell", "[dsmc]") {
@@ -133,28 +149,16 @@ TEST_CASE("a jet by random pairs is one of spheres of their viscosity, and LIN k
 }
 
 TEST_CASE("a shear layer, a jet and an opening by LIN and by hard spheres", "[.long][dsmc]") {
-    const std::vector<Maker> slots{
-        {By::SPHERES, 6.5, 4}, {By::SPHERES, 13.0, 4}, {By::SPHERES, 26.0, 2}, {By::LIN, 1.0, 8},
-        {By::LIN, 2.0, 8},     {By::LIN, 4.0, 4},      {By::PAIRS, 2.0, 4}};
+    const std::vector<Maker> slots =
+        beside_program({{By::SPHERES, 6.5, 4}, {By::SPHERES, 13.0, 4}, {By::SPHERES, 26.0, 2}});
     const auto layer = table("shear layer", SHEAR_LAYER, slots), jet = table("jet", JET, slots);
     const auto opening = table("opening", OPENING,
-                               {{By::SPHERES, 0.25, 8},
-                                {By::SPHERES, 1.0, 8},
-                                {By::SPHERES, 4.0, 8},
-                                {By::SPHERES, LIKE_SPHERES, 4},
-                                {By::LIN, 1.0, 8},
-                                {By::LIN, 2.0, 8},
-                                {By::LIN, 4.0, 4},
-                                {By::PAIRS, 2.0, 4}});
-    const std::vector<Maker> tubes{{By::SPHERES, 8.0, 4},
-                                   {By::LIN, 1.0, 8},
-                                   {By::LIN, 2.0, 8},
-                                   {By::LIN, 4.0, 4},
-                                   {By::PAIRS, 2.0, 4}};
-    const auto tube = table("tube", TUBE, tubes);
-    fmt::print("\nD of helium and air, in c λ of spheres, else in c h:\n");
-    for (std::size_t i = 0; i < tubes.size(); ++i)
-        fmt::print("{}: {:.3f}\n", tubes[i].name(), tubes[i].resolution * diffusivity_of(tube[i]));
+                               beside_program({{By::SPHERES, 0.25, 8},
+                                               {By::SPHERES, 1.0, 8},
+                                               {By::SPHERES, 4.0, 8},
+                                               {By::SPHERES, LIKE_SPHERES, 4}}));
+    const std::vector<Maker> tubes = beside_program({{By::SPHERES, 8.0, 4}});
+    print_diffusivities(tubes, table("tube", TUBE, tubes));
     for (const char* what : {"thickness, x = 1", "thickness, x = 2", "thickness, x = 3"}) {
         CHECK(layer[4].at(what).value > layer[5].at(what).value);
         CHECK(layer[5].at(what).value < layer[2].at(what).value);
@@ -165,4 +169,15 @@ TEST_CASE("a shear layer, a jet and an opening by LIN and by hard spheres", "[.l
             CHECK(jet[lin].at(what).value == Approx(jet[2].at(what).value).epsilon(0.05));
     for (const char* what : {"air, 5", "helium, 5"})
         CHECK(opening[4].at(what).value == Approx(opening[3].at(what).value).epsilon(0.1));
+}
+
+TEST_CASE("a shear layer, a jet, an opening and a tube by the program", "[.program][dsmc]") {
+    const std::vector<Maker> program = beside_program({});
+    const auto layer = table("shear layer", SHEAR_LAYER, program), jet = table("jet", JET, program),
+               opening = table("opening", OPENING, program);
+    print_diffusivities(program, table("tube", TUBE, program));
+    // of spheres: a layer of l = L/26 at x = L, a jet's speed at x = 4 L, helium of l = h/12
+    CHECK(layer[1].at("thickness, x = 1").value > 0.418);
+    CHECK(jet[1].at("middle, x = 4").value == Approx(1.057).epsilon(0.05));
+    CHECK(opening[0].at("helium, 5").value == Approx(0.079).epsilon(0.1));
 }
