@@ -3,7 +3,7 @@
 //
 // Claim: the program's decks, with default settings, make jets as hard spheres do whose mean free path l is a
 // 26th of the slot; shear layers half a cell to two cells thick; in LIN two gases diffuse as in spheres of
-// l = h / 10, h the edge of a cell; random pairs make what spheres of their viscosity make. Spheres:
+// l = h / 12, h the edge of a cell; random pairs make what spheres of their viscosity make. Spheres:
 // hard_spheres.hpp, cells of a third of the l of the air at rest. Flows: flows.hpp. The table of
 // docs/theory/collisions.md:
 //
@@ -176,8 +176,8 @@ TEST_CASE("a shear layer, a jet, an opening and a tube by the program", "[.progr
     const auto layer = table("shear layer", SHEAR_LAYER, program), jet = table("jet", JET, program),
                opening = table("opening", OPENING, program);
     print_diffusivities(program, table("tube", TUBE, program));
-    // of spheres: a layer of l = L/26 at x = L, a jet's speed at x = 4 L, helium of l = h/12
+    // of spheres: a layer of l = L/26 at x = L, a jet's speed at x = 4 L, helium of l = h/12 (one seed)
     CHECK(layer[1].at("thickness, x = 1").value > 0.418);
     CHECK(jet[1].at("middle, x = 4").value == Approx(1.057).epsilon(0.05));
-    CHECK(opening[0].at("helium, 5").value == Approx(0.079).epsilon(0.1));
+    CHECK(opening[0].at("helium, 5").value == Approx(0.070).epsilon(0.1));
 }
