@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <cstring>
 #include <fstream>
@@ -19,43 +20,65 @@ namespace {
 
 /// First words of the file. The number changes whenever a class lists its state in another way.
 constexpr std::string_view MAGIC = "corpuscle checkpoint 16\n";
+static_assert(MAGIC.size() % sizeof(std::uint64_t) == 0);  // Checksum takes whole words
 
 std::filesystem::path file_in(const std::filesystem::path& folder) {
     return folder / "checkpoint";
 }
 
+/// The checksum of bytes that come in parts; all but the last are whole words.
+class Checksum {
+public:
+    void add(std::span<const char> words) {
+        std::uint64_t word = 0;
+        for (; words.size() >= sizeof(word); words = words.subspan(sizeof(word))) {
+            std::memcpy(&word, words.data(), sizeof(word));
+            take(word);
+        }
+        rest_ = words;
+    }
+    [[nodiscard]] std::uint64_t end() {
+        std::uint64_t word = static_cast<std::uint64_t>(rest_.size()) << 56U;
+        if (!rest_.empty()) std::memcpy(&word, rest_.data(), rest_.size());
+        take(word);
+        return hash_;
+    }
+
+private:
+    static constexpr std::uint64_t BASIS = 0xcbf29ce484222325U, PRIME = 0x100000001b3U;
+    static constexpr int TURN = 29;  ///< or a word's last bit would stay where it is
+
+    void take(std::uint64_t word) { hash_ = std::rotl(hash_ ^ word, TURN) * PRIME; }
+
+    std::uint64_t hash_ = BASIS;
+    std::span<const char> rest_;
+};
+
+std::string_view text_of(const std::vector<char>& bytes) {
+    return {bytes.data(), bytes.size()};
+}
+
 }  // namespace
 
 std::uint64_t checkpoint_checksum(std::span<const char> bytes) {
-    constexpr std::uint64_t BASIS = 0xcbf29ce484222325U, PRIME = 0x100000001b3U;
-    constexpr int TURN = 29;  // or a word's last bit would stay where it is
-    std::uint64_t hash = BASIS;
-    const auto take = [&hash](std::uint64_t word) { hash = std::rotl(hash ^ word, TURN) * PRIME; };
-    const std::size_t rest = bytes.size() % sizeof(std::uint64_t), whole = bytes.size() - rest;
-    std::uint64_t word = 0;
-    for (std::size_t i = 0; i < whole; i += sizeof(word)) {
-        std::memcpy(&word, bytes.data() + i, sizeof(word));
-        take(word);
-    }
-    word = static_cast<std::uint64_t>(rest) << 56U;
-    if (rest > 0) std::memcpy(&word, bytes.data() + whole, rest);
-    take(word);
-    return hash;
+    Checksum sum;
+    sum.add(bytes);
+    return sum.end();
 }
 
 void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint) {
-    StateWriter head;
+    StateWriter head, tail;
+    head.raw(MAGIC.data(), MAGIC.size());
     Checkpoint copy{checkpoint.scene, checkpoint.t, checkpoint.step, {}};
     std::size_t size = checkpoint.state.size();
     head(copy.scene, copy.t, copy.step, size);
-    std::string text(MAGIC);
-    text.append(head.bytes().data(), head.bytes().size());
-    text.append(checkpoint.state.data(), checkpoint.state.size());
-    StateWriter tail;
-    std::uint64_t check = checkpoint_checksum(text);
+    Checksum sum;
+    sum.add(head.bytes());
+    sum.add(checkpoint.state);
+    std::uint64_t check = sum.end();
     tail(check);
-    text.append(tail.bytes().data(), tail.bytes().size());
-    replace_text(file_in(folder), text);
+    const std::array parts{text_of(head.bytes()), text_of(checkpoint.state), text_of(tail.bytes())};
+    replace_text(file_in(folder), parts);
 }
 
 std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& folder) {

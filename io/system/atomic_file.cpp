@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -25,13 +26,19 @@ void take_its_name(const std::filesystem::path& file) {
 }
 
 void replace_text(const std::filesystem::path& file, std::string_view text) {
+    replace_text(file, std::span(&text, 1));
+}
+
+void replace_text(const std::filesystem::path& file, std::span<const std::string_view> parts) {
     const std::filesystem::path next = next_version(file);
     const auto fail = [&] {
         throw SystemError(fmt::format("cannot write {}: {}", file.string(), std::strerror(errno)));
     };
     std::FILE* out = std::fopen(next.c_str(), "wb");
     if (out == nullptr) fail();
-    const bool written = std::fwrite(text.data(), 1, text.size(), out) == text.size();
+    const bool written = std::all_of(parts.begin(), parts.end(), [&](std::string_view part) {
+        return std::fwrite(part.data(), 1, part.size(), out) == part.size();
+    });
     const bool closed = std::fclose(out) == 0;
     if (!written || !closed) fail();
     take_its_name(file);

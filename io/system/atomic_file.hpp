@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string_view>
 
 /// A file that others may read at any instant is never changed in place: its next version is
@@ -17,5 +18,7 @@ void take_its_name(const std::filesystem::path& file);
 
 /// `file` holds `text` from now on. @throws SystemError; `file` is then as it was
 void replace_text(const std::filesystem::path& file, std::string_view text);
+/// Likewise these parts, one behind the other.
+void replace_text(const std::filesystem::path& file, std::span<const std::string_view> parts);
 
 }  // namespace corpuscle::io

@@ -96,6 +96,9 @@ private:
 /// Appends state to bytes.
 class StateWriter : public ArchiveOf<StateWriter> {
 public:
+    /// @param expected  bytes that there is room for at once; more are taken all the same
+    explicit StateWriter(std::size_t expected = 0) { bytes_.reserve(expected); }
+
     /// Written so far; valid until the next call.
     [[nodiscard]] const std::vector<char>& bytes() const { return bytes_; }
     /// The same by move; the writer is empty then.

@@ -39,8 +39,9 @@ public:
         finish();
         if (!simulation.is_finite()) return;
         const auto begin = Clock::now();
-        StateWriter state;
+        StateWriter state(size_ + size_ / 8);
         state(simulation, results_, ascii_, recorder_);
+        size_ = state.bytes().size();
         written_ = std::async(
             std::launch::async,
             [folder = folder_,
@@ -68,6 +69,7 @@ private:
     RunRecorder& recorder_;
     Clock::time_point written_at_ = Clock::now();
     Clock::duration cost_{};
+    std::size_t size_ = 0;       ///< of the last one's state, bytes
     std::future<void> written_;  ///< by a thread of its own, while the run goes on
 };
 
