@@ -217,6 +217,9 @@ void Candidates::sort_memories() {
                            parallel::each(made.size(), place_made, MEMORIES));
     memories_.swap(merged);
     sorted_ = memories_.size();
+    merging_.keys.resize(sorted_);
+    parallel::for_each(
+        sorted_, [&](std::size_t m) { merging_.keys[m] = memories_[m].key; }, MEMORIES);
 }
 
 /// Forgets the memories of pairs that are not in the list any more.
@@ -232,10 +235,10 @@ void Candidates::forget_parted_pairs() {
 }
 
 Index Candidates::find_memory(std::uint64_t key) const {
-    const auto by_key = [](const PairMemory& memory, std::uint64_t k) { return memory.key < k; };
-    const auto known = std::lower_bound(memories_.begin(), memories_.end(), key, by_key);
-    const bool is_known = known != memories_.end() && known->key == key;
-    return is_known ? static_cast<Index>(known - memories_.begin()) : -1;
+    const std::vector<std::uint64_t>& keys = merging_.keys;
+    const auto known = std::lower_bound(keys.begin(), keys.end(), key);
+    const bool is_known = known != keys.end() && *known == key;
+    return is_known ? static_cast<Index>(known - keys.begin()) : -1;
 }
 
 /// Pairs that are nearer than their contact thickness start with the gap that they have.

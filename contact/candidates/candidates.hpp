@@ -260,6 +260,7 @@ private:
         std::vector<std::size_t> kept;  ///< rows of those in order that say something
         parallel::Gathered<std::size_t> found;
         std::vector<PairMemory> merged;
+        std::vector<std::uint64_t> keys;  ///< of all, at the last build
     };
 
     const Cloth& cloth_;

@@ -14,10 +14,9 @@ constexpr double LEAST_WEIGHT = 1e-12;     ///< below it a corner takes no part
 double rise_beside_edge(const Cloth& cloth, const Points& x, Index a, Index b, const Vec3& n) {
     const Vec3 along = (x[b] - x[a]).normalized();
     double most = -1.0;
-    for (const Index t : cloth.triangles_of(a)) {
-        const Triangle& of = cloth.triangles[t];
-        if (of[0] != b && of[1] != b && of[2] != b) continue;
-        const Index third = of[0] + of[1] + of[2] - a - b;
+    for (const auto& [p, q] : cloth.edges_opposite(a)) {
+        if (p != b && q != b) continue;
+        const Index third = p == b ? q : p;
         Vec3 into = x[third] - x[a];
         into -= along.dot(into) * along;
         const double length = into.norm();
@@ -29,9 +28,8 @@ double rise_beside_edge(const Cloth& cloth, const Points& x, Index a, Index b, c
 /// Greatest n · u along the edges of a node.
 double rise_round_node(const Cloth& cloth, const Points& x, Index a, const Vec3& n) {
     double most = -1.0;
-    for (const Index t : cloth.triangles_of(a))
-        for (const Index b : cloth.triangles[t]) {
-            if (b == a) continue;
+    for (const auto& edge : cloth.edges_opposite(a))
+        for (const Index b : edge) {
             const Vec3 along = x[b] - x[a];
             const double length = along.norm();
             if (length > 0.0) most = std::max(most, n.dot(along) / length);

@@ -130,6 +130,10 @@ void find_near_nodes(double reach, Cloth& cloth) {
         std::sort(found.begin(), found.end());
         for (const auto& [n, path] : found) cloth.near_node.push_back(n);
         cloth.near_start.push_back(static_cast<Index>(cloth.near_node.size()));
+        if (found.empty())
+            cloth.near_range.push_back({0, -1});
+        else
+            cloth.near_range.push_back({found.front().first, found.back().first});
     }
 }
 
@@ -139,10 +143,15 @@ void list_triangles_of_nodes(Cloth& cloth) {
         for (const Index n : t) ++cloth.node_start[n + 1];
     std::partial_sum(cloth.node_start.begin(), cloth.node_start.end(), cloth.node_start.begin());
     cloth.node_triangle.resize(static_cast<std::size_t>(cloth.node_start.back()));
+    cloth.node_edge.resize(cloth.node_triangle.size());
     std::vector<Index> next(cloth.node_start.begin(), cloth.node_start.end() - 1);
     for (std::size_t t = 0; t < cloth.triangles.size(); ++t)
-        for (const Index n : cloth.triangles[t])
-            cloth.node_triangle[next[n]++] = static_cast<Index>(t);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Triangle& of = cloth.triangles[t];
+            const Index entry = next[of[k]]++;
+            cloth.node_triangle[entry] = static_cast<Index>(t);
+            cloth.node_edge[entry] = {of[(k + 1) % 3], of[(k + 2) % 3]};
+        }
 }
 
 void find_star_heights(Cloth& cloth) {
@@ -220,10 +229,10 @@ bool Cloth::is_held(const Pair& pair) const {
 }
 
 bool Cloth::are_beside(Index node, Index other) const {
-    const auto begin = near_node.begin() + near_start[node];
-    const auto end = near_node.begin() + near_start[node + 1];
-    if (begin == end || other < *begin || other > *(end - 1)) return false;  // most are
-    return std::binary_search(begin, end, other);
+    const auto [first, last] = near_range[node];
+    if (other < first || other > last) return false;  // most are
+    return std::binary_search(near_node.begin() + near_start[node],
+                              near_node.begin() + near_start[node + 1], other);
 }
 
 }  // namespace corpuscle::contact

@@ -65,14 +65,16 @@ struct Cloth {
     /// Along the cloth, what does not have the node is at least this far from it.             [m]
     std::vector<double> star_height;
 
-    std::vector<Index> node_triangle;  ///< triangles of node n, ascending
-    std::vector<Index> node_start;     ///< where those of node n begin, N + 1
+    std::vector<Index> node_triangle;             ///< triangles of node n, ascending
+    std::vector<Index> node_start;                ///< where those of node n begin, N + 1
+    std::vector<std::array<Index, 2>> node_edge;  ///< by entry: the triangle's other two nodes
 
     std::vector<Index> body_node;   ///< nodes of body b: body_node[body_start[b]] ...
     std::vector<Index> body_start;  ///< of numbers 0 ... greatest, and the end
 
-    std::vector<Index> near_node;   ///< nodes beside node i on the cloth, ascending
-    std::vector<Index> near_start;  ///< where those of node i begin, N + 1
+    std::vector<Index> near_node;                  ///< nodes beside node i on the cloth, ascending
+    std::vector<Index> near_start;                 ///< where those of node i begin, N + 1
+    std::vector<std::array<Index, 2>> near_range;  ///< by node: the first and last of those
 
     /// @throws InputError for a contact thickness that is not positive or a free node without mass
     explicit Cloth(const ContactSetup& setup);
@@ -81,6 +83,11 @@ struct Cloth {
     [[nodiscard]] std::span<const Index> triangles_of(Index node) const {
         return std::span(node_triangle)
             .subspan(node_start[node], node_start[node + 1] - node_start[node]);
+    }
+    /// Of the same triangles the other two nodes.
+    [[nodiscard]] std::span<const std::array<Index, 2>> edges_opposite(Index node) const {
+        return std::span(node_edge).subspan(node_start[node],
+                                            node_start[node + 1] - node_start[node]);
     }
     /// Whether pairs of node k of a triangle are met from this triangle.
     [[nodiscard]] bool owns_node(Index triangle, int k) const { return owned[triangle] >> k & 1; }
