@@ -88,7 +88,6 @@ private:
             return std::isfinite(distance_[t]) ? distance_[t]
                                                : (centroid_[t] - centroid_[end]).norm();
         };
-        walk(part, a);
         for (const Index t : part) from_a_[t] = straight(t, a);
         walk(part, b);
         for (const Index t : part) from_a_[t] -= straight(t, b);

@@ -19,7 +19,6 @@ public:
     void cut(std::span<Index> facets) {
         if (facets.size() <= EIGHT) return;
         const Index a = walk(facets, facets.front()), b = walk(facets, a);
-        walk(facets, a);
         for (const Index f : facets) from_a_[f] = distance_[f];
         walk(facets, b);
         for (const Index f : facets) from_a_[f] -= distance_[f];
