@@ -144,8 +144,8 @@ void CellSort::place(std::size_t slice) {
         order_[static_cast<std::size_t>(next[cell_[i]]++)] = static_cast<Index>(i);
 }
 
-/// In stages, so that room for two of them does for all: while one is written back, the next is
-/// gathered.
+/// Places and velocities change places with what they are gathered into; the rest is gathered where
+/// places were, and written back.
 void CellSort::move_rows(Particles& particles) {
     const std::size_t n = order_.size();
     if (n == 0) return;
@@ -155,24 +155,24 @@ void CellSort::move_rows(Particles& particles) {
     if (!particles.room.empty()) rest.push_back(Column::of(particles.room));
     for (std::size_t k = 1; k < rest.size(); ++k)
         rest[k].ahead_of = rest[k - 1].ahead_of + rest[k - 1].size;
-    const std::array<std::vector<Column>, 3> stages{
-        {{Column::of(particles.x)}, {Column::of(particles.v)}, std::move(rest)}};
+    const Column x = Column::of(particles.x), v = Column::of(particles.v);
     const auto move = [&](std::size_t stage) {
-        const auto chunk = [this, &stages, stage](std::size_t begin, std::size_t end, std::size_t) {
-            if (stage > 0)
-                for (const Column& column : stages[stage - 1])
-                    column.write(begin, end, spare_[(stage - 1) % SPARES]);
-            if (stage < stages.size())
-                for (const Column& column : stages[stage])
-                    column.gather(begin, end, order_, spare_[stage % SPARES]);
-            if (stage == stages.size())
-                std::iota(order_.begin() + static_cast<std::ptrdiff_t>(begin),
-                          order_.begin() + static_cast<std::ptrdiff_t>(end),
-                          static_cast<Index>(begin));
+        const auto chunk = [&, stage](std::size_t begin, std::size_t end, std::size_t) {
+            if (stage == 0) return x.gather(begin, end, order_, spare_[0]);
+            if (stage == 1) {
+                v.gather(begin, end, order_, spare_[1]);
+                for (const Column& column : rest) column.gather(begin, end, order_, particles.x);
+                return;
+            }
+            for (const Column& column : rest) column.write(begin, end, particles.x);
+            std::iota(order_.begin() + static_cast<std::ptrdiff_t>(begin),
+                      order_.begin() + static_cast<std::ptrdiff_t>(end), static_cast<Index>(begin));
         };
         return parallel::Loop<decltype(chunk)>{n, chunk, parallel::Cut()};
     };
-    parallel::in_turn(stages.size() + 1, move);
+    parallel::in_turn(3, move);
+    particles.x.swap(spare_[0]);
+    particles.v.swap(spare_[1]);
 }
 
 }  // namespace corpuscle::gas
