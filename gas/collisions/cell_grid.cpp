@@ -16,7 +16,6 @@ namespace corpuscle::gas {
 namespace {
 
 constexpr std::size_t SMALLEST_SLICE = 512;  ///< particles worth a thread
-constexpr std::size_t MOST_SLICES = 16;      ///< each counts all cells
 constexpr std::size_t SORTED_CELLS_A_CHUNK = 512;
 
 /// Grid::cell_of() of many points, by fours.
@@ -88,8 +87,10 @@ void CellSort::sort(const Grid& grid, Particles& particles, bool moves_rows) {
     order_.resize(x.size());
     start_.resize(cells_ + 1);
 
-    // A stable sort has one result, however it is cut.
-    slice_length_ = std::max(SMALLEST_SLICE, (x.size() + MOST_SLICES - 1) / MOST_SLICES);
+    // Each slice counts all cells, so there are as many as threads; a stable sort has one result,
+    // however it is cut.
+    const auto most = static_cast<std::size_t>(parallel::threads());
+    slice_length_ = std::max(SMALLEST_SLICE, (x.size() + most - 1) / most);
     const std::size_t slices = parallel::chunk_count(x.size(), slice_length_);
     fill_.resize(slices * cells_);
 

@@ -55,6 +55,38 @@ TEST_CASE("a gas at rest presses with n R T / V on its walls", "[gas]") {
     CHECK(Invariants(box.gas, mixture).energy == Approx(energy).epsilon(1e-11));
 }
 
+TEST_CASE("speeds keep the fourth moment of Maxwell's distribution", "[gas]") {
+    // <v^4> / <v^2>^2 = 5/3. Groups whose energies fluctuate too little, or too much, shift it.
+    const auto cards = GENERATE(
+        values<std::vector<SpeciesCard>>({{AIR}, {HELIUM}, {CARBON_DIOXIDE}, {AIR, HELIUM}}));
+    const Mixture mixture = mixture_of(cards);
+    const double T = 300.0;
+    const std::size_t n = 60000;
+    const Vec3 size(0.1, 0.1, 0.1);
+    PistonBox box(size, mixture, CollisionModel::LIN,
+                  random_gas(n, size, mixture, std::vector<double>(cards.size(), T)),
+                  cell_edge(size.prod(), n, 30.0));
+    set_energy(T, mixture, box.gas);
+    const double dt = 0.125 * box.edge() / thermal_speed(mixture, 0, T);
+    for (int i = 0; i < 120; ++i) box.step(dt);
+    double found = 0.0;
+    constexpr int SAMPLES = 16, APART = 20;
+    for (int sample = 0; sample < SAMPLES; ++sample) {
+        for (int i = 0; i < APART; ++i) box.step(dt);
+        double square = 0.0, fourth = 0.0, count = 0.0;
+        for (std::size_t i = 0; i < n; ++i) {
+            if (box.gas.species[i] != 0) continue;
+            const double v2 = box.gas.v[i].squaredNorm();
+            square += v2;
+            fourth += v2 * v2;
+            count += 1.0;
+        }
+        found += count * fourth / (square * square) / SAMPLES;
+    }
+    WARN("fourth moment over Maxwell's: " << 0.6 * found);
+    CHECK(0.6 * found == Approx(1.0).epsilon(0.004));
+}
+
 TEST_CASE("helium and air share one temperature and add their pressures", "[gas]") {
     const auto model = GENERATE(CollisionModel::PAIRS, CollisionModel::LIN);
     // The notes' litre with 0.1 g of each: seven helium particles to one of air. Air starts hotter.
