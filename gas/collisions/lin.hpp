@@ -12,8 +12,9 @@ inline constexpr double BETA = 0.95;
 inline constexpr double NOISE = 0.31224989991991992;
 /// The least that a pressure may be turned to, as the cube root of its share in the mean.
 inline constexpr double LEAST_TURNED = 0.1;
-/// Of a matrix's trace: with smaller pivots it is singular but for noise.
-inline constexpr double FLATTEST = 1e-9;
+/// Of a matrix's trace: with smaller pivots its inverse would magnify rounding beyond 1e-10 of a
+/// group's energy.
+inline constexpr double FLATTEST = 1e-6;
 /// Degrees of freedom along each axis that a mean velocity and its gradient take.
 inline constexpr double FITTED = 4.0;
 
