@@ -21,6 +21,7 @@ PatchMotion::PatchMotion(const Cloth& cloth)
       start_{0},
       gone_(cloth.patches.size()),
       ahead_(gone_.size()),
+      own_(gone_.size()),
       mean_(gone_.size(), Vec3::Zero()),
       from_(mean_) {
     std::vector<Index> nodes;
@@ -60,13 +61,14 @@ void PatchMotion::bound(const std::vector<Index>& patches, double dt, Velocity&&
         }
         from_[p] = mean;
         mean_[p] += sum / static_cast<double>(nodes(p).size());
-        ahead_[p] = dt * std::sqrt(square);
+        own_[p] = dt * std::sqrt(square);
     };
     parallel::for_each(patches.size(), one, MOVING_PATCHES_A_CHUNK);
     const Vec3 common = std::accumulate(from_.begin(), from_.end(), Vec3(Vec3::Zero())) /
                         static_cast<double>(std::max<std::size_t>(1, from_.size()));
     common_ahead_ = dt * common;
-    for (std::size_t p = 0; p < ahead_.size(); ++p) ahead_[p] += dt * (from_[p] - common).norm();
+    for (std::size_t p = 0; p < ahead_.size(); ++p)
+        ahead_[p] = own_[p] + dt * (from_[p] - common).norm();
 }
 
 void PatchMotion::foresee(const Points& v, double dt) {

@@ -40,6 +40,13 @@ public:
     [[nodiscard]] double gone(Index patch) const { return gone_[patch]; }
     [[nodiscard]] double ahead(Index patch) const { return ahead_[patch]; }
 
+    /// Mean velocity of a patch's nodes, a step before that which was foreseen last.         [m/s]
+    [[nodiscard]] const Vec3& mean(Index patch) const { return from_[patch]; }
+    /// How far a patch's nodes move in the step ahead, less a velocity.                      [m]
+    [[nodiscard]] double ahead_from(Index patch, const Vec3& velocity) const {
+        return own_[patch] + dt_ * (from_[patch] - velocity).norm();
+    }
+
     /// Marks where all patches are.
     void mark(const Points& x);
 
@@ -49,7 +56,7 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(gone_, ahead_, mean_, from_, last_, common_, common_ahead_, marked_, dt_);
+        archive(gone_, ahead_, own_, mean_, from_, last_, common_, common_ahead_, marked_, dt_);
     }
 
 private:
@@ -60,6 +67,7 @@ private:
     std::vector<Index> node_, start_;     ///< of each patch
     std::vector<Index> all_, of_bodies_;  ///< patches; those that have a rigid body's node
     std::vector<double> gone_, ahead_;    ///< by patch                                    [m]
+    std::vector<double> own_;  ///< ahead, less what a patch moves in the mean              [m]
     Points mean_, from_;  ///< velocity by patch: of its nodes in the mean; seen from       [m/s]
     double dt_ = 0.0;     ///< of the step ahead; 0: none has been looked at             [s]
     Points last_;         ///< positions, of bodies' patches, N × 3     [m]

@@ -24,13 +24,22 @@ Index common_of(std::span<const Index> triangles, Of&& of) {
     return std::any_of(triangles.begin(), triangles.end(), is_other) ? SEVERAL : first;
 }
 
+/// The greatest margin of each patch's triangles.                                           [m]
+std::vector<double> by_patch(const Cloth& cloth, std::span<const double> margin) {
+    std::vector<double> greatest(cloth.patches.size(), 0.0);
+    for (std::size_t p = 0; p < greatest.size(); ++p)
+        for (const Index t : cloth.patches[p]) greatest[p] = std::max(greatest[p], margin[t]);
+    return greatest;
+}
+
 }  // namespace
 
 PatchPairs::PatchPairs(const Cloth& cloth, std::span<const double> margin)
     : cloth_(cloth),
       motion_(cloth),
-      margin_(cloth.patches.size(), 0.0),
-      room_(margin_),
+      margin_(by_patch(cloth, margin)),
+      room_(margin_.size(), 0.0),
+      regions_(cloth, margin_),
       box_(margin_.size()),
       middle_(margin_.size()) {
     const auto body_of = [&](Index t) {
@@ -42,7 +51,6 @@ PatchPairs::PatchPairs(const Cloth& cloth, std::span<const double> margin)
         const auto triangles = cloth.patches[p];
         part_.push_back(common_of(triangles, [&](Index t) { return cloth.part[t]; }));
         body_.push_back(common_of(triangles, body_of));
-        for (const Index t : triangles) margin_[p] = std::max(margin_[p], margin[t]);
     }
 }
 
@@ -54,11 +62,12 @@ bool PatchPairs::holds(const Points& x) {
         motion_.measure(p, x);
         if (is_over()) return false;
     }
-    return true;
+    return regions_.hold(x, motion_);
 }
 
 void PatchPairs::find(const Points& x, double steps) {
     motion_.mark(x);
+    regions_.find(x, motion_);
     const auto bound = [&](std::size_t p) {
         const double ahead = motion_.ahead(static_cast<Index>(p));
         room_[p] = std::max(steps * ahead, LEAST_ROOM * cloth_.mean_edge);
@@ -89,12 +98,12 @@ void PatchPairs::find_pairs() {
         ASKING);
 }
 
-/// Leaves out pairs that may not touch, or between which there is a plane.
+/// Leaves out pairs that may not touch, that lie flat, or between which there is a plane.
 void PatchPairs::drop_apart(const Points& x) {
     is_met_.resize(pairs_.size());
     const auto look = [&](std::size_t i) {
         const auto& [p, q] = pairs_[i];
-        is_met_[i] = may_touch(p, q) && !are_apart(p, q, x);
+        is_met_[i] = may_touch(p, q) && !regions_.are_flat(p, q) && !are_apart(p, q, x);
     };
     parallel::for_each(pairs_.size(), look, PATCHES_A_CHUNK);
     std::size_t kept = 0;

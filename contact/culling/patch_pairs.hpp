@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/broad_phase/broad_phase.hpp"
+#include "contact/culling/flat_regions.hpp"
 #include "contact/culling/patch_motion.hpp"
 #include "contact/culling/pieces.hpp"
 #include "solver/base/parallel.hpp"
@@ -14,8 +15,8 @@
 namespace corpuscle::contact {
 
 /// Which patches of cloth have to be searched: FCL tells whose boxes overlap, each with room to
-/// move; those of them between which there is a plane are left out. Holds until a patch has used up its
-/// room.
+/// move; those of them between which there is a plane, or that lie in one flat region, are left out.
+/// Holds until a patch has used up its room, or a region is flat no more.
 class PatchPairs {
 public:
     /// @param margin  by triangle: its part of the gap that matters                        [m]
@@ -23,7 +24,10 @@ public:
 
     /// Begins at x.
     void start(const Points& x) { motion_.start(x); }
-    void follow(const Points& x) { motion_.follow(x); }
+    void follow(const Points& x) {
+        motion_.follow(x);
+        regions_.follow();
+    }
 
     /// Looks at the step ahead, from x to x + dt v.
     void foresee(const Points& v, double dt) { motion_.foresee(v, dt); }
@@ -42,7 +46,8 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(motion_, room_, pairs_, pieces_.patches, pieces_.nodes, pieces_.triangles);
+        archive(motion_, regions_, room_, pairs_, pieces_.patches, pieces_.nodes,
+                pieces_.triangles);
     }
 
 private:
@@ -57,6 +62,7 @@ private:
     std::vector<Index> part_, body_;  ///< that a whole patch is of, or -1
     std::vector<double> margin_;      ///< by patch                                        [m]
     std::vector<double> room_;        ///< by patch: drift that it has room for            [m]
+    FlatRegions regions_;
     BroadPhase tree_;
     parallel::Gathered<PatchPair> found_pairs_;
     std::vector<Box> box_;

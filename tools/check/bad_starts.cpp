@@ -8,8 +8,8 @@
 #include <map>
 #include <unordered_map>
 
-#include "contact/geometry/crossing_depth.hpp"
 #include "solver/simulation.hpp"
+#include "tools/check/crossing_depth.hpp"
 #include "tools/everyday.hpp"
 
 namespace corpuscle::tools {
@@ -20,8 +20,6 @@ constexpr double THIN = 1e-3;
 
 /// Pairs whose depth is worked out, of each two parts.
 constexpr std::size_t MEASURED = 2000;
-
-using contact::Prism;
 
 Prism prism_of(const Model& model, Index row) {
     const Shell& shell = model.shells[row];
@@ -63,7 +61,7 @@ std::vector<std::string> crossings_at_start(const Simulation& simulation) {
         const Index one = row.at(a), other = row.at(b);
         Crossing& of = all[std::minmax(model.shells[one].part, model.shells[other].part)];
         if (++of.pairs > MEASURED) continue;
-        const double depth = contact::crossing_depth(prism_of(model, one), prism_of(model, other));
+        const double depth = crossing_depth(prism_of(model, one), prism_of(model, other));
         if (of.shell >= 0 && !(depth > of.depth)) continue;
         of.depth = depth;
         of.shell = one;

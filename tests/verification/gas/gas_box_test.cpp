@@ -61,7 +61,7 @@ TEST_CASE("speeds keep the fourth moment of Maxwell's distribution", "[gas]") {
         values<std::vector<SpeciesCard>>({{AIR}, {HELIUM}, {CARBON_DIOXIDE}, {AIR, HELIUM}}));
     const Mixture mixture = mixture_of(cards);
     const double T = 300.0;
-    const std::size_t n = 60000;
+    const std::size_t n = 100000;
     const Vec3 size(0.1, 0.1, 0.1);
     PistonBox box(size, mixture, CollisionModel::LIN,
                   random_gas(n, size, mixture, std::vector<double>(cards.size(), T)),

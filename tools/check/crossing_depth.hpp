@@ -6,7 +6,7 @@
 
 #include "solver/base/vec.hpp"
 
-namespace corpuscle::contact {
+namespace corpuscle::tools {
 
 /// A facet with its thickness: a flat prism about three or more corners.
 struct Prism {
@@ -19,4 +19,4 @@ struct Prism {
 /// of faces, and what is square to an edge of each. Exact for flat facets.                  [m]
 [[nodiscard]] double crossing_depth(const Prism& a, const Prism& b);
 
-}  // namespace corpuscle::contact
+}  // namespace corpuscle::tools

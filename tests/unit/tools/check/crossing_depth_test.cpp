@@ -4,11 +4,11 @@
 
 #include <Eigen/Geometry>
 
-#include "contact/geometry/crossing_depth.hpp"
+#include "tools/check/crossing_depth.hpp"
 
 using namespace corpuscle;
-using contact::crossing_depth;
-using contact::Prism;
+using tools::crossing_depth;
+using tools::Prism;
 
 namespace {
 

@@ -1,12 +1,12 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "contact/geometry/crossing_depth.hpp"
+#include "tools/check/crossing_depth.hpp"
 
 #include <algorithm>
 
 #include "solver/base/constants.hpp"
 
-namespace corpuscle::contact {
+namespace corpuscle::tools {
 namespace {
 
 /// A prism as what separates it from others wants it.
@@ -65,4 +65,4 @@ double crossing_depth(const Prism& a, const Prism& b) {
     return std::max(0.0, least);
 }
 
-}  // namespace corpuscle::contact
+}  // namespace corpuscle::tools
