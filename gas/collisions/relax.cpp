@@ -50,9 +50,10 @@ std::optional<double> share(double energy, double freedom, const Mixture& mixtur
         sample.set_internal(T, 0.0, MEMORY, mixture);
         return energy - sample.internal();
     }
-    const double part = C_t / (C_t + C_i), scatter = T / (C_t + C_i);  // squared: var(T) / (k C_t)
-    const double spread = T * std::sqrt(2.0 * mixture.half_heat() * C_t * (1.0 - part * part));
-    const double less = mixture.half_heat() * C_t * internal_at.curvature(T) * scatter * scatter;
+    const double spread = T * std::sqrt(2.0 * mixture.half_heat() * C_t * C_i / (C_t + C_i));
+    const double scatter = T / (C_t + C_i);  // squared: var(T) / (k C_t)
+    const double less =
+        SCATTER * mixture.half_heat() * C_t * internal_at.curvature(T) * scatter * scatter;
     // In groups of two or three the tails are cut, evenly, so that no part is used up.
     const double more = std::clamp(spread * chance - less, -MOST_NOISE * least, MOST_NOISE * least);
     sample.set_internal(T, more, MEMORY, mixture);
