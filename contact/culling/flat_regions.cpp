@@ -18,8 +18,7 @@ constexpr int ROUNDS = 4;                 ///< of closing gaps in a rim
 /// for long, and then all is listed anew.
 constexpr double FLAT_ROOM = 0.1, FLAT_STEPS = 2.0;
 constexpr std::size_t REGIONS_A_CHUNK = 4;
-/// Of single precision, over the region's size.
-constexpr float PLANE_ROUNDING = 8.0F * std::numeric_limits<float>::epsilon();
+constexpr float PLANE_ROUNDING = 8.0F * std::numeric_limits<float>::epsilon();  ///< of its size
 
 void make_unique(std::vector<Index>& rows) {
     std::sort(rows.begin(), rows.end());
@@ -105,12 +104,11 @@ double FlatRegions::clearance(Index patch, const Points& x) const {
     return std::max(0.0F, std::sqrt(square) - PLANE_ROUNDING * size);
 }
 
-/// @param least  room that it has to have                                                [m]
-void FlatRegions::look(Index patch, const Points& x, double least) {
+void FlatRegions::look(Index patch, const Points& x, double least_room) {
     Region& region = regions_[patch];
     region.used = 0.0;
     region.room = 0.5 * clearance(patch, x) - region.margin;
-    if (!(region.room > least)) region.room = 0.0;
+    if (!(region.room > least_room)) region.room = 0.0;
 }
 
 /// How far nodes of a region move in the step ahead, less the mean of the patch in its middle.

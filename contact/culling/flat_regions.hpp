@@ -27,6 +27,10 @@ public:
     /// @param margin  by patch: its part of the gap that matters                           [m]
     FlatRegions(const Cloth& cloth, std::span<const double> margin);
 
+    /// Forgets which were flat.
+    void start() {
+        for (Region& region : regions_) region.room = 0.0;
+    }
     /// Finds which regions are flat at x, and will be for a while.
     void find(const Points& x, const PatchMotion& motion);
 
@@ -62,7 +66,7 @@ private:
         double used = 0.0, ahead = 0.0;     ///< of that, so far and in the step ahead      [m]
     };
     void outline(Region& region, std::vector<Index>& row) const;
-    void look(Index patch, const Points& x, double least);
+    void look(Index patch, const Points& x, double least_room);
     void foresee(Index patch, const PatchMotion& motion);
 
     const Cloth& cloth_;

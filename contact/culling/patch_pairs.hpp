@@ -23,7 +23,7 @@ public:
     PatchPairs(const Cloth& cloth, std::span<const double> margin);
 
     /// Begins at x.
-    void start(const Points& x) { motion_.start(x); }
+    void start(const Points& x) { motion_.start(x), regions_.start(); }
     void follow(const Points& x) {
         motion_.follow(x);
         regions_.follow();

@@ -3,16 +3,14 @@
 #include "contact/culling/rim.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
-#include <limits>
 #include <utility>
 
 #include "solver/base/simd.hpp"
 
 namespace corpuscle::contact {
 namespace {
-
-constexpr float UNBOUNDED = std::numeric_limits<float>::max();
 
 Eight load_eight(const float* from) {
     Eight out;
@@ -46,7 +44,7 @@ std::vector<Index> rim_of(std::span<const Triangle> triangles, std::vector<Index
 }
 
 float least_height_square(const PlanePoints& at, std::span<const Triangle> triangles) {
-    float least = UNBOUNDED;
+    float least = INFINITY;
     for (const auto& [a, b, c] : triangles) {
         const float u_x = at.x[b] - at.x[a], u_y = at.y[b] - at.y[a], v_x = at.x[c] - at.x[a],
                     v_y = at.y[c] - at.y[a], w_x = v_x - u_x, w_y = v_y - u_y;
@@ -69,7 +67,7 @@ float rim_distance_square(const PlanePoints& at, std::size_t corners) {
     close(at.x, rim.x);
     close(at.y, rim.y);
     const auto last = static_cast<std::int32_t>(corners) - 1;
-    Eight least = all_eight(UNBOUNDED);
+    Eight least = all_eight(INFINITY);
     for (std::int32_t i = 0; i <= last; ++i) {
         const std::int32_t before = i > 0 ? i - 1 : last, after = i < last ? i + 1 : 0;
         const float along_x = rim.x[i + 1] - rim.x[i], along_y = rim.y[i + 1] - rim.y[i];
