@@ -40,14 +40,14 @@ FlatRegions::FlatRegions(const Cloth& cloth, std::span<const double> margin)
                     region.patches.push_back(patch_of[other]);
         make_unique(region.patches);
         for (const Index q : region.patches) region.margin = std::max(region.margin, margin[q]);
-        if (region.patches.size() <= MOST_PATCHES) outline(region, row);
+        if (region.patches.size() <= MOST_PATCHES) outline(region, patch_of, row);
     }
 }
 
 /// Its triangles and its rim. Patches are ragged: where two corners of the rim are one, all triangles
 /// there are taken in. None of rigid bodies, for these turn.
-/// @param row  by node: -1, before and after
-void FlatRegions::outline(Region& region, std::vector<Index>& row) const {
+void FlatRegions::outline(Region& region, const std::vector<Index>& patch_of,
+                          std::vector<Index>& row) const {
     std::vector<Index> rows, forks;
     for (const Index p : region.patches)
         rows.insert(rows.end(), cloth_.patches[p].begin(), cloth_.patches[p].end());
@@ -60,6 +60,8 @@ void FlatRegions::outline(Region& region, std::vector<Index>& row) const {
         for (const Index n : forks)
             for (const Index t : cloth_.triangles_of(n)) rows.push_back(t);
     }
+    for (const Index t : rows) region.moving.push_back(patch_of[t]);
+    make_unique(region.moving);
     const auto has_body = [&](const Triangle& t) {
         return std::any_of(t.begin(), t.end(), [&](Index n) { return cloth_.body[n] >= 0; });
     };
@@ -115,7 +117,7 @@ void FlatRegions::look(Index patch, const Points& x, double least_room) {
 void FlatRegions::foresee(Index patch, const PatchMotion& motion) {
     Region& region = regions_[patch];
     region.ahead = 0.0;
-    for (const Index q : region.patches)
+    for (const Index q : region.moving)
         region.ahead = std::max(region.ahead, motion.ahead_from(q, motion.mean(patch)));
 }
 

@@ -24,17 +24,14 @@ namespace corpuscle::contact {
 /// one another's mean make it 2 r less, at most.
 class FlatRegions {
 public:
-    /// @param margin  by patch: its part of the gap that matters                           [m]
-    FlatRegions(const Cloth& cloth, std::span<const double> margin);
+    FlatRegions(const Cloth& cloth, std::span<const double> margin);  ///< by patch, of a gap  [m]
 
-    /// Forgets which were flat.
     void start() {
         for (Region& region : regions_) region.room = 0.0;
     }
     /// Finds which regions are flat at x, and will be for a while.
     void find(const Points& x, const PatchMotion& motion);
 
-    /// Adds the step that was foreseen last.
     void follow() {
         for (Region& region : regions_) region.used += region.ahead;
     }
@@ -58,14 +55,15 @@ public:
 
 private:
     struct Region {
-        std::vector<Index> patches, nodes;  ///< ascending; those of the rim first, along it
-        std::vector<Triangle> triangles;    ///< rows of `nodes`
-        std::size_t rim = 0;                ///< corners; 0: it has none, or more than one
-        double margin = 0.0;                ///< the greatest of its patches'              [m]
-        double room = 0.0;                  ///< its nodes have against one another; 0: not flat [m]
-        double used = 0.0, ahead = 0.0;     ///< of that, so far and in the step ahead      [m]
+        std::vector<Index> patches, moving;  ///< that lie in it; that have triangles in it
+        std::vector<Index> nodes;            ///< those of the rim first, along it
+        std::vector<Triangle> triangles;     ///< rows of `nodes`
+        std::size_t rim = 0;                 ///< corners; 0: it has none, or more than one
+        double margin = 0.0;                 ///< the greatest of its patches'              [m]
+        double room = 0.0;               ///< its nodes have against one another; 0: not flat [m]
+        double used = 0.0, ahead = 0.0;  ///< of that, so far and in the step ahead      [m]
     };
-    void outline(Region& region, std::vector<Index>& row) const;
+    void outline(Region& region, const std::vector<Index>& patch_of, std::vector<Index>& row) const;
     void look(Index patch, const Points& x, double least_room);
     void foresee(Index patch, const PatchMotion& motion);
 
