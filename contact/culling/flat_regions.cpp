@@ -106,6 +106,7 @@ double FlatRegions::clearance(Index patch, const Points& x) const {
     return std::max(0.0F, std::sqrt(square) - PLANE_ROUNDING * size);
 }
 
+/// @param least_room  less is not flat                                                   [m]
 void FlatRegions::look(Index patch, const Points& x, double least_room) {
     Region& region = regions_[patch];
     region.used = 0.0;
@@ -133,16 +134,15 @@ void FlatRegions::find(const Points& x, const PatchMotion& motion) {
 }
 
 bool FlatRegions::hold(const Points& x, const PatchMotion& motion) {
-    bool are_all = true;
-    for (std::size_t i = 0; i < regions_.size(); ++i) {
-        Region& region = regions_[i];
-        if (region.room == 0.0) continue;
+    const auto is_lost = [&](std::size_t i) -> std::size_t {
         const auto p = static_cast<Index>(i);
+        Region& region = regions_[i];
+        if (region.room == 0.0) return 0;
         foresee(p, motion);
         if (region.used + region.ahead > region.room) look(p, x, region.ahead);
-        are_all &= region.room > 0.0;
-    }
-    return are_all;
+        return region.room == 0.0 ? 1 : 0;
+    };
+    return parallel::sum(regions_.size(), std::size_t{0}, is_lost, REGIONS_A_CHUNK) == 0;
 }
 
 bool FlatRegions::are_flat(Index p, Index q) const {

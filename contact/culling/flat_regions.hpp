@@ -24,14 +24,17 @@ namespace corpuscle::contact {
 /// one another's mean make it 2 r less, at most.
 class FlatRegions {
 public:
-    FlatRegions(const Cloth& cloth, std::span<const double> margin);  ///< by patch, of a gap  [m]
+    /// @param margin  by patch: its part of the gap that matters                           [m]
+    FlatRegions(const Cloth& cloth, std::span<const double> margin);
 
+    /// Forgets which were flat.
     void start() {
         for (Region& region : regions_) region.room = 0.0;
     }
     /// Finds which regions are flat at x, and will be for a while.
     void find(const Points& x, const PatchMotion& motion);
 
+    /// Adds the step that was foreseen last.
     void follow() {
         for (Region& region : regions_) region.used += region.ahead;
     }

@@ -4,22 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 #include "solver/base/simd.hpp"
 
 namespace corpuscle::contact {
-namespace {
-
-Eight load_eight(const float* from) {
-    Eight out;
-    std::memcpy(&out, from, sizeof(out));
-    return out;
-}
-
-}  // namespace
-
 std::vector<Index> rim_of(std::span<const Triangle> triangles, std::vector<Index>& forks) {
     forks.clear();
     using Edge = std::pair<Index, Index>;

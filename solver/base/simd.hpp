@@ -63,6 +63,12 @@ inline Four load_four(const double* from) {
     return out;
 }
 
+inline Eight load_eight(const float* from) {
+    Eight out;
+    std::memcpy(&out, from, sizeof(out));
+    return out;
+}
+
 /// Bit l: comparison l holds.
 inline unsigned bits_of(const FourBits& is) {
 #ifdef __AVX__
