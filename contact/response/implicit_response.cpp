@@ -62,7 +62,8 @@ void ImplicitResponse::take_up(double dt, ContactList& contacts, const ColumnCol
             const double exposed = near.gap < near.rest
                                        ? 0.0
                                        : exposure(cloth_, motion.x(), pair, near.places, near.gap);
-            if (exposed == 0.0 && left >= least_gap(near.gap, near.rest)) continue;
+            if (exposed == 0.0 && left >= least_gap(near.gap, near.rest, opening(dt, near.rest)))
+                continue;
             const Contact found =
                 contact_at(cloth_, motion.bodies(), motion.x(), pair, near.places, near.gap);
             Contact& c = contacts.add(chunk, columns.of(found, motion.x()), found);

@@ -29,7 +29,8 @@ namespace corpuscle::contact {
 ///     J = span · (A (p(gap) + p(gap + dt r)) / 2 - C r),   r = rate after all impulses,
 ///
 /// a quadratic for the gap at the end. No impulse takes a gap beyond rest; no gap shrinks in a step
-/// below the middle between it, or rest, and a quarter of rest. Rows are solved one after the other
+/// below the middle between it, or rest, and a quarter of rest; nearer, pairs that do not push part
+/// at rest over the cloth's growth time. Rows are solved one after the other
 /// [projected Gauss-Seidel], in sweeps, from the impulses of the step before, until a sweep changes
 /// little; friction is the same row along the surface, |J_t| <= mu J. The scheme asks nothing of
 /// the time step.
@@ -77,14 +78,21 @@ public:
 
 private:
     /// Least gap at the end of a step that begins with `gap`.                                [m]
-    [[nodiscard]] static double least_gap(double gap, double rest) {
-        return gap > 0.25 * rest ? 0.5 * (std::min(gap, rest) + 0.25 * rest) : gap;
+    /// @param opening  by which the step opens a pair that its law does not, up to there     [m]
+    [[nodiscard]] static double least_gap(double gap, double rest, double opening) {
+        const double bound = 0.25 * rest;
+        return gap > bound ? 0.5 * (std::min(gap, rest) + bound) : std::min(gap + opening, bound);
+    }
+    /// Of a pair without exposure.                                                           [m]
+    [[nodiscard]] double opening(double dt, double rest) const {
+        return dt * rest / cloth_.growth_time;
     }
     struct Row {
         std::array<Index, 4> node;
         std::array<double, 4> weight;
         Vec3 normal;
         double gap, rest;  ///< now; at the end of the step                               [m]
+        double floor;      ///< least gap at the end of the step                          [m]
         double push;       ///< span · E_t A / 2                                        [N s]
         double given;      ///< span · A p(gap) / 2: what the gap of now gives          [N s]
         double dt;         ///< [s]
@@ -108,8 +116,6 @@ private:
         }
         [[nodiscard]] bool rubs() const { return friction_static > 0.0 || friction_dynamic > 0.0; }
 
-        /// Least gap at the end of the step.                                                  [m]
-        [[nodiscard]] double floor() const { return least_gap(gap, rest); }
         /// U at the gap `at`.                                                                [J]
         [[nodiscard]] double stored(double span, double at) const {
             if (at >= rest) return 0.0;
@@ -127,13 +133,12 @@ private:
         /// That to its law alone.                                                          [N s]
         [[nodiscard]] double change_by_law(double after) const {
             if (impulse == 0.0 && gap + dt * after >= rest) return 0.0;
-            if (push == 0.0) return std::max(mass * (floor() - gap) / dt - mass * after, -impulse);
+            if (push == 0.0) return std::max(mass * (floor - gap) / dt - mass * after, -impulse);
             const double half = 0.5 * (heft * gap + mass * after - push - (impulse - given));
             const double root = std::sqrt(half * half + heft * push * rest);
             const double end = half > 0.0 ? (half + root) / heft : push * rest / (root - half);
             const double at = std::min(end, rest);
-            const double least = floor();
-            if (at < least) return std::max(mass * (least - gap) / dt - mass * after, -impulse);
+            if (at < floor) return std::max(mass * (floor - gap) / dt - mass * after, -impulse);
             const double wanted = mass * (at - gap) / dt - mass * after;
             return std::max(wanted, -impulse);
         }

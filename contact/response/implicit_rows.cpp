@@ -111,6 +111,7 @@ ImplicitResponse::Row ImplicitResponse::row_of(double span, double dt, Contact& 
     row.normal = c.normal;
     row.gap = c.gap;
     row.rest = c.rest + dt * c.rest_rate;
+    row.floor = least_gap(row.gap, row.rest, area > 0.0 ? 0.0 : opening(dt, row.rest));
     row.push = 0.5 * span * c.modulus * area;
     row.given = row.push * std::max(0.0, c.rest / c.gap - 1.0);
     row.dt = dt;

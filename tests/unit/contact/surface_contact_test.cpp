@@ -121,6 +121,42 @@ TEST_CASE("neighbours on the cloth do not push each other, however thick it is",
     for (const Vec3& v : cloth.v) CHECK(v.isZero());
 }
 
+TEST_CASE("sides of a shell whose end has shrunk to nothing part again, and slowly", "[contact]") {
+    // The cloth itself lies between the sides: their law does not push.
+    constexpr double LONG = 12e-3, WIDE = 4e-3, END = 1e-6;  // half of the ends' widths    [m]
+    constexpr int SHRINKING = 100;                           // steps
+    support::Sheet shell;
+    shell.x = {{0, -WIDE, 0}, {0, WIDE, 0}, {LONG, -WIDE, 0}, {LONG, WIDE, 0}};
+    shell.triangles = {{0, 2, 3}, {0, 3, 1}};
+    SpringCloth cloth(shell);
+    SurfaceContact contact(cloth.setup({}, cloth.x));
+    const double dt = GENERATE(8e-6, 1e-6);
+    const Pair sides{{0, 2, 1, 3}, true};
+    const auto gap = [&] { return nearest(sides, corners(sides, cloth.x)).apart.norm(); };
+    cloth.v[2] = Vec3(0, WIDE + END, 0) / (SHRINKING * dt);
+    cloth.v[3] = Vec3(0, -WIDE - END, END) / (SHRINKING * dt);
+    int step = 0;
+    for (; step < SHRINKING; ++step) {
+        contact.find(cloth.x, cloth.v, step * dt, dt);
+        cloth.drift(dt);
+    }
+    REQUIRE(gap() < END);
+    cloth.v.assign(4, Vec3::Zero());
+    double last = gap(), fastest = 0.0;
+    for (; step * dt < SHRINKING * dt + 0.3 * SpringCloth::GROWTH_TIME; ++step) {
+        contact.find(cloth.x, cloth.v, step * dt, dt);
+        contact.respond(cloth.x, dt, cloth.v);
+        cloth.drift(dt);
+        CHECK(gap() >= last);
+        last = gap();
+        for (const Vec3& v : cloth.v) fastest = std::max(fastest, v.norm());
+    }
+    CHECK(contact.stored_energy() == 0.0);
+    CHECK(last > 0.2 * H);
+    CHECK(fastest < 2.0 * H / SpringCloth::GROWTH_TIME);
+    CHECK(contact.counts().impacts == 0);
+}
+
 TEST_CASE("panels that a seam joins keep their thickness next to it", "[contact]") {
     // Flat, the panels lie on each other: their distance there says nothing of the way round the
     // seam
