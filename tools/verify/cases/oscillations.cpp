@@ -156,8 +156,8 @@ Findings plate_on_gas(const Runs& runs) {
 
 /// Once the piston stands, the pressures at both ends differ by waves of odd order. What runs s
 /// times as fast as by 1-D Euler's equations and loses more is exp(-decay t) exact(s t). By its
-/// viscosity LIN loses 1 % of the slowest wave in a period with 20 000 particles, 0.6 % with
-/// 100 000; random pairs would lose 15 %.
+/// viscosity and heat LIN loses 3.7 % in a period with 20 000 particles, 2.4 % with 100 000
+/// (docs/theory/collisions.md); random pairs would lose 15 %.
 Findings standing_wave(const Runs& runs) {
     constexpr double SPEED = 20.0, RAMP = 1.4e-3, LENGTH = 1.0;
     const double period = 2.0 * LENGTH / std::sqrt(GAMMA_AIR * P_REST / RHO_REST);
