@@ -21,6 +21,7 @@ int fold(const FoldArguments& arguments) {
     io::replace_text(arguments.output, fold::bag_deck(bag, recipe, found));
     io::replace_text(picture, fold::section_svg(bag, found));
     fmt::print("{}\n", fold::text(found));
+    for (const std::string& remark : bag.remarks) fmt::print("note: {}\n", remark);
     if (recipe.package) fmt::print("{}\n", fold::fit(found, *recipe.package));
     fmt::print("{}: {} nodes, {} shells; section: {}\n", arguments.output, bag.sheet.x.size(),
                bag.sheet.cells.size(), picture.string());

@@ -274,7 +274,7 @@ Bag best_of(const Recipe& recipe, const std::vector<Move>& folds) {
 
 Bag fold(const Recipe& recipe) {
     const std::vector<Move> folds =
-        plan_folds(recipe, make_bag(recipe, {}).sheet.x, recipe.pattern.element);
+        plan_folds(recipe, make_bag(recipe, {}).sheet.x, recipe.pattern.band);
     Bag best = best_of(recipe, folds);
     turn_front(best);
     if (recipe.hole && recipe.hole->depth > 0.0) press_dish(recipe.hole->depth, best);

@@ -23,9 +23,11 @@ constexpr std::array<std::pair<double, double>, 5> TRIED{
 /// Does the recipe fold without crossings, with its gap and element changed?
 bool folds(Recipe recipe, double gap, double element) {
     const bool closes_by_default = recipe.pattern.closing == 1.5 * recipe.pattern.element;
+    const bool bends_by_default = recipe.pattern.band == recipe.pattern.element;
     recipe.pattern.gap *= gap;
     recipe.pattern.element *= element;
     if (closes_by_default) recipe.pattern.closing = 1.5 * recipe.pattern.element;
+    if (bends_by_default) recipe.pattern.band = recipe.pattern.element;
     try {
         return crossing_cells(fold(recipe).sheet).empty();
     } catch (const InputError&) {

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "solver/base/error.hpp"
+#include "tools/fold/pattern/circles.hpp"
 #include "tools/fold/pattern/deck_pattern.hpp"
 
 namespace corpuscle::fold {
@@ -162,6 +164,10 @@ private:
         if (cells.empty() || last - first < 2.0 * near)
             throw InputError(fmt::format("{}:{}: [[tether]] has no room for elements of {}",
                                          r_.file, t.line, r_.pattern.element));
+        if (std::abs(last - first - t.length) > 1e-6 * t.length)
+            bag_.remarks.push_back(fmt::format(
+                "{}:{}: [[tether]] is {:.4g} long in place of {:.4g}: it ends where a fold does",
+                r_.file, t.line, last - first, t.length));
         std::map<Index, Index> own;
         const double end = 1e-6 * r_.pattern.element;
         for (const std::size_t e : cells) {
@@ -183,7 +189,24 @@ private:
         }
     }
 
+    /// Vents of a few elements may be larger or smaller than drawn.
+    void remark_on_vents() {
+        constexpr double ALLOWED = 0.02;
+        for (std::size_t i = 0; i < r_.vents.size(); ++i) {
+            const VentHole& v = r_.vents[i];
+            const double found =
+                area_of(v.is_front ? plan_.front : plan_.back, VENT + static_cast<int>(i));
+            const double wanted = 0.25 * std::numbers::pi * v.diameter * v.diameter;
+            if (std::abs(found - wanted) > ALLOWED * wanted)
+                bag_.remarks.push_back(fmt::format(
+                    "{}: [[vent]] at = [{:g}, {:g}] has an area of {:.4g} in place of {:.4g}: "
+                    "smaller elements are nearer",
+                    r_.file, v.x, v.y, found, wanted));
+        }
+    }
+
     void finish() {
+        remark_on_vents();
         bag_.parts = {{r_.parts.front, "front panel", true},
                       {r_.parts.back, "back panel", false},
                       {r_.parts.module, "module cover", false},

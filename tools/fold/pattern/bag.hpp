@@ -20,6 +20,7 @@ struct Bag {
     std::vector<Index> module;   ///< of the hole's cover and ring, or about the inflator; ascending
     std::vector<Index> clamped;  ///< nodes, ascending
     bool has_vents = false;
+    std::vector<std::string> remarks;  ///< where the mesh is not as the recipe has it
 };
 
 /// Cuts and sews: the front lies above (+z) the back, half the gap on each side of z = 0, more

@@ -51,6 +51,7 @@ Pattern read_pattern(const toml::table& table, RecipeFaults& faults) {
     p.element = at.positive("element");
     p.gap = at.positive("gap");
     p.closing = at.positive_or("closing", 1.5 * p.element);
+    p.band = at.positive_or("band", p.element);
     at.finish();
     return p;
 }

@@ -23,6 +23,7 @@ struct Pattern {
     double element = NaN;              ///< size of the elements                               [m]
     double gap = NaN;                  ///< between layers, middle to middle                   [m]
     double closing = NaN;              ///< over which the panels close towards the seam       [m]
+    double band = NaN;                 ///< least width of a bend on each side of its line     [m]
 };
 
 /// Part numbers. Those of things that the recipe has not are not used.

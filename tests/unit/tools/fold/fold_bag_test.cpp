@@ -120,6 +120,42 @@ TEST_CASE("what does not fit the pattern is refused", "[fold]") {
                     InputError);
 }
 
+TEST_CASE("a tether that ends where a fold does is told, and a band that ends elsewhere",
+          "[fold]") {
+    const std::string pattern =
+        "[pattern]\nkind = \"disc\"\ndiameter = 400\nelement = 12\ngap = 0.8\n";
+    const std::string rest =
+        "[[tether]]\nfrom = [-90, 0]\nlength = 180\nwidth = 40\n"
+        "[[fold]]\nkind = \"zigzag\"\nstart = 60\nwidth = 45\n";
+    // line at 105, its band's border at 93
+    const Bag taken = fold::fold(parse_recipe(pattern + rest, "bag.toml"));
+    REQUIRE(taken.remarks.size() == 1);
+    CHECK(taken.remarks[0] ==
+          "bag.toml:6: [[tether]] is 183 long in place of 180: it ends where a fold does");
+    CHECK(area_of(taken, 6) == Approx(183.0 * 40.0));
+    // at 90
+    const Bag exact = fold::fold(parse_recipe(pattern + "band = 15\n" + rest, "bag.toml"));
+    CHECK(exact.remarks.empty());
+    CHECK(area_of(exact, 6) == Approx(180.0 * 40.0));
+}
+
+TEST_CASE("a vent that is not as large as it is drawn is told", "[fold]") {
+    const auto with_elements_of = [](const std::string& size) {
+        std::string bag = BAG;
+        bag.replace(bag.find("= 12") + 2, 2, size);
+        return make_bag(parse_recipe(bag, "bag.toml"), {});
+    };
+    const Bag coarse = with_elements_of("20");
+    CHECK(area_of(coarse, 5) == Approx(1039.0).epsilon(1e-3));
+    REQUIRE(coarse.remarks.size() == 1);
+    CHECK(coarse.remarks[0] ==
+          "bag.toml: [[vent]] at = [90, 60] has an area of 1039 in place of "
+          "1257: smaller elements are nearer");
+    const Bag fine = with_elements_of("5");
+    CHECK(area_of(fine, 5) == Approx(disc(40)).epsilon(0.02));
+    CHECK(fine.remarks.empty());
+}
+
 TEST_CASE("the deck holds the folded bag and its flat shape", "[fold]") {
     const Recipe recipe = parse_recipe(BAG + ZIGZAG, "bag.toml");
     const Bag bag = fold::fold(recipe);
