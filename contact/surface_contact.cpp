@@ -89,7 +89,7 @@ void SurfaceContact::find(const Points& x, const Points& v, double t, double dt,
     State& s = *state_;
     const bool is_born = s.look_at_cards(t);
     if (!s.any_on()) {
-        return s.contacts.clear(0);
+        return s.contacts.lay_out(0);
     }
     if (!s.is_started) {
         s.is_started = true;
@@ -103,7 +103,7 @@ void SurfaceContact::find(const Points& x, const Points& v, double t, double dt,
         s.columns.lay(x);
         s.narrow_phase.find({x, v, t, dt, bodies, s.is_on, s.most}, s.columns, s.pairs, s.contacts);
     } else {
-        s.contacts.clear(0);
+        s.contacts.lay_out(0);
     }
     s.count();
 }

@@ -3,12 +3,50 @@
 #include "solver/loads.hpp"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "solver/base/surface.hpp"
 
 namespace corpuscle {
 
+namespace {
+
+using Facet = std::array<Index, 4>;
+
+/// By which diagonal contact cuts quads: from their first corner.
+std::set<std::pair<Index, Index>> cuts_of_contact(const Model& model) {
+    std::set<std::pair<Index, Index>> cuts;
+    if (model.contacts.empty()) return cuts;
+    for (const Shell& shell : model.shells)
+        if (!shell.is_triangle()) cuts.insert(std::minmax(shell.nodes[0], shell.nodes[2]));
+    return cuts;
+}
+
+/// Facets, and in place of quads that contact cuts their triangles.
+std::vector<Facet> as_contact_sees(const std::vector<Facet>& facets,
+                                   const std::set<std::pair<Index, Index>>& cuts) {
+    std::vector<Facet> seen;
+    for (const Facet& f : facets) {
+        if (f[2] == f[3]) {
+            seen.push_back(f);
+        } else if (cuts.contains(std::minmax(f[0], f[2]))) {
+            seen.push_back({f[0], f[1], f[2], f[2]});
+            seen.push_back({f[0], f[2], f[3], f[3]});
+        } else if (cuts.contains(std::minmax(f[1], f[3]))) {
+            seen.push_back({f[1], f[2], f[3], f[3]});
+            seen.push_back({f[1], f[3], f[0], f[0]});
+        } else {
+            seen.push_back(f);
+        }
+    }
+    return seen;
+}
+
+}  // namespace
+
 Loads::Loads(const Model& model) {
+    const auto cuts = cuts_of_contact(model);
     for (const BodyLoad& load : model.body_loads)
         body_.push_back({load.axis,
                          load.scale,
@@ -16,7 +54,7 @@ Loads::Loads(const Model& model) {
                          load.parts,
                          {}});
     for (const PressureLoad& load : model.pressure_loads) {
-        Pressure pressure{load.facets, load.scale, load.arrival, {}};
+        Pressure pressure{as_contact_sees(load.facets, cuts), load.scale, load.arrival, {}};
         if (load.curve >= 0) pressure.curve = model.curves[load.curve];
         pressure_.push_back(std::move(pressure));
     }
@@ -27,7 +65,7 @@ Loads::Loads(const Model& model) {
 namespace {
 
 /// Adds what a pressure gives to the corners of a facet.
-void press(const std::array<Index, 4>& facet, double p, const Points& x, Points& f) {
+void press(const Facet& facet, double p, const Points& x, Points& f) {
     const auto area = [&](int i, int j, int k) {
         return vector_area(x[facet[i]], x[facet[j]], x[facet[k]]);
     };

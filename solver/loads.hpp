@@ -30,7 +30,8 @@ public:
     ///     body: -m a(t) (a frame that accelerates upward pulls bodies down), m of its parts
     ///     pressure: -p(t) (A n of what the corner has), a third of a triangle; of a quad, in the
     ///     mean of both ways to cut it, (A + A_i) / 6, A_i: the triangle of corner i and its two
-    ///     neighbours. Positive pressure presses against the facet's normal
+    ///     neighbours; in a scene with contact, of the two triangles that contact sees. Positive
+    ///     pressure presses against the facet's normal
     ///     node: F(t) along an axis
     void find_force(double t, const Points& x, const std::vector<double>& mass, Points& f) const;
 

@@ -25,9 +25,11 @@ struct PairMemory {
     double born = 0.0;      ///< when that was                                                 [s]
     double force = 0.0;     ///< normal, in its last step                                      [N]
     double area = 0.0;      ///< that it stood for then                                      [m^2]
+    double own_area = 0.0;  ///< of the lesser of its places then                          [m^2]
     double owed = 0.0;      ///< energy that it owes to the motion (implicit_response.hpp)      [J]
     Vec3 friction = Vec3::Zero();  ///< then, on the first place                               [N]
     std::uint32_t step = 0;        ///< that last step's number
+    std::uint32_t area_until = 0;  ///< step from which on the area is out of date
 
     [[nodiscard]] bool is_empty() const { return short_by == 0.0 && area == 0.0; }
 };

@@ -67,17 +67,17 @@ void ColumnColouring::sort(const ContactList& contacts) {
     const std::size_t groups = parallel::chunk_count(chunks, SORT_CHUNKS);
     const std::size_t columns_a_chunk = groups > FEW_GROUPS ? COLUMNS : COUNT + 1;
     next_.resize(groups);
-    const auto for_each_brief = [&](std::size_t group, auto&& visit) {
+    const auto for_each_row = [&](std::size_t group, auto&& visit) {
         for (std::size_t c = group * SORT_CHUNKS; c < std::min(chunks, (group + 1) * SORT_CHUNKS);
              ++c) {
             std::uint32_t row = 0;
-            for (const auto& brief : contacts.briefs(c))
-                visit(brief, Slot{static_cast<std::uint32_t>(c), row++});
+            for (const std::uint16_t column : contacts.columns(c))
+                visit(column, Slot{static_cast<std::uint32_t>(c), row++});
         }
     };
     const auto count = [&](std::size_t group) {
         next_[group].fill(0);
-        for_each_brief(group, [&](const auto& brief, Slot) { ++next_[group][brief.column]; });
+        for_each_row(group, [&](std::uint16_t column, Slot) { ++next_[group][column]; });
     };
     const auto add_up = [&](std::size_t column) {
         std::size_t sum = 0;
@@ -96,9 +96,8 @@ void ColumnColouring::sort(const ContactList& contacts) {
         for (auto& next : next_) to += std::exchange(next[column], static_cast<std::uint32_t>(to));
     };
     const auto write = [&](std::size_t group) {
-        for_each_brief(group, [&](const auto& brief, Slot slot) {
-            order_[next_[group][brief.column]++] = slot;
-        });
+        for_each_row(
+            group, [&](std::uint16_t column, Slot slot) { order_[next_[group][column]++] = slot; });
     };
     parallel::in_turn(
         parallel::each(groups, count, 1), parallel::each(COUNT + 1, add_up, columns_a_chunk),

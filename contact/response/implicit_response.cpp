@@ -16,7 +16,7 @@ constexpr double CONVERGED = 4e-3;  ///< change by a sweep over all impulses
 
 }  // namespace
 
-ImplicitResponse::ImplicitResponse(const Cloth& cloth) : cloth_(cloth), areas_(cloth) {
+ImplicitResponse::ImplicitResponse(const Cloth& cloth) : cloth_(cloth) {
     for (Share& share : share_) {
         share.books.reserve(cloth.rules.cards().size() + 2);  // no two in one cache line
         share.books.resize(cloth.rules.cards().size());
@@ -210,10 +210,12 @@ void ImplicitResponse::close(double span, const ColumnColouring& columns, Candid
             memory.force = c.force;
             memory.friction = row.rubbed / span;
             memory.area = c.area;
+            memory.own_area = c.own_area;
+            memory.area_until = c.area_until;
             memory.step = step_;
             const Vec3 relative = motion.relative(c);
             const double after = row.normal.dot(relative);
-            memory.owed = owed_after(span, after, row);
+            memory.owed = owed_after(after, row);
             const Vec3 whole = row.impulse * row.normal + row.rubbed;
             if (whole.isZero(0.0)) continue;
             if (!c.on_body) add_to_bodies(whole, row, motion, share.on_bodies);

@@ -9,16 +9,15 @@
 #include <vector>
 
 #include "contact/candidates/candidates.hpp"
-#include "contact/response/area_shares.hpp"
 #include "contact/response/column_colouring.hpp"
 #include "contact/response/impulse_books.hpp"
 #include "contact/surface/rigid_proxies.hpp"
 
 namespace corpuscle::contact {
 
-/// Contact as a law of the cloth, taken in the mean of the step's two ends [trapezoidal rule].
+/// Contact as a law of the cloth, taken between the step's two ends [theta method].
 ///
-/// Law: pressure on the area A of a contact (area_shares.hpp), and its energy,
+/// Law: pressure on the area A of a contact (overlap_area.hpp), and its energy,
 ///
 ///     p = E_t (rest / gap - 1),   U = E_t A (rest ln(rest / gap) - (rest - gap)),
 ///
@@ -26,9 +25,11 @@ namespace corpuscle::contact {
 /// presses it to nothing. A dashpot C = 2 zeta sqrt(K m), VDC = 100 zeta, K = E_t A rest / gap²,
 /// acts beside it on the mass m that the contact moves. For the impulse J >= 0 of the step,
 ///
-///     J = span · (A (p(gap) + p(gap + dt r)) / 2 - C r),   r = rate after all impulses,
+///     J = span · (A ((1 - theta) p(gap) + theta p(gap + dt r)) - C r),
+///     theta = max(0.2, 1/2 - 1/(8 k span dt / m)),   k = E_t A_own rest / gap²,
 ///
-/// a quadratic for the gap at the end. No impulse takes a gap beyond rest; no gap shrinks in a step
+/// r the rate after all impulses, A_own the cloth round the lesser of its two places: a quadratic
+/// for the gap at the end. No impulse takes a gap beyond rest; no gap shrinks in a step
 /// below the middle between it, or rest, and a quarter of rest; nearer, pairs that do not push part
 /// at rest over the cloth's growth time. Rows are solved one after the other
 /// [projected Gauss-Seidel], in sweeps, from the impulses of the step before, until a sweep changes
@@ -44,9 +45,10 @@ namespace corpuscle::contact {
 /// Once the pair closes no faster than at half the speed that this could give it, it gives at least
 /// the impulse that pays, J (r_0 + r)/2 = owed. Pairs whose rest gap grows owe nothing.
 ///
-/// As the impulse acts at the beginning of the step, this is half as lossy as taking all of it from
-/// the end [backward Euler]; growing areas and pairs that appear between cloth that is pressed
-/// already add energy (contact/README.md, Law).
+/// As the impulse acts at the beginning of the step, an oscillation of frequency w loses the share
+/// theta (w dt)² of its energy in a step; it is stable for (w dt)² (1 - 2 theta) < 4, w² = K/m of
+/// all contacts that act alike, 8 k/m at most. Areas that change and pairs that appear between
+/// cloth that is pressed already change energy (contact/README.md, Limits).
 class ImplicitResponse {
 public:
     explicit ImplicitResponse(const Cloth& cloth);
@@ -93,8 +95,9 @@ private:
         Vec3 normal;
         double gap, rest;  ///< now; at the end of the step                               [m]
         double floor;      ///< least gap at the end of the step                          [m]
-        double push;       ///< span · E_t A / 2                                        [N s]
-        double given;      ///< span · A p(gap) / 2: what the gap of now gives          [N s]
+        double stiff;      ///< E_t A                                                     [N]
+        double push;       ///< theta · span · E_t A                                    [N s]
+        double given;      ///< (1 - theta) span · A p(gap): what the gap of now gives  [N s]
         double dt;         ///< [s]
         double heft;       ///< (mass + span C) / dt                                   [kg/s]
         double mass;       ///< 1 / (n M⁻¹ n)                                            [kg]
@@ -117,9 +120,9 @@ private:
         [[nodiscard]] bool rubs() const { return friction_static > 0.0 || friction_dynamic > 0.0; }
 
         /// U at the gap `at`.                                                                [J]
-        [[nodiscard]] double stored(double span, double at) const {
+        [[nodiscard]] double stored(double at) const {
             if (at >= rest) return 0.0;
-            return 2.0 * push / span * (rest * std::log(rest / at) - (rest - at));
+            return stiff * (rest * std::log(rest / at) - (rest - at));
         }
         /// Change of the impulse that brings the row to its law, or beyond it to what it owes, the
         /// rate being `after`.                                                              [N s]
@@ -154,13 +157,14 @@ private:
     [[nodiscard]] bool owes_still(const NearPair& near, Candidates& pairs) const;
     void set_rows(double span, double dt, ContactList& contacts, const ColumnColouring& columns,
                   Candidates& pairs, VelocityState& motion);
-    void recall(double span, ContactList& contacts, Candidates& pairs);
-    [[nodiscard]] const PairMemory* last(const Contact& contact, Candidates& pairs) const;
+    void recall(double span, double dt, ContactList& contacts, Candidates& pairs,
+                const VelocityState& motion);
+    void measure(double dt, const VelocityState& motion, Contact& contact) const;
     [[nodiscard]] Row row_of(double span, double dt, Contact& contact,
                              const VelocityState& motion) const;
     static void warm(const Contact& before, Row& row);
     /// What a row owes to the motion after the step, the rate having become `after`.        [J]
-    [[nodiscard]] static double owed_after(double span, double after, const Row& row);
+    [[nodiscard]] static double owed_after(double after, const Row& row);
     void begin(Row& row, VelocityState& motion);
     /// Sweeps until little changes; returns what the last one did, over all impulses.
     double solve_all(const ColumnColouring& columns, VelocityState& motion,
@@ -182,7 +186,6 @@ private:
                VelocityState& motion, std::vector<ImpulseBooks>& books);
 
     const Cloth& cloth_;
-    AreaShares areas_;
     std::array<Share, ColumnColouring::COUNT + 1> share_;
     std::vector<Row> rows_;              ///< in the columns' order
     std::vector<std::uint32_t> active_;  ///< rows that push, from each column's first on

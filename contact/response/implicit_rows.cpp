@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "contact/response/implicit_response.hpp"
+#include "contact/response/overlap_area.hpp"
 
 namespace corpuscle::contact {
 namespace {
@@ -19,9 +20,15 @@ constexpr std::size_t NEW_CONTACT_CHUNKS = 1;  ///< chunks of contacts at once
 /// resolve its oscillation.
 constexpr double HIT = 0.25;
 
+constexpr double ALIKE = 8.0;  ///< (w dt)² of all contacts that act alike, over k span dt / m
+constexpr double LEAST_THETA = 0.2;
+
 /// A pair that closes faster than at this share of the speed that what it owes could give it does
 /// not pay yet.
 constexpr double CLOSING = 0.5;
+
+constexpr double SLID = 0.01;     ///< of an edge: how far an area is good
+constexpr double LONGEST = 16.0;  ///< steps for which it is
 
 /// Share of its energy that a hit leaves a pair with a dashpot: what a linear oscillator keeps over a
 /// whole oscillation, since the law stiffens.
@@ -33,12 +40,6 @@ double kept_by_hit(double zeta) {
 
 }  // namespace
 
-/// What a contact did in the step before; null where it was none.
-const PairMemory* ImplicitResponse::last(const Contact& c, Candidates& pairs) const {
-    const PairMemory& memory = pairs.memory_at(c.memory);
-    return memory.step + 1 == step_ ? &memory : nullptr;
-}
-
 /// Whether a pair hit in the step before and has not paid.
 bool ImplicitResponse::owes_still(const NearPair& near, Candidates& pairs) const {
     if (near.memory < 0) return false;
@@ -46,8 +47,20 @@ bool ImplicitResponse::owes_still(const NearPair& near, Candidates& pairs) const
     return memory.owed > 0.0 && memory.step + 1 == step_;
 }
 
-/// Makes sure that each contact has a memory, and gives it the area and impulses of the step before.
-void ImplicitResponse::recall(double span, ContactList& contacts, Candidates& pairs) {
+/// Finds the area of a contact, for as many steps as it is about the same.
+void ImplicitResponse::measure(double dt, const VelocityState& motion, Contact& c) const {
+    const ContactArea found = overlap_area(cloth_, motion.x(), c);
+    c.area = found.area;
+    c.own_area = found.own;
+    const Vec3 relative = motion.relative(c);
+    const double way = dt * (relative - c.normal.dot(relative) * c.normal).norm();
+    const double steps = std::min(SLID * cloth_.mean_edge / std::max(way, 1e-300), LONGEST);
+    c.area_until = step_ + 1 + static_cast<std::uint32_t>(steps);
+}
+
+/// Makes sure that each contact has a memory, an area, and the impulses of the step before.
+void ImplicitResponse::recall(double span, double dt, ContactList& contacts, Candidates& pairs,
+                              const VelocityState& motion) {
     fresh_.clear();
     found_fresh_.find(
         contacts.chunks(), fresh_,
@@ -56,14 +69,22 @@ void ImplicitResponse::recall(double span, ContactList& contacts, Candidates& pa
             for (Contact& c : contacts.chunk(chunk)) {
                 if (c.memory < 0) {
                     take(&c);
+                    measure(dt, motion, c);
                     continue;
                 }
-                const PairMemory* const memory = last(c, pairs);
-                if (memory == nullptr) continue;
-                c.area = memory->area;
-                c.owed = memory->owed;
-                c.impulse = span * memory->force;
-                c.rubbed = span * memory->friction;
+                const PairMemory& memory = pairs.memory_at(c.memory);
+                const bool is_of_last_step = memory.step + 1 == step_;
+                if (is_of_last_step && step_ < memory.area_until) {
+                    c.area = memory.area;
+                    c.own_area = memory.own_area;
+                    c.area_until = memory.area_until;
+                } else {
+                    measure(dt, motion, c);
+                }
+                if (!is_of_last_step) continue;
+                c.owed = memory.owed;
+                c.impulse = span * memory.force;
+                c.rubbed = span * memory.friction;
             }
         },
         NEW_CONTACT_CHUNKS);
@@ -77,8 +98,7 @@ void ImplicitResponse::recall(double span, ContactList& contacts, Candidates& pa
 void ImplicitResponse::set_rows(double span, double dt, ContactList& contacts,
                                 const ColumnColouring& columns, Candidates& pairs,
                                 VelocityState& motion) {
-    recall(span, contacts, pairs);
-    areas_.find(motion.x(), columns, contacts);
+    recall(span, dt, contacts, pairs, motion);
     rows_.resize(columns.size());
     parallel::for_each(
         rows_.size(),
@@ -112,8 +132,11 @@ ImplicitResponse::Row ImplicitResponse::row_of(double span, double dt, Contact& 
     row.gap = c.gap;
     row.rest = c.rest + dt * c.rest_rate;
     row.floor = least_gap(row.gap, row.rest, area > 0.0 ? 0.0 : opening(dt, row.rest));
-    row.push = 0.5 * span * c.modulus * area;
-    row.given = row.push * std::max(0.0, c.rest / c.gap - 1.0);
+    const double beat = ALIKE * c.modulus * c.own_area * c.rest / (at * at) * span * dt / c.mass;
+    const double theta = std::max(LEAST_THETA, 0.5 - 1.0 / beat);
+    row.stiff = c.modulus * area;
+    row.push = theta * span * row.stiff;
+    row.given = (1.0 - theta) * span * row.stiff * std::max(0.0, c.rest / c.gap - 1.0);
     row.dt = dt;
     row.impulse = 0.0;
     row.rubbed.setZero();
@@ -143,7 +166,7 @@ void ImplicitResponse::warm(const Contact& before, Row& row) {
     if (strength > most) row.rubbed *= most / strength;
 }
 
-double ImplicitResponse::owed_after(double span, double after, const Row& row) {
+double ImplicitResponse::owed_after(double after, const Row& row) {
     const Contact& c = *row.contact;
     if (row.mass == INF || c.rest_rate > 0.0) return 0.0;
     const bool is_hit = -row.rate * row.dt > HIT * row.rest;
@@ -152,7 +175,7 @@ double ImplicitResponse::owed_after(double span, double after, const Row& row) {
     const double damping = row.heft * row.dt - row.mass;  // span C
     const double by_dashpot = std::clamp(-damping * after, 0.0, row.impulse);
     const double taken =
-        -(row.impulse - by_dashpot) * mean - (row.stored(span, end) - row.stored(span, row.gap));
+        -(row.impulse - by_dashpot) * mean - (row.stored(end) - row.stored(row.gap));
     return c.owed + (is_hit && taken > 0.0 ? taken * kept_by_hit(row.zeta) : taken);
 }
 

@@ -29,12 +29,12 @@ struct Contact {
     double thickness = 0.0;  ///< of contact, at full                                        [m]
     double modulus = 0.0;    ///< through the thickness                                     [Pa]
     double area = 0.0;       ///< that it stands for                                       [m^2]
+    double own_area = 0.0;   ///< of the lesser of its places                              [m^2]
     double exposure = 1.0;   ///< how far its places face each other                        [-]
-    bool is_known = false;   ///< its area is that of the last step
-    std::uint8_t sides = 0;  ///< bit i: it is above node i
-    double owed = 0.0;       ///< energy that it owes to the motion                        [J]
-    double force = 0.0;      ///< normal, >= 0                                              [N]
-    double impulse = 0.0;    ///< likewise, of the step                                     [N s]
+    std::uint32_t area_until = 0;  ///< step from which on its area is out of date
+    double owed = 0.0;             ///< energy that it owes to the motion                        [J]
+    double force = 0.0;    ///< normal, >= 0                                              [N]
+    double impulse = 0.0;  ///< likewise, of the step                                     [N s]
     Vec3 rubbed = Vec3::Zero();  ///< by friction, on the first place                          [N s]
     std::size_t pair = 0;        ///< candidate row
     Index memory = -1;           ///< row of what the pair remembers, or -1; until lists change

@@ -35,18 +35,14 @@ public:
         if (chunk_.size() < used_) {
             chunk_.resize(used_);
             near_.resize(used_);
-            briefs_.resize(used_);
+            columns_.resize(used_);
         }
         for (std::size_t c = used_; c < chunk_.size(); ++c) clear_chunk(c);
     }
     void clear_chunk(std::size_t c) {
         chunk_[c].clear();
         near_[c].clear();
-        briefs_[c].clear();
-    }
-    void clear(std::size_t candidates) {
-        lay_out(candidates);
-        for (std::size_t c = 0; c < used_; ++c) clear_chunk(c);
+        columns_[c].clear();
     }
     [[nodiscard]] std::size_t chunks() const { return used_; }
 
@@ -55,39 +51,22 @@ public:
     [[nodiscard]] const std::vector<Contact>& chunk(std::size_t c) const { return chunk_[c]; }
     /// Adds one to a chunk, of this column.
     Contact& add(std::size_t c, std::uint16_t column, const Contact& contact) {
-        briefs_[c].push_back({contact.node, column});
+        columns_[c].push_back(column);
         Contact& added = chunk_[c].emplace_back(contact);
         added.column = column;
         return added;
     }
-    /// What is read of all contacts of a chunk, and seldom anything else.
-    struct Brief {
-        std::array<Index, 4> node;
-        std::uint16_t column;
-    };
-    [[nodiscard]] const std::vector<Brief>& briefs(std::size_t c) const { return briefs_[c]; }
+    /// Columns of the contacts of a chunk: all that sorting reads of them.
+    [[nodiscard]] const auto& columns(std::size_t c) const { return columns_[c]; }
     /// The others within reach.
     [[nodiscard]] std::vector<NearPair>& near(std::size_t c) { return near_[c]; }
     [[nodiscard]] const std::vector<NearPair>& near(std::size_t c) const { return near_[c]; }
 
     /// body(contact), one after the other, always in the same order.
     template <class Body>
-    void for_each(Body&& body) {
-        for (std::size_t c = 0; c < used_; ++c)
-            for (Contact& contact : chunk_[c]) body(contact);
-    }
-    template <class Body>
     void for_each(Body&& body) const {
         for (std::size_t c = 0; c < used_; ++c)
             for (const Contact& contact : chunk_[c]) body(contact);
-    }
-    /// body(contact), in parallel.
-    template <class Body>
-    void for_each_apart(Body&& body, parallel::Cut::Where where = parallel::Cut::Where::current()) {
-        const auto over_chunk = [&](std::size_t c) {
-            for (Contact& contact : chunk_[c]) body(contact);
-        };
-        for_each_chunk(over_chunk, where);
     }
     /// body(chunk), in parallel.
     template <class Body>
@@ -110,13 +89,13 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(chunk_, near_, briefs_, used_);
+        archive(chunk_, near_, columns_, used_);
     }
 
 private:
     std::vector<std::vector<Contact>> chunk_;
     std::vector<std::vector<NearPair>> near_;
-    std::vector<std::vector<Brief>> briefs_;
+    std::vector<std::vector<std::uint16_t>> columns_;
     std::size_t used_ = 0;
 };
 

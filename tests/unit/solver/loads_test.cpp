@@ -69,3 +69,24 @@ TEST_CASE("pressure on a quad knows no first corner, and gives a square's a quar
         for (std::size_t k = 0; k < 4; ++k) CHECK((turned[k] - f[k]).norm() < 1e-9 * PRESSURE);
     }
 }
+
+TEST_CASE("where there is contact, pressure acts on a quad's triangles as contact sees them",
+          "[loads]") {
+    Model model;
+    model.x = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    Shell shell;
+    shell.nodes = {1, 2, 3, 0};
+    model.shells = {shell};
+    model.contacts.emplace_back();
+    const Index first = GENERATE(0, 1, 2, 3);  // of a segment on that shell
+    PressureLoad load;
+    load.facets = {{first, (first + 1) % 4, (first + 2) % 4, (first + 3) % 4}};
+    load.scale = PRESSURE;
+    model.pressure_loads = {load};
+    Points f(model.x.size());
+    Loads(model).find_force(0.0, model.x, std::vector<double>(f.size(), 1.0), f);
+    for (std::size_t k = 0; k < f.size(); ++k) {
+        const double share = k % 2 == 1 ? 1.0 / 3.0 : 1.0 / 6.0;  // nodes 1 and 3: both triangles
+        CHECK((f[k] + share * PRESSURE * Vec3::UnitZ()).norm() < 1e-9 * PRESSURE);
+    }
+}

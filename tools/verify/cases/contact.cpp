@@ -51,7 +51,7 @@ Findings stack(const Runs& runs) {
     });
 }
 
-/// Pressed by 100 kPa without friction: it goes on at 20 m/s.
+/// Pressed by 600 kPa without friction: it goes on at 20 m/s.
 Findings sliding_sheet(const Runs& runs) {
     return by_run(runs, [](const MeasuredRun& run) {
         return std::map<std::string, double>{{"speed", momentum_left(run) - 1.0}};

@@ -25,7 +25,7 @@ struct Pile {
 
     Pile() {
         const std::size_t count = sheet.triangles.size();
-        contacts.clear(3 * ContactList::CHUNK);
+        contacts.lay_out(3 * ContactList::CHUNK);
         columns.lay(sheet.x);
         for (std::size_t t = 0; t < count; ++t) {
             const Triangle& a = sheet.triangles[t];
