@@ -47,7 +47,7 @@ namespace corpuscle::contact {
 ///
 /// As the impulse acts at the beginning of the step, an oscillation of frequency w loses the share
 /// theta (w dt)² of its energy in a step; it is stable for (w dt)² (1 - 2 theta) < 4, w² = K/m of
-/// all contacts that act alike, 8 k/m at most. Areas that change and pairs that appear between
+/// all contacts that act alike, taken for 8 k/m. Areas that change and pairs that appear between
 /// cloth that is pressed already change energy (contact/README.md, Limits).
 class ImplicitResponse {
 public:

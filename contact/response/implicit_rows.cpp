@@ -20,7 +20,7 @@ constexpr std::size_t NEW_CONTACT_CHUNKS = 1;  ///< chunks of contacts at once
 /// resolve its oscillation.
 constexpr double HIT = 0.25;
 
-constexpr double ALIKE = 8.0;  ///< (w dt)² of all contacts that act alike, over k span dt / m
+constexpr double ALIKE = 8.0;  ///< taken for (w dt)² of all that act alike, over k span dt / m
 constexpr double LEAST_THETA = 0.2;
 
 /// A pair that closes faster than at this share of the speed that what it owes could give it does
