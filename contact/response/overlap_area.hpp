@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/surface/cloth.hpp"
+#include "contact/surface/contact.hpp"
 
 namespace corpuscle::contact {
 
