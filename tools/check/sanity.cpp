@@ -56,11 +56,26 @@ public:
 
 private:
     [[nodiscard]] const Model& model() const { return simulation_.model(); }
-    [[nodiscard]] static double area(const Shell& shell, const Points& x) {
+    using Corners = std::array<Vec3, 4>;  ///< of a shell; a triangle's third stands twice
+    [[nodiscard]] static double area(const Corners& at) {
+        return 0.5 * (at[2] - at[0]).cross(at[3] - at[1]).norm();
+    }
+    [[nodiscard]] static Corners corners(const Shell& shell, const Points& x) {
         const auto& n = shell.nodes;
-        return 0.5 * (x[n[2]] - x[n[0]])
-                         .cross(shell.is_triangle() ? x[n[1]] - x[n[0]] : x[n[3]] - x[n[1]])
-                         .norm();
+        return {x[n[0]], x[n[1]], x[n[2]], x[n[3]]};
+    }
+    [[nodiscard]] static double area(const Shell& shell, const Points& x) {
+        return area(corners(shell, x));
+    }
+    /// Stress-free corners of each shell.
+    [[nodiscard]] std::vector<Corners> flat_corners() const {
+        Points flat = model().x;
+        for (const ReferenceGeometry& reference : model().references)
+            for (const auto& [node, at] : reference.nodes) flat[node] = at;
+        std::vector<Corners> all;
+        for (const Shell& shell : model().shells) all.push_back(corners(shell, flat));
+        for (const ShellReference& own : model().shell_references) all[own.shell] = own.corners;
+        return all;
     }
     [[nodiscard]] static double modulus(const fabric::Material& material) {
         if (const auto* cloth = std::get_if<fabric::FabricCard>(&material.card))
@@ -130,9 +145,7 @@ private:
     /// Of cloth whose folds have shortened it: facets that resist compression do not crumple, and
     /// push as far as they reach.
     void advise_on_compression(const gas::BagWalls& walls) {
-        Points flat = model().x;
-        for (const ReferenceGeometry& reference : model().references)
-            for (const auto& [node, at] : reference.nodes) flat[node] = at;
+        const std::vector<Corners> flat = flat_corners();
         std::map<int, std::array<double, 2>> areas;  // by material: now, flat
         for (std::size_t t = 0; t < walls.closing; ++t) {
             const Shell& shell = model().shells[walls.shell[t]];
@@ -143,7 +156,7 @@ private:
             const bool is_lined = !cloth->liner_waits && cloth->liner_E * cloth->liner_ratio > 0.0;
             if (!is_lined && cloth->no_compression) continue;
             areas[material.id][0] += area(shell, model().x);
-            areas[material.id][1] += area(shell, flat);
+            areas[material.id][1] += area(flat[walls.shell[t]]);
         }
         for (const auto& [id, of] : areas)
             if (of[0] < SHORTENED * of[1])

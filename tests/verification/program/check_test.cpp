@@ -93,6 +93,16 @@ TEST_CASE("check names folded cloth that resists compression", "[check]") {
     folder.write("module.k", module);
     CHECK_THAT(check(folder.write("lined.k", deck)), said);
     CHECK_THAT(check(folded / "driver_bag_folded_coarse.k"), !said);
+    // a cube of a quarter more length, shell by shell: 0.8 squared of its area is left
+    const auto decks = std::filesystem::path(CORPUSCLE_MODELS).parent_path() / "tests" / "decks";
+    const std::string cube = text(decks / "cube.inc"), heading = "*ELEMENT_SHELL\n";
+    const auto shells = cube.find(heading) + heading.size();
+    const std::string longer = "*INCLUDE\n" + (decks / "wang_nefske_inflator_card.k").string() +
+                               "\n*AIRBAG_SHELL_REFERENCE_GEOMETRY_ID\n1,1.25,1.25,1.25\n" +
+                               cube.substr(shells, cube.rfind("*END") - shells);
+    CHECK_THAT(check(folder.write("longer.k", "*KEYWORD\n" + longer + "*END\n")),
+               Contains("material 1 is folded to 64 %"));
+    CHECK_THAT(check(decks / "wang_nefske_inflator_card.k"), !Contains("material 1 is folded"));
 }
 
 TEST_CASE("check says what a person can judge, and what cannot be", "[check]") {
