@@ -152,7 +152,8 @@ bool collide_group(const CollisionStep& step, CellSample& sample, Random& draw) 
     const double freedom = 3.0 * along_each_axis;
     const bool has_heat = !is_rigid(sample, E_0);
     std::optional<double> E_1;
-    if (has_heat) E_1 = share(energy - E_gradient, freedom, step.mixture, sample, draw);
+    if (has_heat)
+        E_1 = share(energy - E_gradient, freedom, step.mixture, Fluctuation::IN_GAS, sample, draw);
     if (!E_1) {
         sample.add_gradient(G);
         return leave_unrelaxed(sample) || !has_heat;

@@ -50,7 +50,7 @@ bool collide_few(const CollisionStep& step, CellSample& sample, Random& draw) {
         return true;
     }
     const std::optional<double> E_1 =
-        share(energy - (E_all - E_0), freedom, step.mixture, sample, draw);
+        share(energy - (E_all - E_0), freedom, step.mixture, Fluctuation::IN_GAS, sample, draw);
     if (!E_1) {
         sample.add_gradient(G);
         return leave_unrelaxed(sample);

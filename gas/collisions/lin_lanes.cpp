@@ -70,7 +70,7 @@ bool LinLanes::add(std::span<const Index> rows, std::uint64_t group, const Heat&
     return true;
 }
 
-/// Thermal energy shared out, as gas::share() does it.
+/// Thermal energy shared out, as gas::share() does it with Fluctuation::IN_GAS.
 struct LinLanes::Energy {
     Four lowest, kept, translational;
     FourBits is_good;
@@ -95,8 +95,8 @@ LinLanes::Energy LinLanes::share(const Four& motion, const Four& thermal) const 
     const Four half_heat = all_four(mixture_.half_heat());
     const Four C_t = freedom * half_heat, C_i = n * slope;
     const Four least = internal < left ? internal : left;
-    const Four spread = T * roots_of(2.0 * half_heat * C_t * C_i / (C_t + C_i));
-    const Four scatter = T / (C_t + C_i);
+    const Four part = C_t / (C_t + C_i), scatter = T / (C_t + C_i);
+    const Four spread = T * roots_of(2.0 * half_heat * C_t * (1.0 - part * part));
     const Four less = SCATTER * half_heat * C_t * (n * curvature) * scatter * scatter;
     const Four most = MOST_NOISE * least, wanted = spread * load_four(share_.data()) - less;
     Four more = wanted > most ? most : wanted < -most ? -most : wanted;

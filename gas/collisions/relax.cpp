@@ -38,7 +38,7 @@ bool is_rigid(const CellSample& sample, double translational) {
 }
 
 std::optional<double> share(double energy, double freedom, const Mixture& mixture,
-                            CellSample& sample, Random& draw) {
+                            Fluctuation fluctuation, CellSample& sample, Random& draw) {
     const double chance = nearly_normal(draw);
     const EnergyPolynomial& internal_at = sample.internal_at();
     const double T = equilibrium_temperature(energy, freedom, mixture.half_heat(), internal_at);
@@ -50,10 +50,13 @@ std::optional<double> share(double energy, double freedom, const Mixture& mixtur
         sample.set_internal(T, 0.0, MEMORY, mixture);
         return energy - sample.internal();
     }
-    const double spread = T * std::sqrt(2.0 * mixture.half_heat() * C_t * C_i / (C_t + C_i));
+    const bool is_alone = fluctuation == Fluctuation::ALONE;
+    const double part = C_t / (C_t + C_i);
+    const double missing = 1.0 - (is_alone ? part : part * part);
+    const double spread = T * std::sqrt(2.0 * mixture.half_heat() * C_t * missing);
     const double scatter = T / (C_t + C_i);  // squared: var(T) / (k C_t)
-    const double less =
-        SCATTER * mixture.half_heat() * C_t * internal_at.curvature(T) * scatter * scatter;
+    const double less = (is_alone ? ALONE_SCATTER : SCATTER) * mixture.half_heat() * C_t *
+                        internal_at.curvature(T) * scatter * scatter;
     // In groups of two or three the tails are cut, evenly, so that no part is used up.
     const double more = std::clamp(spread * chance - less, -MOST_NOISE * least, MOST_NOISE * least);
     sample.set_internal(T, more, MEMORY, mixture);
@@ -68,7 +71,8 @@ bool relax(const Mixture& mixture, CellSample& sample, Random& draw) {
     }
     const double energy = translational + sample.internal() + sample.heat;
     const double freedom = 3.0 * (static_cast<double>(sample.size()) - 1.0);
-    const std::optional<double> left = share(energy, freedom, mixture, sample, draw);
+    const std::optional<double> left =
+        share(energy, freedom, mixture, Fluctuation::ALONE, sample, draw);
     if (left)
         sample.scale(std::sqrt(*left / translational));
     else

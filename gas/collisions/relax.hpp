@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "gas/collisions/cell_sample.hpp"
@@ -37,12 +38,21 @@ inline constexpr double MEMORY = 0.95;
 inline constexpr double MOST_NOISE =
     0.8;  ///< share of the smaller part that fluctuation may take away
 
+/// Variance of the share of translation E_t when a group's energy is given (C_t, C_i: heat
+/// capacities of the two parts, C = C_t + C_i).
+enum class Fluctuation : std::uint8_t {
+    ALONE,  ///< k T² C_t C_i / C, of a group in equilibrium with itself
+    /// k T² C_t (1 - (C_t / C)²): with groups' energies, which scatter by k T² C_t and not k T² C, for
+    /// particles carry nearly the same e, it makes k T² C_t, that of a gas at equilibrium.
+    IN_GAS,
+};
+
 /// Where heat capacities rise with temperature, n e(T) of groups whose temperatures scatter is on
 /// average C_i' var(T) / 2 above that of the gas as a whole; so much less is given to e.
 /// Translation alone makes var(T) = k T² C_t / C². Of that groups show this share, for they trade e
-/// with their neighbours: measured, 20 particles a group that cross a quarter of a cell between
-/// collisions.
-inline constexpr double SCATTER = 0.64;
+/// with their neighbours: measured, by the pressure of carbon dioxide at rest and by
+/// `slow_compression_cp`; SCATTER with IN_GAS, ALONE_SCATTER with ALONE.
+inline constexpr double SCATTER = 0.45, ALONE_SCATTER = 0.64;
 
 /// Of the energy of a sample's common motion: (the rounding of c = v - U, some 1e-16 v, times 1000)²
 inline constexpr double RIGID = 1e-26;
@@ -54,11 +64,10 @@ bool is_rigid(const CellSample& sample, double translational);
 /// and returns what is left for translation, exactly. None, and nothing done, when no temperature
 /// holds it.
 ///
-/// At a given energy the shares fluctuate, with variance k T² C_t C_i / (C_t + C_i) (C: the two
-/// parts' heat capacities), and so they do here. Without this the groups' common motion, that
-/// compression and relaxation damp, would be colder than the gas.
+/// The shares fluctuate. Without this the groups' common motion, that compression and relaxation
+/// damp, would be colder than the gas.
 std::optional<double> share(double energy, double freedom, const Mixture& mixture,
-                            CellSample& sample, Random& draw);
+                            Fluctuation fluctuation, CellSample& sample, Random& draw);
 
 /// Shares out a sample's thermal energy and its heat: one factor on c, a new e each. Exact in energy
 /// and momentum. The heat of a rigid sample goes to its internal energy (heat_internal()); so it does

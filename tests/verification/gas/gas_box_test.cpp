@@ -56,8 +56,7 @@ TEST_CASE("a gas at rest presses with n R T / V on its walls", "[gas]") {
 }
 
 TEST_CASE("speeds keep the fourth moment of Maxwell's distribution", "[gas]") {
-    // <v^4> / <v^2>^2 = 5/3. Particles carry internal energies that scatter less than a gas's, so energies
-    // of groups do, too, and it is up to 0.8 % short.
+    // <v^4> / <v^2>^2 = 5/3. Groups whose energies fluctuate too little, or too much, shift it.
     const auto cards = GENERATE(
         values<std::vector<SpeciesCard>>({{AIR}, {HELIUM}, {CARBON_DIOXIDE}, {AIR, HELIUM}}));
     const Mixture mixture = mixture_of(cards);
@@ -85,7 +84,7 @@ TEST_CASE("speeds keep the fourth moment of Maxwell's distribution", "[gas]") {
         found += count * fourth / (square * square) / SAMPLES;
     }
     WARN("fourth moment over Maxwell's: " << 0.6 * found);
-    CHECK(0.6 * found == Approx(1.0).epsilon(0.01));
+    CHECK(0.6 * found == Approx(1.0).epsilon(0.004));
 }
 
 TEST_CASE("helium and air share one temperature and add their pressures", "[gas]") {
