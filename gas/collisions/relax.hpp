@@ -52,7 +52,8 @@ enum class Fluctuation : std::uint8_t {
 /// Translation alone makes var(T) = k T² C_t / C². Of that groups show this share, for they trade e
 /// with their neighbours: measured, by the pressure of carbon dioxide at rest and by
 /// `slow_compression_cp`; SCATTER with IN_GAS, ALONE_SCATTER with ALONE.
-inline constexpr double SCATTER = 0.45, ALONE_SCATTER = 0.64;
+inline constexpr double SCATTER = 0.45;
+inline constexpr double ALONE_SCATTER = 0.64;
 
 /// Of the energy of a sample's common motion: (the rounding of c = v - U, some 1e-16 v, times 1000)²
 inline constexpr double RIGID = 1e-26;
