@@ -137,7 +137,7 @@ struct Scene {
 }  // namespace
 
 TEST_CASE("ten kills at random instants leave no trace in the results", "[restart]") {
-    // fifty checkpoints each or more, of which one to three lie between two kills
+    // 48 checkpoints each or more, of which one to three lie between two kills
     const auto scene = GENERATE(
         Scene{"driver_bag_folded", "NP=5000", "1.0", 3},
         Scene{"driver_bag_flat", "NP=3000", "1.0", 2}, Scene{"vented_tank", "NP=2000", "0.02", 10},
