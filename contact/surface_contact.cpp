@@ -171,10 +171,7 @@ const std::vector<std::pair<Index, Index>>& SurfaceContact::close_starts() const
     return state_->pairs.close_starts();
 }
 double SurfaceContact::stored_energy() const {
-    double energy = 0.0;
-    for (std::size_t c = 0; c < state_->is_on.size(); ++c)
-        energy += contact::stored_energy(state_->contacts, static_cast<int>(c));
-    return energy;
+    return contact::stored_energy(state_->contacts);
 }
 double SurfaceContact::friction_energy() const {
     double energy = 0.0;

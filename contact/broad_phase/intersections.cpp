@@ -20,20 +20,15 @@ std::vector<std::pair<Index, Index>> crossings(std::span<const Triangle> triangl
 
     constexpr std::size_t CHUNK = 16;  // patch pairs
     const auto pairs = near.patch_pairs();
-    std::vector<std::vector<std::pair<Index, Index>>> part(
-        parallel::chunk_count(pairs.size(), CHUNK));
-    const auto search = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        for (std::size_t i = begin; i < end; ++i)
-            near.for_each_in(pairs[i], [&](Index a, Index b) {
-                if (!share_node(triangles[a], triangles[b]) &&
-                    triangles_cross(triangles[a], triangles[b], x))
-                    part[chunk].push_back(std::minmax(a, b));
-            });
+    const auto search = [&](std::size_t i, auto&& take) {
+        near.for_each_in(pairs[i], [&](Index a, Index b) {
+            if (!share_node(triangles[a], triangles[b]) &&
+                triangles_cross(triangles[a], triangles[b], x))
+                take(std::minmax(a, b));
+        });
     };
-    parallel::for_chunks(pairs.size(), search, CHUNK);
-
     std::vector<std::pair<Index, Index>> found;
-    for (const auto& some : part) found.insert(found.end(), some.begin(), some.end());
+    parallel::Gathered<std::pair<Index, Index>>().find(pairs.size(), found, search, CHUNK);
     std::sort(found.begin(), found.end());
     return found;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/broad_phase/bounds.hpp"
 #include "contact/broad_phase/broad_phase.hpp"
 
 namespace corpuscle::contact {
@@ -33,7 +34,7 @@ public:
         const Bounds other = patch_bounds_[q];
         for (Index i = patches_.start[p]; i < patches_.start[p + 1]; ++i) {
             const Bounds mine = bounds(i);
-            if (!overlap(mine, other)) continue;
+            if (!mine.overlaps(other)) continue;
             const Index end = patches_.start[q + 1];
             for (Index j = p == q ? i + 1 : patches_.start[q]; j < end; j += BLOCK)
                 meet_block(i, mine, j, std::min(BLOCK, end - j), meet);
@@ -42,14 +43,6 @@ public:
 
 private:
     static constexpr Index BLOCK = 64;
-    struct Bounds {
-        std::array<float, 3> low, high;
-    };
-    static bool overlap(const Bounds& a, const Bounds& b) {
-        bool is = true;
-        for (int k = 0; k < 3; ++k) is &= a.low[k] <= b.high[k] && b.low[k] <= a.high[k];
-        return is;
-    }
     [[nodiscard]] Bounds bounds(Index i) const {
         return {{low_[0][i], low_[1][i], low_[2][i]}, {high_[0][i], high_[1][i], high_[2][i]}};
     }

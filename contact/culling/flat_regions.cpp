@@ -102,7 +102,7 @@ double FlatRegions::clearance(Index patch, const Points& x) const {
     }
     const float heights = least_height_square(at, region.triangles);
     if (!(heights > 0.0F)) return 0.0;
-    const float square = std::min(heights, rim_distance_square(at, region.rim));
+    const float square = rim_distance_square(at, region.rim, heights);
     return std::max(0.0F, std::sqrt(square) - PLANE_ROUNDING * size);
 }
 

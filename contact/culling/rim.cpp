@@ -3,9 +3,11 @@
 #include "contact/culling/rim.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
+#include "contact/broad_phase/bounds.hpp"
 #include "solver/base/simd.hpp"
 
 namespace corpuscle::contact {
@@ -46,22 +48,36 @@ float least_height_square(const PlanePoints& at, std::span<const Triangle> trian
     return least;
 }
 
-float rim_distance_square(const PlanePoints& at, std::size_t corners) {
-    thread_local PlanePoints
-        rim;  // and the first corner again, so that edge i goes from i to i + 1
-    const auto close = [corners](const std::vector<float>& from, std::vector<float>& to) {
-        to.assign(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(corners));
-        to.resize(corners + EIGHT + 1, from[0]);
-    };
-    close(at.x, rim.x);
-    close(at.y, rim.y);
+namespace {
+
+/// Box round corners first ... last, and `margin` more.
+Bounds box_of(const PlanePoints& at, std::int32_t first, std::int32_t last, float margin) {
+    const auto [left, right] = std::minmax_element(&at.x[first], &at.x[last] + 1);
+    const auto [lower, upper] = std::minmax_element(&at.y[first], &at.y[last] + 1);
+    return {{*left - margin, *lower - margin, 0.0F}, {*right + margin, *upper + margin, 0.0F}};
+}
+
+}  // namespace
+
+float rim_distance_square(const PlanePoints& at, std::size_t corners, float most) {
+    thread_local PlanePoints rim;  // and the first corner again: edge i goes from i to i + 1
+    for (const auto& [from, to] : {std::pair(&at.x, &rim.x), std::pair(&at.y, &rim.y)}) {
+        to->assign(from->begin(), from->begin() + static_cast<std::ptrdiff_t>(corners));
+        to->resize(corners + EIGHT + 1, from->front());
+    }
     const auto last = static_cast<std::int32_t>(corners) - 1;
-    Eight least = all_eight(INFINITY);
+    thread_local std::vector<EightBounds> boxes;  // of eight edges each
+    boxes.assign(corners / (EIGHT * EIGHT) + 1, {});
+    for (std::int32_t j = 0, b = 0; j <= last; j += EIGHT, ++b)
+        boxes[b / EIGHT].set(b % EIGHT, box_of(rim, j, j + EIGHT, 0.0F));
+    const float reach = std::sqrt(most);
+    Eight least = all_eight(most);
     for (std::int32_t i = 0; i <= last; ++i) {
         const std::int32_t before = i > 0 ? i - 1 : last, after = i < last ? i + 1 : 0;
         const float along_x = rim.x[i + 1] - rim.x[i], along_y = rim.y[i + 1] - rim.y[i];
-        EightBits crossing{}, edge{0, 1, 2, 3, 4, 5, 6, 7};
-        for (std::int32_t j = 0; j <= last; j += EIGHT, edge += EIGHT) {
+        EightBits crossing{};
+        const auto meet = [&](std::int32_t j) {
+            const EightBits edge = j + EightBits{0, 1, 2, 3, 4, 5, 6, 7};
             const Eight from_x = load_eight(&rim.x[j]), from_y = load_eight(&rim.y[j]);
             const Eight edge_x = load_eight(&rim.x[j + 1]) - from_x,
                         edge_y = load_eight(&rim.y[j + 1]) - from_y, x = rim.x[i] - from_x,
@@ -76,7 +92,11 @@ float rim_distance_square(const PlanePoints& at, std::size_t corners) {
             const Eight begins = x * edge_y - y * edge_x, theirs = x * along_y - y * along_x;
             crossing |= ((begins > 0.0F) ^ (begins + turn > 0.0F)) &
                         ((theirs > 0.0F) ^ (theirs + turn > 0.0F)) & ~(is_mine | (edge == after));
-        }
+        };
+        const Bounds box = box_of(rim, i, i + 1, reach);
+        for (std::size_t k = 0; k < boxes.size(); ++k)
+            for (unsigned bits = boxes[k].overlapping(box); bits != 0; bits &= bits - 1)
+                meet(EIGHT * (EIGHT * static_cast<std::int32_t>(k) + std::countr_zero(bits)));
         if (bits_of(crossing) != 0) return 0.0F;
     }
     return least_lane(least);

@@ -25,7 +25,7 @@ struct PlanePoints {
 [[nodiscard]] float least_height_square(const PlanePoints& at, std::span<const Triangle> triangles);
 
 /// Least square distance of a closed line's corners, the first points, from those of its edges that
-/// do not have them; 0 where edges cross.                                                 [m^2]
-[[nodiscard]] float rim_distance_square(const PlanePoints& at, std::size_t corners);
+/// do not have them, or `most` where all are farther; 0 where edges cross.                [m^2]
+[[nodiscard]] float rim_distance_square(const PlanePoints& at, std::size_t corners, float most);
 
 }  // namespace corpuscle::contact

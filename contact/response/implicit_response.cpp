@@ -66,15 +66,7 @@ void ImplicitResponse::take_up(double dt, ContactList& contacts, const ColumnCol
                 continue;
             const Contact found =
                 contact_at(cloth_, motion.bodies(), motion.x(), pair, near.places, near.gap);
-            Contact& c = contacts.add(chunk, columns.of(found, motion.x()), found);
-            c.exposure = exposed;
-            c.pair = near.pair;
-            c.memory = near.memory;
-            c.card = near.card;
-            c.side = near.side;
-            c.rest = near.rest;
-            c.thickness = near.rest;
-            c.modulus = near.modulus;
+            contacts.add(chunk, columns.of(found, motion.x()), found, near).exposure = exposed;
         }
     });
 }

@@ -195,7 +195,7 @@ private:
     std::uint32_t step_ = 0;
 };
 
-/// U of one card's contacts, as they were found.                                                [J]
-[[nodiscard]] double stored_energy(const ContactList& contacts, int card);
+/// U of all contacts, as they were found.                                                       [J]
+[[nodiscard]] double stored_energy(const ContactList& contacts);
 
 }  // namespace corpuscle::contact

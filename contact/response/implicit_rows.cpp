@@ -192,9 +192,9 @@ void ImplicitResponse::begin(Row& row, VelocityState& motion) {
     for (int i = 0; i < 4; ++i) motion.push(row.node[i], row.weight[i] * whole);
 }
 
-double stored_energy(const ContactList& contacts, int card) {
+double stored_energy(const ContactList& contacts) {
     return contacts.sum([&](const Contact& c) {
-        if (c.card != card || c.gap >= c.rest) return 0.0;
+        if (c.gap >= c.rest) return 0.0;
         return c.modulus * c.area * c.exposure *
                (c.rest * std::log(c.rest / c.gap) - (c.rest - c.gap));
     });

@@ -63,7 +63,7 @@ private:
         }
     }
 
-    std::array<NearPair, MOST> found_;
+    std::array<Found, MOST> found_;
     std::size_t count_ = 0;
     std::array<Kind, 2> kind_;
 };
@@ -75,7 +75,7 @@ void NarrowPhase::find(const Scene& scene, const ColumnColouring& columns, Candi
         contacts.clear_chunk(chunk);
         Batch batch;
         const auto finish = [&] {
-            batch.finish(pairs, scene.x, [&](const NearPair& found) {
+            batch.finish(pairs, scene.x, [&](const Found& found) {
                 take(found, scene, columns, pairs, contacts, chunk);
             });
         };
@@ -89,7 +89,7 @@ void NarrowPhase::find(const Scene& scene, const ColumnColouring& columns, Candi
     parallel::for_chunks(pairs.size(), look, ContactList::CHUNK);
 }
 
-void NarrowPhase::take(const NearPair& found, const Scene& scene, const ColumnColouring& columns,
+void NarrowPhase::take(const Found& found, const Scene& scene, const ColumnColouring& columns,
                        Candidates& pairs, ContactList& contacts, std::size_t chunk) const {
     const auto& [row, places, gap] = found;
     const int card = pairs.card(row);
@@ -105,22 +105,14 @@ void NarrowPhase::take(const NearPair& found, const Scene& scene, const ColumnCo
     const RestGap rest = rest_gap(thickness, scene.t, memory);
     const double exposed =
         gap < rest.now ? exposure(cloth_, scene.x, pairs[row], places, gap) : 0.0;
-    if (exposed == 0.0) {
-        contacts.near(chunk).push_back({pairs[row], pairs.memory_row(row), card, pairs.side(row),
-                                        row, gap, rest.now, pairs.modulus(row), places});
-        return;
-    }
+    const NearPair near{pairs[row], pairs.memory_row(row), card,  pairs.side(row), row, gap,
+                        rest.now,   pairs.modulus(row),    places};
+    if (exposed == 0.0) return contacts.near(chunk).push_back(near);
     const Contact touching = contact_at(cloth_, scene.bodies, scene.x, pairs[row], places, gap);
-    Contact& contact = contacts.add(chunk, columns.of(touching, scene.x), touching);
+    Contact& contact = contacts.add(chunk, columns.of(touching, scene.x), touching, near);
     contact.exposure = exposed;
-    contact.pair = row;
-    contact.memory = pairs.memory_row(row);
-    contact.card = card;
-    contact.side = pairs.side(row);
-    contact.rest = rest.now;
     contact.rest_rate = rest.rate;
     contact.thickness = thickness;
-    contact.modulus = pairs.modulus(row);
 }
 
 /// A pair that began nearer than its thickness starts with the gap that it had.

@@ -31,7 +31,7 @@ public:
 
 private:
     class Batch;
-    struct NearPair {
+    struct Found {
         std::size_t row;
         Nearest places;
         double gap;  ///< [m]
@@ -40,7 +40,7 @@ private:
         double now;   ///< [m]
         double rate;  ///< at which it grows                                               [m/s]
     };
-    void take(const NearPair& found, const Scene& scene, const ColumnColouring& columns,
+    void take(const Found& found, const Scene& scene, const ColumnColouring& columns,
               Candidates& pairs, ContactList& contacts, std::size_t chunk) const;
     [[nodiscard]] RestGap rest_gap(double thickness, double t, PairMemory* memory) const;
 

@@ -49,11 +49,17 @@ public:
     /// That push; and pairs that were only near when found, and then came too near too fast.
     [[nodiscard]] std::vector<Contact>& chunk(std::size_t c) { return chunk_[c]; }
     [[nodiscard]] const std::vector<Contact>& chunk(std::size_t c) const { return chunk_[c]; }
-    /// Adds one to a chunk, of this column.
-    Contact& add(std::size_t c, std::uint16_t column, const Contact& contact) {
+    /// Adds one to a chunk, of this column and this pair.
+    Contact& add(std::size_t c, std::uint16_t column, const Contact& contact, const NearPair& of) {
         columns_[c].push_back(column);
         Contact& added = chunk_[c].emplace_back(contact);
         added.column = column;
+        added.pair = of.pair;
+        added.memory = of.memory;
+        added.card = of.card;
+        added.side = of.side;
+        added.rest = added.thickness = of.rest;
+        added.modulus = of.modulus;
         return added;
     }
     /// Columns of the contacts of a chunk: all that sorting reads of them.

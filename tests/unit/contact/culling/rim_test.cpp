@@ -107,25 +107,29 @@ TEST_CASE("heights of triangles in the plane", "[contact]") {
 
 TEST_CASE("distance of a rim from itself is that of all its corners from all edges", "[contact]") {
     std::mt19937 random(1);
-    for (std::size_t corners = 3; corners < 40; ++corners)
+    for (std::size_t corners = 3; corners < 160; corners += corners < 40 ? 1 : 17)
         for (const double depth : {0.0, 0.5, 0.95}) {
             const Points x = star(corners, depth, random);
-            CHECK(std::sqrt(rim_distance_square(flat(x), corners)) ==
-                  Approx(least_distance(x)).epsilon(1e-4).margin(1e-6));
+            const double least = least_distance(x);
+            for (const double most : {INF, 1.5 * least, 0.5 * least})
+                CHECK(std::sqrt(
+                          rim_distance_square(flat(x), corners, static_cast<float>(most * most))) ==
+                      Approx(std::min(least, most)).epsilon(1e-4).margin(1e-6));
         }
 }
 
 TEST_CASE("a rim that crosses itself has no distance", "[contact]") {
     const Points eight{{0, 0, 0}, {4, 4, 0}, {4, 0, 0}, {0, 4, 0}};
-    CHECK(rim_distance_square(flat(eight), 4) == 0.0F);
+    CHECK(rim_distance_square(flat(eight), 4, INFINITY) == 0.0F);
     std::mt19937 random(2);
     std::size_t crossing = 0, simple = 0;
-    for (std::size_t corners = 8; corners < 40; ++corners)
+    for (std::size_t corners = 8; corners < 160; corners += corners < 40 ? 1 : 17)
         for (std::size_t changed = 0; changed + 1 < corners; changed += 3) {
             Points x = star(corners, 0.6, random);
             std::swap(x[changed], x[changed + 1]);
             (crosses_itself(x) ? crossing : simple) += 1;
-            CHECK((rim_distance_square(flat(x), corners) == 0.0F) == crosses_itself(x));
+            for (const float most : {INFINITY, 1e-6F})
+                CHECK((rim_distance_square(flat(x), corners, most) == 0.0F) == crosses_itself(x));
         }
     CHECK(crossing > 50);
     CHECK(simple > 50);

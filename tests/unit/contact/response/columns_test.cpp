@@ -34,7 +34,7 @@ struct Pile {
             Contact contact{};
             contact.node = {sheet.triangles[other][0], a[0], a[1], a[2]};
             contact.on_body = t % 29 == 0;
-            contacts.add(t % 3, columns.of(contact, sheet.x), contact);
+            contacts.add(t % 3, columns.of(contact, sheet.x), contact, {});
         }
         columns.sort(contacts);
     }
