@@ -70,7 +70,7 @@ float rim_distance_square(const PlanePoints& at, std::size_t corners, float most
     boxes.assign(corners / (EIGHT * EIGHT) + 1, {});
     for (std::int32_t j = 0, b = 0; j <= last; j += EIGHT, ++b)
         boxes[b / EIGHT].set(b % EIGHT, box_of(rim, j, j + EIGHT, 0.0F));
-    const float reach = std::sqrt(most);
+    const float reach = 1.001F * std::sqrt(most);  // beyond rounding
     Eight least = all_eight(most);
     for (std::int32_t i = 0; i <= last; ++i) {
         const std::int32_t before = i > 0 ? i - 1 : last, after = i < last ? i + 1 : 0;
