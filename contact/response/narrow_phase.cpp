@@ -95,8 +95,8 @@ void NarrowPhase::take(const Found& found, const Scene& scene, const ColumnColou
     const int card = pairs.card(row);
     if (!scene.is_on[card]) return;
     pairs.tell_distance(row, places.apart, gap, scene.x);
-    const double thickness = std::min(pairs.thickness(row), scene.most[card]);
     if (!places.is_inside || gap == 0.0) return;
+    const double thickness = std::min(pairs.thickness(row), scene.most[card]);
     if (gap >= reach_ * thickness) {
         const double approach = greatest_approach(pairs[row], corners(pairs[row], scene.v));
         if (gap - MARGIN * scene.dt * approach >= thickness) return;

@@ -128,12 +128,12 @@ void find_near_nodes(double reach, Cloth& cloth) {
             }
         }
         std::sort(found.begin(), found.end());
-        for (const auto& [n, path] : found) cloth.near_node.push_back(n);
+        cloth.near_bits.push_back(0);
+        for (const auto& [n, path] : found) {
+            cloth.near_node.push_back(n);
+            cloth.near_bits.back() |= std::uint64_t{1} << n % 64;
+        }
         cloth.near_start.push_back(static_cast<Index>(cloth.near_node.size()));
-        if (found.empty())
-            cloth.near_range.push_back({0, -1});
-        else
-            cloth.near_range.push_back({found.front().first, found.back().first});
     }
 }
 
@@ -229,8 +229,7 @@ bool Cloth::is_held(const Pair& pair) const {
 }
 
 bool Cloth::are_beside(Index node, Index other) const {
-    const auto [first, last] = near_range[node];
-    if (other < first || other > last) return false;  // most are
+    if ((near_bits[node] >> other % 64 & 1) == 0) return false;  // most are not
     return std::binary_search(near_node.begin() + near_start[node],
                               near_node.begin() + near_start[node + 1], other);
 }

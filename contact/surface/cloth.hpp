@@ -72,10 +72,9 @@ struct Cloth {
     std::vector<Index> body_node;   ///< nodes of body b: body_node[body_start[b]] ...
     std::vector<Index> body_start;  ///< of numbers 0 ... greatest, and the end
 
-    std::vector<Index> near_node;   ///< nodes beside node i on the cloth, ascending
-    std::vector<Index> near_start;  ///< where those of node i begin, N + 1
-    std::vector<std::array<Index, 2>>
-        near_range;  ///< by node: first and last of those; none: 0, -1
+    std::vector<Index> near_node;          ///< nodes beside node i on the cloth, ascending
+    std::vector<Index> near_start;         ///< where those of node i begin, N + 1
+    std::vector<std::uint64_t> near_bits;  ///< by node: bit n % 64 of each of those
 
     /// @throws InputError for a contact thickness that is not positive or a free node without mass
     explicit Cloth(const ContactSetup& setup);
