@@ -96,6 +96,22 @@ double volume_of(const fold::Bag& bag) {
     return std::abs(six) / 6.0;
 }
 
+/// Row of the panels' shell whose middle is nearest to a place.
+std::size_t panel_shell_near(const Pack& pack, const Vec3& at) {
+    std::size_t nearest = 0;
+    double least = INF;
+    for (std::size_t e = 0; e < pack.bag.sheet.cells.size(); ++e) {
+        const fold::Cell& cell = pack.bag.sheet.cells[e];
+        const int part = part_of(pack.bag, e);
+        if (part == TETHER || part == VENT) continue;
+        Vec3 middle = Vec3::Zero();
+        for (const Index n : cell) middle += pack.bag.sheet.x[n] / double(cell.size());
+        if ((middle - at).norm() < least) nearest = e;
+        least = std::min(least, (middle - at).norm());
+    }
+    return nearest;
+}
+
 /// Places the gas: numbers of the held nodes, shells all of whose nodes they are, a place before
 /// them; of a free bag the cover's shells.
 std::vector<int> place_inflator(const Pack& pack, Plan& plan) {
@@ -105,27 +121,18 @@ std::vector<int> place_inflator(const Pack& pack, Plan& plan) {
     if (is_dish && !plan.is_free) plan.inflator = start.inflator;
     std::set<int> held(start.held.begin(), start.held.end());
     for (const Index row : pack.bag.module) held.insert(static_cast<int>(row) + 1);
-    int nearest = 0;  // shell
-    double least = INF;
     for (std::size_t e = 0; e < pack.bag.sheet.cells.size(); ++e) {
         const fold::Cell& cell = pack.bag.sheet.cells[e];
         const int part = part_of(pack.bag, e);
         const bool is_held = std::all_of(cell.begin(), cell.end(),
                                          [&](Index n) { return held.contains(int{n} + 1); });
-        const bool is_wall = part != TETHER && part != VENT;
-        if (plan.is_free ? part == COVER : is_held && is_wall)
+        if (plan.is_free ? part == COVER : is_held && part != TETHER && part != VENT)
             plan.floor[0].push_back(static_cast<int>(e) + 1);
-        Vec3 middle = Vec3::Zero();
-        for (const Index n : cell) middle += pack.bag.sheet.x[n] / double(cell.size());
-        const double away = (middle - start.inflator).norm();
-        if (!is_wall || away >= least) continue;
-        least = away;
-        nearest = static_cast<int>(e) + 1;
     }
     if (plan.floor[0].empty()) {  // the middle of the back is bent: the shell there is held
-        plan.floor[0].push_back(nearest);
-        for (const Index n : pack.bag.sheet.cells[static_cast<std::size_t>(nearest) - 1])
-            held.insert(static_cast<int>(n) + 1);
+        const std::size_t e = panel_shell_near(pack, start.inflator);
+        plan.floor[0].push_back(static_cast<int>(e) + 1);
+        for (const Index n : pack.bag.sheet.cells[e]) held.insert(static_cast<int>(n) + 1);
     }
     return {held.begin(), held.end()};
 }
