@@ -35,14 +35,14 @@ Index GrowthMonitor::zigzag(const Points& f, const std::vector<double>& mass, do
 bool GrowthMonitor::gains(const Instant& now, const std::vector<double>& mass, const Points& v_0,
                           const Points& v_1) {
     if (nodes_.empty()) return false;  // all held: what it has was given to it
-    using Sums = Eigen::Vector4d;
-    const Sums kinetic =  // before the kick, of both, after, of the fabric's own kick
-        parallel::sum(nodes_.size(), Sums(Sums::Zero()), [&](std::size_t i) {
-            const Index n = nodes_[i];
-            const Vec3 &a = v_0[n], &b = v_1[n];
-            return Sums(0.5 * mass[n] *
-                        Sums(a.squaredNorm(), a.dot(b), b.squaredNorm(), kick_[n].squaredNorm()));
-        });
+    using Sums = Eigen::Matrix<double, 5, 1>;
+    // before the kick, of both, after, of the fabric's own kick, of that and before
+    const Sums kinetic = parallel::sum(nodes_.size(), Sums(Sums::Zero()), [&](std::size_t i) {
+        const Index n = nodes_[i];
+        const Vec3 &a = v_0[n], &b = v_1[n], &k = kick_[n];
+        return Sums(0.5 * mass[n] *
+                    Sums{a.squaredNorm(), a.dot(b), b.squaredNorm(), k.squaredNorm(), k.dot(a)});
+    });
     if (!is_open_) {
         // The start's velocities live at t and its kick k is half of one: as if v_0 - k came before
         start_ = 2.0 * kinetic[1] - kinetic[2] + now.strain;
@@ -55,7 +55,9 @@ bool GrowthMonitor::gains(const Instant& now, const std::vector<double>& mass, c
     }
     given_ += kinetic[0] - kinetic_;  // by walls and touching fabric since the last kick
     kinetic_ = kinetic[2];
-    scale_ = std::max(scale_, open_ + std::max(0.0, given_));
+    // what moves as it is told has given half of its work in this kick already
+    const double by_driven = kinetic[4] - 0.5 * now.inner_early;
+    scale_ = std::max(scale_, open_ + std::max({0.0, given_, given_ + by_driven}));
     gained_ = kinetic[0] + 0.5 * now.inner_early + now.strain - start_ - given_;
     given_ += kinetic[2] - kinetic[0] - now.inner_work;
     const double swing = 0.25 * kinetic[3];

@@ -33,6 +33,7 @@ namespace corpuscle {
 ///     E° = Σ m |v_0 + k/2|²/2 + (1 - θ²) W,    S = Σ m k²/8 = θ² W <= θ²/(1 - θ²) (E°(0) + G)
 ///
 /// so its swing S is at most 4.3 times what it was given at θ = 0.9, and has no bound at θ = 1.
+/// Nodes that others lead have given W half of their work in this kick: - span Σ f·v_0 / 2 of them.
 /// Only the fabric's kick k counts in S: a hit of the gas on cloth at rest gives v_0, not k.
 ///
 /// The fabric is unstable when it has gained MOST times as much as it was ever given (E°(0) and the
