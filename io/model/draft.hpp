@@ -87,6 +87,13 @@ struct DraftAirbags {
     std::vector<std::vector<gas::ChamberCard>> cpm_chamber;  ///< of one bag each
 };
 
+/// A curve over time that loads or moves something.
+struct CurveUse {
+    Index curve = -1;
+    Place place;                   ///< of the card that names it
+    double from = 0.0, to = 1e28;  ///< when it acts                                  [s]
+};
+
 /// A model under construction: what keywords refer to each other by, and what the model itself does
 /// not keep.
 struct Draft : DraftNames, DraftSets, DraftAirbags {
@@ -112,6 +119,9 @@ struct Draft : DraftNames, DraftSets, DraftAirbags {
     std::vector<LocalAxes> coordinate;
     std::vector<std::pair<Index, Index>> local_constraints;  ///< rigid material, its axes: rows
     Points vector;                                           ///< head - tail
+
+    std::vector<Place> motion_places;  ///< of the cards of Model::motions
+    std::vector<CurveUse> curve_uses;
 
     std::vector<std::pair<Index, Place>> added_leaks;  ///< *MAT_ADD_AIRBAG_POROSITY_LEAKAGE
     std::vector<Index> body_load_parts;                ///< *LOAD_BODY_PARTS; none: all

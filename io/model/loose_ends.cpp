@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "io/keywords/bodies/rigid_parts.hpp"
+#include "io/model/held_bodies.hpp"
 #include "io/model/part_remarks.hpp"
 
 namespace corpuscle::io {
@@ -237,6 +238,9 @@ void settle_loose_ends(Draft& draft, Faults& faults) {
     leave_out_links(draft, faults);
     leave_out_empty_bodies(draft, faults);
     hold_stiffened(draft, faults);
+    hold_bodies(draft, faults);
+    check_motions(draft, faults);
+    check_curves(draft, faults);
     check_leaks_count(draft, faults);
     check_gravity(draft, faults);
     warn_of_lost_masses(draft, faults);

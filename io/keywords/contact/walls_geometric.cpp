@@ -10,11 +10,12 @@ namespace corpuscle::io::keywords {
 namespace {
 
 /// _MOTION: along (VX, VY, VZ), by the curve's speed (OPT 0) or way (OPT 1).
-contact::WallMotion guided(Cards& cards, const Draft& draft) {
+contact::WallMotion guided(Cards& cards, Draft& draft) {
     constexpr double UNIT = 1e-3;  // as far as cosines are rounded in decks
     Card c = cards.next("LCID OPT VX VY VZ");
     contact::WallMotion motion;
     motion.curve = c.row("LCID", draft.curves);
+    draft.curve_uses.push_back({motion.curve, c.place()});
     motion.is_displacement = c.choice("OPT", {0, 1}) == 1;
     motion.direction = c.vector("VX", "VY", "VZ");
     if (c.good() && std::abs(motion.direction.norm() - 1.0) > UNIT)

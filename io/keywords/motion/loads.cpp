@@ -13,6 +13,7 @@ void body_load(Cards& cards, Draft& draft, int axis) {
     load.curve = c.row("LCID", draft.curves);
     load.scale = c.real("SF");
     load.parts = draft.body_load_parts;
+    draft.curve_uses.push_back({load.curve, c.place()});
     c.harmless("LCIDDR XC YC ZC");  // of dynamic relaxation, and of angular loads
     draft.model.body_loads.push_back(load);
 }
@@ -28,6 +29,7 @@ void gravity(Cards& cards, Draft& draft, bool is_set) {
         load.curve = c.row_or_none("LC", draft.curves);
         load.scale = c.real("ACCEL");
         c.harmless("LCDR");  // of dynamic relaxation
+        draft.curve_uses.push_back({load.curve, c.place()});
         if (row < 0) continue;
         load.parts = is_set ? draft.part_set[static_cast<std::size_t>(row)] : std::vector{row};
         draft.model.body_loads.push_back(std::move(load));
@@ -35,11 +37,12 @@ void gravity(Cards& cards, Draft& draft, bool is_set) {
 }
 
 /// LCID SF AT, wherever they stand in the card.
-PressureLoad pressure(Card& c, const Draft& draft) {
+PressureLoad pressure(Card& c, Draft& draft) {
     PressureLoad load;
     load.curve = c.row("LCID", draft.curves);
     load.scale = c.real("SF");
     load.arrival = c.real("AT", NON_NEGATIVE);
+    draft.curve_uses.push_back({load.curve, c.place(), load.arrival});
     return load;
 }
 
@@ -131,6 +134,7 @@ void node_load(Cards& cards, Draft& draft, bool is_set) {
         load.curve = c.row("LCID", draft.curves);
         load.scale = c.real("SF");
         c.harmless("M1 M2 M3");  // of loads that follow three nodes
+        draft.curve_uses.push_back({load.curve, c.place()});
         if (row < 0 || load.curve < 0) continue;
         load.nodes = is_set ? draft.node_set[static_cast<std::size_t>(row)] : std::vector{row};
         draft.model.node_loads.push_back(std::move(load));

@@ -46,6 +46,10 @@ void motions(Cards& cards, Draft& draft, const Layout& layout, bool of_rigid_par
         PrescribedMotion motion = motion_card(c, draft, of_rigid_part);
         take(c, motion);
         draft.model.motions.push_back(std::move(motion));
+        draft.motion_places.push_back(c.place());
+        draft.curve_uses.push_back({draft.model.motions.back().curve, c.place(),
+                                    draft.model.motions.back().birth,
+                                    draft.model.motions.back().death});
     }
 }
 
