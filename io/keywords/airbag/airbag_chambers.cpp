@@ -27,6 +27,7 @@ void add_parts(Card& c, const char* sid, bool is_set, const Draft& draft,
 void define_cpm_chamber(Cards& cards, Draft& draft) {
     constexpr Range COUNT{0.0, 1000.0};
     int count = 0;
+    if (cards.has("TITLE")) cards.title();
     {
         Card c = cards.next("ID NCHM");
         c.new_id("ID", draft.cpm_chambers, draft.cpm_chamber.size());

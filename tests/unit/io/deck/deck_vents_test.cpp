@@ -199,8 +199,8 @@ TEST_CASE("AIRBAG_PARTICLE: in the 2007 dialect a leak curve is over the compone
 
 TEST_CASE("DEFINE_CPM_CHAMBER: a chamber closes with its sets and its holes", "[io]") {
     const DeckFolder folder;
-    const auto deck = [&](const std::string& cards) {
-        std::string text = vented("*DEFINE_CPM_CHAMBER\n" + cards, "", 0);
+    const auto deck = [&](const std::string& cards, const std::string& suffix = "\n") {
+        std::string text = vented("*DEFINE_CPM_CHAMBER" + suffix + cards, "", 0);
         const std::string counts = "\n0,1,1\n";
         text.replace(text.find(counts), counts.size(), "\n0,1,1,0,0,0,3\n");
         return text;
@@ -211,6 +211,8 @@ TEST_CASE("DEFINE_CPM_CHAMBER: a chamber closes with its sets and its holes", "[
     CHECK(chambers[0].id == 31);
     CHECK(chambers[0].parts == std::vector<Index>{0, 1});
     CHECK(chambers[1].parts == std::vector<Index>{1, 0});
+    const auto titled = folder.read(deck("3,1\n12,0,0,31\n", "_TITLE\ntwo rooms\n"));
+    CHECK(titled.bags.at(0).chambers.at(0).id == 31);
     CHECK(contains(only(folder.faults(deck("3,1\n2,0,1,31\n1,0,33\n"))), "TOCHM = 33"));
     CHECK(contains(only(folder.faults(deck("3,2\n2,0,0,31\n2,0,0,31\n"))), "CHM_ID = 31"));
     CHECK(contains(only(folder.faults(deck("4,1\n2,0,0,31\n"))), "(CHM) = 3"));
