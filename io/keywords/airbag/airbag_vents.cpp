@@ -76,6 +76,7 @@ void vent(Cards& cards, const Draft& draft, gas::BagCard& bag) {
 
 void define_cpm_vent(Cards& cards, Draft& draft) {
     gas::VentCard vent;
+    if (cards.has("TITLE")) cards.title();
     {
         Card c = cards.next("ID C23=1 LCTC23 LCPC23 ENH_V PPOP C23UP=1 IOPT");
         c.new_id("ID", draft.cpm_vents, draft.cpm_vent.size());

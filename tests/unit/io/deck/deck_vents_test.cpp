@@ -102,8 +102,8 @@ TEST_CASE("AIRBAG_PARTICLE: friction by number or curve, for all parts or some",
 
 TEST_CASE("DEFINE_CPM_VENT: C23 < 0 of a vent row names one, wherever it stands", "[io]") {
     const DeckFolder folder;
-    const auto read = [&](const std::string& cards) {
-        return vented("*DEFINE_CPM_VENT\n" + cards, "2,0,-8\n", 1);
+    const auto read = [&](const std::string& cards, const std::string& suffix = "\n") {
+        return vented("*DEFINE_CPM_VENT" + suffix + cards, "2,0,-8\n", 1);
     };
     const gas::VentCard vent = folder.read(read("8,0.9,7,,1,200.,0.5\n")).bags.at(0).vents.at(0);
     CHECK(vent.coefficient == 0.9);
@@ -112,6 +112,7 @@ TEST_CASE("DEFINE_CPM_VENT: C23 < 0 of a vent row names one, wherever it stands"
     CHECK(vent.opens_at == 200.0);
     CHECK(vent.uniform_factor == 0.5);
     CHECK(vent.parts == std::vector<Index>{1});
+    CHECK(folder.read(read("8,0.9\n", "_TITLE\nvent\n")).bags.at(0).vents.at(0).coefficient == 0.9);
     CHECK(contains(only(folder.faults(read("8,0.9,,,1,,,100\n"))), "(IOPT) = 100"));
     CHECK(contains(only(folder.faults(read("8,0.9\n,,,,1\n"))), "(PID1) = 1"));
 }
