@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t MOST_FILES = 10000;               ///< includes may double at every level
+constexpr std::size_t MOST_DEPTH = 100;                 ///< files within each other
 constexpr std::uintmax_t MOST_TEXT = 2'000'000'000ULL;  ///< bytes, of all files together
 
 /// "*NODE +" -> NODE, and the columns that its sign asks for.
@@ -177,6 +178,8 @@ private:
         const fs::path real = canonical(found);
         if (std::find(open_files_.begin(), open_files_.end(), real) != open_files_.end())
             return complain("expected no file that includes itself: " + cycle(real));
+        if (open_files_.size() > MOST_DEPTH)
+            return complain(fmt::format("expected at most {} files within each other", MOST_DEPTH));
         if (const std::string why = load(found); !why.empty()) return complain(why);
         read_file(open(found, at.file), found, columns);
     }

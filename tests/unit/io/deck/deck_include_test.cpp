@@ -52,6 +52,20 @@ TEST_CASE("a cycle of includes is found, and named", "[io]") {
     CHECK(contains(itself[0], "deck.k -> deck.k"));
 }
 
+TEST_CASE("includes go a hundred files deep, no further", "[io]") {
+    const DeckFolder folder;
+    const auto name = [](int i) { return "deep_" + std::to_string(i) + ".k"; };
+    for (int i = 1; i < 200; ++i) folder.write(name(i), "*INCLUDE\n" + name(i + 1) + "\n");
+    folder.write(name(100), SMALL_MESH);
+    CHECK(folder.read("*INCLUDE\n" + name(1) + "\n*END\n").x.size() == 6);
+    folder.write(name(100), "*INCLUDE\n" + name(101) + "\n");
+    const auto faults = folder.faults(small_deck("*INCLUDE\n" + name(1) + "\n"));
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0] ==
+          "deep_100.k:2: *INCLUDE card 1, field 1 (FILENAME) = deep_101.k, expected at most 100 "
+          "files within each other");
+}
+
 TEST_CASE("an include that is not there is a fault with its place", "[io]") {
     const DeckFolder folder;
     const auto faults = folder.faults(small_deck("*INCLUDE\nnowhere.k\n*INCLUDE\n.\n"));
