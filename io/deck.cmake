@@ -7,7 +7,7 @@ target_sources(corpuscle_io PRIVATE
     deck/keyword_reader.cpp deck/lines.cpp deck/parameter_cards.cpp deck/parameters.cpp
     # cards -> scene, a file a family
     keywords/control_output.cpp keywords/curves.cpp keywords/database_sensor.cpp keywords/keyword_table.cpp
-    keywords/remarks.cpp keywords/table.cpp
+    keywords/remarks.cpp keywords/table.cpp keywords/tasks.cpp
     keywords/airbag/airbag_chambers.cpp
     keywords/airbag/airbag_gas.cpp
     keywords/airbag/airbag_hybrid.cpp
@@ -33,6 +33,7 @@ target_sources(corpuscle_io PRIVATE
     keywords/mesh/coordinates.cpp
     keywords/mesh/nodes_elements.cpp
     keywords/mesh/reference_geometry.cpp
+    keywords/mesh/set_order.cpp
     keywords/mesh/sets.cpp
     keywords/mesh/sets_general.cpp
     keywords/mesh/transformation.cpp

@@ -13,8 +13,8 @@
 #include "io/deck/faults.hpp"
 #include "io/deck/keyword_reader.hpp"
 #include "io/deck/parameters.hpp"
-#include "io/keywords/keywords.hpp"
 #include "io/keywords/mesh/coordinates.hpp"
+#include "io/keywords/tasks.hpp"
 #include "io/model/draft.hpp"
 #include "io/model/loose_ends.hpp"
 #include "io/model/rigid_start.hpp"
@@ -26,6 +26,8 @@
 namespace corpuscle::io {
 
 namespace {
+
+using keywords::Task;
 
 /// DIALECT, by -D or by *PARAMETER: 2007 for the cards of the course notes.
 Dialect dialect(Parameters& parameters, Faults& faults) {
@@ -147,59 +149,6 @@ void settle_units(const std::string& said, Model& model, Faults& faults) {
                     guess, unit_systems()));
 }
 
-struct Task {
-    const Block* block;
-    keywords::Match match;
-};
-
-/// What a refused keyword would have defined: others that refer to it are no further faults.
-void spoil(const Block& block, Draft& draft) {
-    const std::pair<std::string_view, Registry*> families[] = {
-        {"SET_NODE", &draft.node_sets},
-        {"SET_PART", &draft.part_sets},
-        {"SET_SHELL", &draft.shell_sets},
-        {"SET_SEGMENT", &draft.segment_sets},
-        {"DEFINE_CURVE", &draft.curves},
-        {"DEFINE_FUNCTION", &draft.curves},
-        {"DEFINE_TABLE", &draft.curves},
-        {"DEFINE_VECTOR", &draft.vectors},
-        {"DEFINE_COORDINATE", &draft.coordinates},
-        {"SECTION_", &draft.sections},
-        {"MAT_", &draft.materials},
-        {"DEFINE_CPM_VENT", &draft.cpm_vents},
-        {"DEFINE_TRANSFORMATION", &draft.transformations}};
-    const bool has_title = block.keyword.find("_TITLE") != std::string::npos;
-    if (block.lines.size() <= (has_title ? 1U : 0U)) return;
-    std::string_view first = block.lines[has_title ? 1 : 0].text;
-    first = first.substr(0, std::min<std::size_t>(first.find(','), 10));
-    const auto id = parse_integer(trim(first));
-    for (const auto& [family, registry] : families)
-        if (id && block.keyword.starts_with(family)) registry->spoil(*id);
-}
-
-/// What is to be read, with a fault or a warning for what is not.
-std::vector<Task> sort_out(const DeckText& text, Faults& faults, Draft& draft) {
-    std::vector<Task> tasks;
-    for (const Block& block : text.blocks) {
-        faults.begin_block();
-        keywords::Match match = keywords::find(block.keyword);
-        if (match.keyword != nullptr)
-            tasks.push_back({&block, std::move(match)});
-        else if (match.is_harmless)
-            faults.note(block.place, fmt::format("*{} is not read, it cannot change the answer{}",
-                                                 block.keyword.substr(0, 80), match.remark));
-        else {
-            faults.fault(block.place,
-                         fmt::format("*{} {}", block.keyword.substr(0, 80), match.remark));
-            spoil(block, draft);
-        }
-    }
-    std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) {
-        return a.match.keyword->phase < b.match.keyword->phase;
-    });
-    return tasks;
-}
-
 /// What the block has made, if it is of a kind that faults name by their ids.
 template <class Things>
 void remember(const char* kind, const Things& things, std::size_t before, const Block& block,
@@ -260,7 +209,7 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options, D
     closing(parameters, faults, model);
     const std::string said_units = units(parameters, faults);
     model.fingerprint = scene_fingerprint(text, parameters);
-    std::vector<Task> tasks = sort_out(text, faults, draft);
+    std::vector<Task> tasks = keywords::sort_out(text, parameters, faults, draft);
     const auto scene = std::find_if(tasks.begin(), tasks.end(), [](const Task& task) {
         return task.match.keyword->phase > keywords::Phase::SHELL;
     });

@@ -141,22 +141,22 @@ void list_set(Cards& cards, Registry& sets, std::vector<Rows>& store, const Regi
 /// The sum of other sets of the kind.
 template <class Item>
 void sum_set(Cards& cards, Registry& sets, std::vector<std::vector<Item>>& store) {
-    const Registry others = sets;  // a set does not contain itself
     set_header(cards, sets, store.size());
+    store.emplace_back();  // what this set is to itself
     Collection<Index> parts;
-    parts.add(listed(cards, others));
+    parts.add(listed(cards, sets));
     Collection<Item> sum;
     for (const Index part : parts.close(cards)) sum.add(store[static_cast<std::size_t>(part)]);
-    store.push_back(sum.close(cards));
+    store.back() = sum.close(cards);
 }
 
 /// What all of some other sets of the kind have.
 template <class Item>
 void common_set(Cards& cards, Registry& sets, std::vector<std::vector<Item>>& store) {
-    const Registry others = sets;
     set_header(cards, sets, store.size());
+    store.emplace_back();
     Collection<Index> rows;
-    rows.add(listed(cards, others));
+    rows.add(listed(cards, sets));
     const std::vector<Index> of = rows.close(cards);
     std::map<Item, std::size_t> count;
     for (const Index row : of)
@@ -165,7 +165,7 @@ void common_set(Cards& cards, Registry& sets, std::vector<std::vector<Item>>& st
     for (const Index row : of)
         for (const Item& item : store[static_cast<std::size_t>(row)])
             if (count[item] == of.size()) common.add({item});
-    store.push_back(common.close(cards));
+    store.back() = common.close(cards);
 }
 
 }  // namespace

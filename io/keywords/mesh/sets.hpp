@@ -16,6 +16,10 @@ namespace corpuscle::io::keywords {
 /// The header card, its id taken for `row`.
 void set_header(Cards& cards, Registry& sets, std::size_t row);
 
+/// Ids of a line of _GENERAL. Attributes of segments stand in E4 to E7, so PART, SHELL and the sets
+/// of them have three ids there.
+inline constexpr std::size_t MOST_IDS = 7, MOST_SEGMENT_IDS = 3;
+
 using Segments = std::vector<std::array<Index, 4>>;
 
 /// Each item once, in the order of first mention.

@@ -66,9 +66,6 @@ struct Option {
 template <class Item>
 using Options = std::vector<Option<Item>>;
 
-/// Attributes of segments stand in E4 to E7, so PART and SHELL have three ids there.
-constexpr std::size_t MOST_IDS = 7, MOST_SEGMENT_IDS = 3;
-
 template <class Item>
 const Option<Item>* find_option(Card& c, const Options<Item>& options) {
     const std::string written = upper(c.raw(0));

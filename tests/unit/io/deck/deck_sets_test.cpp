@@ -90,6 +90,42 @@ TEST_CASE("shell and segment sets name the facets of a pressure", "[io]") {
     CHECK(on_segments("*SET_SEGMENT\n1\n1,2,3\n*SET_SEGMENT_ADD\n5\n1\n") == first);
 }
 
+TEST_CASE("sets of sets are what they are in any order of the deck", "[io]") {
+    const DeckFolder folder;
+    const auto set = [&](const std::string& text) {
+        return held(folder.read(small_deck(text + HOLD)));
+    };
+    const std::string last = "*SET_NODE_LIST\n2\n6,1\n";
+    CHECK(set("*SET_NODE_ADD\n5\n4\n*SET_NODE_ADD_TITLE\nsum\n4\n3,2\n*SET_NODE_ADD\n3\n2\n" +
+              last) == Rows{5, 0});
+    CHECK(set("*SET_NODE_GENERAL\n5\nALL\nDSET,4\n*SET_NODE_GENERAL\n4\nSET,3\n"
+              "*SET_NODE_ADD\n3\n2\n" +
+              last) == Rows{1, 2, 3, 4});
+    CHECK(set("*SET_NODE_INTERSECT\n5\n4,2\n*SET_NODE_ADD\n4\n3\n*SET_NODE_LIST\n3\n1,2\n" +
+              last) == Rows{0});
+    CHECK(set("*SET_NODE_GENERAL\n5\nSET_SHELL,8\n*SET_SHELL_ADD\n8\n7\n*SET_SHELL_GENERAL\n7\n"
+              "ELEM,11\n") == Rows{0, 1, 2});
+    CHECK(set("*PARAMETER\nI four,4\n*SET_NODE_ADD\n5\n&four\n*SET_NODE_ADD\n&four\n2\n" + last) ==
+          Rows{5, 0});
+    std::string chain;
+    for (int i = 0; i < 3000; ++i)
+        chain += "*SET_NODE_ADD\n" + std::to_string(5 + i) + "\n" + std::to_string(6 + i) + "\n";
+    CHECK(set(chain + "*SET_NODE_LIST\n3005\n4\n") == Rows{3});
+}
+
+TEST_CASE("a set that contains itself is a fault that names the circle, and no other", "[io]") {
+    CHECK(only_fault("*SET_NODE_ADD\n4\n5\n*SET_NODE_ADD\n5\n6\n*SET_NODE_GENERAL\n6\nNODE,1\n"
+                     "SET,5\n" +
+                     HOLD) ==
+          only_fault("*SET_NODE_ADD\n4\n5\n*SET_NODE_ADD\n5\n6\n*SET_NODE_ADD\n6\n5\n"));
+    CHECK(
+        contains(only_fault("*SET_NODE_ADD\n4\n5\n*SET_NODE_ADD\n5\n6\n*SET_NODE_ADD\n6\n5\n"),
+                 "deck.k:33: *SET_NODE_ADD 5, expected no set that contains itself: 5 -> 6 -> 5"));
+    CHECK(contains(only_fault("*SET_PART_ADD\n5\n5\n"), "*SET_PART_ADD 5, expected no set that"));
+    CHECK(contains(only_fault("*SET_SEGMENT_GENERAL\n5\nALL\nDSET,5\n"), ": 5 -> 5"));
+    CHECK(read_small("*SET_SEGMENT_GENERAL\n5\nPART,1,,,5\n").warnings.empty());
+}
+
 TEST_CASE("sets that are empty, double, or name what is not there are faults", "[io]") {
     const DeckFolder folder;
     const auto one = [&](const std::string& text) {

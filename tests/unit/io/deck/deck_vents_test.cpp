@@ -214,6 +214,8 @@ TEST_CASE("DEFINE_CPM_CHAMBER: a chamber closes with its sets and its holes", "[
     CHECK(chambers[1].parts == std::vector<Index>{1, 0});
     const auto titled = folder.read(deck("3,1\n12,0,0,31\n", "_TITLE\ntwo rooms\n"));
     CHECK(titled.bags.at(0).chambers.at(0).id == 31);
+    const auto of_sum = folder.read(deck("3,1\n13,0,0,31\n*SET_PART_ADD\n13\n12\n"));
+    CHECK(of_sum.bags.at(0).chambers.at(0).parts == std::vector<Index>{0, 1});
     CHECK(contains(only(folder.faults(deck("3,1\n2,0,1,31\n1,0,33\n"))), "TOCHM = 33"));
     CHECK(contains(only(folder.faults(deck("3,2\n2,0,0,31\n2,0,0,31\n"))), "CHM_ID = 31"));
     CHECK(contains(only(folder.faults(deck("4,1\n2,0,0,31\n"))), "(CHM) = 3"));

@@ -1,0 +1,67 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+#include "io/keywords/tasks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/keywords/mesh/set_order.hpp"
+#include "io/text/text.hpp"
+
+namespace corpuscle::io::keywords {
+
+namespace {
+
+/// What a refused keyword would have defined: others that refer to it are no further faults.
+void spoil(const Block& block, Draft& draft) {
+    const std::pair<std::string_view, Registry*> families[] = {
+        {"SET_NODE", &draft.node_sets},
+        {"SET_PART", &draft.part_sets},
+        {"SET_SHELL", &draft.shell_sets},
+        {"SET_SEGMENT", &draft.segment_sets},
+        {"DEFINE_CURVE", &draft.curves},
+        {"DEFINE_FUNCTION", &draft.curves},
+        {"DEFINE_TABLE", &draft.curves},
+        {"DEFINE_VECTOR", &draft.vectors},
+        {"DEFINE_COORDINATE", &draft.coordinates},
+        {"SECTION_", &draft.sections},
+        {"MAT_", &draft.materials},
+        {"DEFINE_CPM_VENT", &draft.cpm_vents},
+        {"DEFINE_TRANSFORMATION", &draft.transformations}};
+    const bool has_title = block.keyword.find("_TITLE") != std::string::npos;
+    if (block.lines.size() <= (has_title ? 1U : 0U)) return;
+    std::string_view first = block.lines[has_title ? 1 : 0].text;
+    first = first.substr(0, std::min<std::size_t>(first.find(','), 10));
+    const auto id = parse_integer(trim(first));
+    for (const auto& [family, registry] : families)
+        if (id && block.keyword.starts_with(family)) registry->spoil(*id);
+}
+
+}  // namespace
+
+std::vector<Task> sort_out(const DeckText& text, const Parameters& parameters, Faults& faults,
+                           Draft& draft) {
+    std::vector<Task> tasks;
+    for (const Block& block : text.blocks) {
+        faults.begin_block();
+        Match match = find(block.keyword);
+        if (match.keyword != nullptr)
+            tasks.push_back({&block, std::move(match)});
+        else if (match.is_harmless)
+            faults.note(block.place, fmt::format("*{} is not read, it cannot change the answer{}",
+                                                 block.keyword.substr(0, 80), match.remark));
+        else {
+            faults.fault(block.place,
+                         fmt::format("*{} {}", block.keyword.substr(0, 80), match.remark));
+            spoil(block, draft);
+        }
+    }
+    std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) {
+        return a.match.keyword->phase < b.match.keyword->phase;
+    });
+    order_sets(tasks, parameters, faults, draft);
+    return tasks;
+}
+
+}  // namespace corpuscle::io::keywords
