@@ -28,6 +28,7 @@ struct Keyword {
     std::string_view later;    ///< suffixes that LS-DYNA has and nothing acts on yet
     Phase phase = Phase::GROUND;
     Reader read = nullptr;
+    bool holds_once = false;  ///< of several in a deck the last one holds
 };
 
 /// What the deck's keyword is.

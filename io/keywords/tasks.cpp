@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "io/keywords/mesh/set_order.hpp"
 #include "io/text/text.hpp"
@@ -38,6 +39,21 @@ void spoil(const Block& block, Draft& draft) {
         if (id && block.keyword.starts_with(family)) registry->spoil(*id);
 }
 
+/// Of keywords of which one holds.
+void warn_of_repeats(const std::vector<Task>& tasks, Faults& faults) {
+    std::map<const Keyword*, std::vector<const Block*>> blocks;
+    for (const Task& task : tasks)
+        if (task.match.keyword->holds_once) blocks[task.match.keyword].push_back(task.block);
+    for (const auto& [keyword, all] : blocks) {
+        if (all.size() < 2) continue;
+        std::string others;
+        for (std::size_t i = 0; i + 1 < all.size(); ++i)
+            others.append(i == 0 ? "" : ", ").append(faults.where(all[i]->place));
+        faults.warn(all.back()->place, fmt::format("*{} again: this one holds, not that of {}",
+                                                   all.back()->keyword, others));
+    }
+}
+
 }  // namespace
 
 std::vector<Task> sort_out(const DeckText& text, const Parameters& parameters, Faults& faults,
@@ -60,6 +76,7 @@ std::vector<Task> sort_out(const DeckText& text, const Parameters& parameters, F
     std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) {
         return a.match.keyword->phase < b.match.keyword->phase;
     });
+    warn_of_repeats(tasks, faults);
     order_sets(tasks, parameters, faults, draft);
     return tasks;
 }

@@ -29,6 +29,29 @@ TEST_CASE("curves are offset, then scaled", "[io]") {
     CHECK(contains(faults[1], "deck.k:35: *DEFINE_CURVE has too few points"));
 }
 
+TEST_CASE("of control cards that stand twice the last holds, with a warning", "[io]") {
+    const DeckFolder folder;
+    folder.write("more.k", "*CONTROL_TERMINATION\n3.0\n");
+    const Model model =
+        folder.read(small_deck("*DATABASE_ABSTAT\n0.1\n*CONTROL_TERMINATION\n2.0\n"
+                               "*DATABASE_ABSTAT\n0.2\n*INCLUDE\nmore.k\n"));
+    CHECK(model.end_time == 3.0);
+    CHECK(model.output.abstat == 0.2);
+    REQUIRE(model.warnings.size() == 2);
+    CHECK(folder.bare(model.warnings[0]) ==
+          "deck.k:34: *DATABASE_ABSTAT again: this one holds, not that of deck.k:30");
+    CHECK(folder.bare(model.warnings[1]) ==
+          "more.k:1: *CONTROL_TERMINATION again: this one holds, not that of deck.k:24, deck.k:32");
+    for (const char* twice : {"*TITLE\nname\n", "*CONTROL_TIMESTEP\n0,0.5\n", "*CONTROL_CPM\n11\n",
+                              "*DATABASE_GLSTAT\n0.1\n", "*DATABASE_BINARY_D3PLOT\n0.1\n"}) {
+        CAPTURE(twice);
+        CHECK(read_small(twice).warnings.empty());
+        CHECK(any_contains(read_small(std::string(twice) + twice).warnings,
+                           "again: this one holds, not that of"));
+    }
+    CHECK(read_small("*LOAD_BODY_Z\n7,1.0\n*LOAD_BODY_Z\n7,1.0\n").warnings.empty());
+}
+
 TEST_CASE("a section's thickness is the mean of its corners, blank ones like the first", "[io]") {
     const DeckFolder folder;
     std::string deck = small_deck();
