@@ -122,6 +122,7 @@ public:
     void harmless(std::string_view names);  ///< cannot change the answer here
     void harmless_all() { read_ = ~0U; }
     void noted(std::string_view names, std::string_view why);  ///< the same, with a warning if set
+    void noted(std::string_view name, double value, std::string_view why);  ///< if it is this value
     /// Names of fields that have another value than 0 and than their default.
     [[nodiscard]] std::vector<std::string_view> set_fields() const;
     [[nodiscard]] bool is_blank() const;  ///< no field is written, or all are 0

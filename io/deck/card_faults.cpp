@@ -34,6 +34,15 @@ void Card::noted(std::string_view names, std::string_view why) {
     });
 }
 
+void Card::noted(std::string_view name, double value, std::string_view why) {
+    const std::size_t i = at(name);
+    const std::uint32_t acted = acted_;
+    const Number written = number(i, false);
+    acted_ = acted;
+    warned_ |= 1U << i;
+    if (written.is_good && written.value == value) warn(name, std::string(why));
+}
+
 Place Card::place() const {
     return {cards_.block().place.file, line_.number};
 }

@@ -24,7 +24,9 @@ void define_curve(Cards& cards, Draft& draft) {
         y_scale = c.real("SFO");
         x_offset = c.real("OFFA");
         y_offset = c.real("OFFO");
-        c.harmless("DATTYP LCINT");
+        c.noted("DATTYP", -2.0,
+                "this meaning of a fabric's curve is not acted on: its points count as they stand");
+        c.harmless("LCINT");
     }
     while (cards.rows()) {
         Card c = cards.next(point);

@@ -29,6 +29,17 @@ TEST_CASE("curves are offset, then scaled", "[io]") {
     CHECK(contains(faults[1], "deck.k:35: *DEFINE_CURVE has too few points"));
 }
 
+TEST_CASE("DATTYP of a curve is warned of where it is -2", "[io]") {
+    const auto warnings = [](const std::string& type) {
+        return read_small("*DEFINE_CURVE\n3,0,1,1,0,0," + type + "\n0,0\n1,1\n").warnings;
+    };
+    REQUIRE(warnings("-2").size() == 1);
+    CHECK(contains(warnings("-2")[0],
+                   "deck.k:31: *DEFINE_CURVE card 1, field 7 (DATTYP) = -2: this "
+                   "meaning of a fabric's curve is not acted on"));
+    for (const char* type : {"0", "1", "-100", ""}) CHECK(warnings(type).empty());
+}
+
 TEST_CASE("of control cards that stand twice the last holds, with a warning", "[io]") {
     const DeckFolder folder;
     folder.write("more.k", "*CONTROL_TERMINATION\n3.0\n");
