@@ -133,27 +133,36 @@ std::size_t Card::at(std::string_view name) const {
     return 0;
 }
 
-/// &name, -&name, <expression>, -<expression>.
-Card::Number Card::named_number(std::size_t i, std::string_view text) {
+/// &name, -&name, <expression>, -<expression>; @throws ExpressionError
+double Card::named_value(std::string_view text) const {
     const double sign = text.front() == '-' ? -1.0 : 1.0;
     if (sign < 0) text = trim(text.substr(1));
     const Parameters& parameters = cards_.parameters();
     const std::uint32_t file = cards_.block().place.file;
     const auto lookup = [&](std::string_view name) { return parameters.value(name, file); };
+    if (text.front() == '<') {
+        if (text.back() != '>') throw ExpressionError("> at the end of the expression");
+        return sign * evaluate(text.substr(1, text.size() - 2), lookup).number;
+    }
+    const std::string_view name = trim(text.substr(1));
+    if (const auto value = lookup(name)) return sign * value->number;
+    const std::string meant = parameters.nearest_name(name);
+    throw ExpressionError("a *PARAMETER of that name with a number" +
+                          (meant.empty() ? meant : fmt::format("; did you mean &{}?", meant)));
+}
+
+Card::Number Card::named_number(std::size_t i) {
     try {
-        if (text.front() == '<') {
-            if (text.back() != '>') throw ExpressionError("> at the end of the expression");
-            return {sign * evaluate(text.substr(1, text.size() - 2), lookup).number, true};
-        }
-        const std::string_view name = trim(text.substr(1));
-        if (const auto value = lookup(name)) return {sign * value->number, true};
-        const std::string meant = parameters.nearest_name(name);
-        fault(i, "a *PARAMETER of that name with a number" +
-                     (meant.empty() ? meant : fmt::format("; did you mean &{}?", meant)));
+        return {named_value(field_[i]), true};
     } catch (const ExpressionError& error) {
         fault(i, error.what());
     }
     return {};
+}
+
+bool Card::is_named(std::string_view text) {
+    if (text.starts_with('-')) text.remove_prefix(1);
+    return text.starts_with('&') || text.starts_with('<');
 }
 
 Card::Number Card::number(std::size_t i, bool whole) {
@@ -161,12 +170,9 @@ Card::Number Card::number(std::size_t i, bool whole) {
     acted_ |= 1U << i;
     const std::string_view text = field_[i];
     if (text.empty()) return {};
-    const bool is_named =
-        text.front() == '&' || text.front() == '<' ||
-        (text.size() > 1 && text.front() == '-' && (text[1] == '&' || text[1] == '<'));
     Number result;
-    if (is_named) {
-        result = named_number(i, text);
+    if (is_named(text)) {
+        result = named_number(i);
         if (!result.is_good) return {};
         result.is_good = !whole || parse_integer(fmt::format("{}", result.value));
     } else if (whole) {

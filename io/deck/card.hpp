@@ -142,8 +142,11 @@ private:
     [[nodiscard]] std::size_t at(std::string_view name) const;
     void cut(std::string_view line, Columns columns, bool plus);
     Number number(std::size_t i, bool whole);
-    Number named_number(std::size_t i, std::string_view text);
+    [[nodiscard]] static bool is_named(std::string_view text);  ///< by parameter or expression?
+    [[nodiscard]] double named_value(std::string_view text) const;
+    Number named_number(std::size_t i);
     double in_range(std::size_t i, Number number, const Range& range);
+    [[nodiscard]] std::string written(std::size_t i) const;
     [[nodiscard]] std::string label(std::size_t i) const;
     [[nodiscard]] std::string cause(std::size_t i, const std::string& remark) const;
     void write_log() const;

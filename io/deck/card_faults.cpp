@@ -47,11 +47,21 @@ Place Card::place() const {
     return {cards_.block().place.file, line_.number};
 }
 
+/// "-5", "-5 (&NP)" of a parameter, "blank".
+std::string Card::written(std::size_t i) const {
+    const std::string_view text = field_[i], start = text.substr(0, LONGEST_SHOWN);
+    if (text.empty()) return "blank";
+    if (!is_named(text)) return std::string(start);
+    try {
+        return fmt::format("{} ({})", named_value(text), start);
+    } catch (const ExpressionError&) {
+        return std::string(start);  // the fault says why
+    }
+}
+
 std::string Card::label(std::size_t i) const {
-    const std::string_view value = field_[i];
     return fmt::format("*{} card {}, field {} ({}) = {}", cards_.block().keyword, card_number_,
-                       i + 1, layout_.fields()[i].name,
-                       value.empty() ? "blank" : value.substr(0, LONGEST_SHOWN));
+                       i + 1, layout_.fields()[i].name, written(i));
 }
 
 /// What messages of one field, value and remark have in common, on whatever card.

@@ -126,6 +126,22 @@ TEST_CASE("an override with -D goes before *PARAMETER, and expressions see it", 
     CHECK(model.output.nodout == 1.25);
 }
 
+TEST_CASE("a fault of a field that names a parameter shows its value too", "[io]") {
+    const DeckFolder folder;
+    const std::string deck = small_deck(
+        "*PARAMETER\nR dt, 0.5\n*CONTROL_TIMESTEP\n0,&DT\n*DATABASE_ABSTAT\n-&dt\n"
+        "*DATABASE_GLSTAT\n<&dt-2.0>\n");
+    const auto by_deck = folder.faults(deck);
+    REQUIRE(by_deck.size() == 2);
+    CHECK(by_deck[0] ==
+          "deck.k:35: *DATABASE_ABSTAT card 1, field 1 (DT) = -0.5 (-&dt), expected >= 0");
+    CHECK(contains(by_deck[1], "(DT) = -1.5 (<&dt-2.0>), expected >= 0"));
+    const auto by_user = folder.faults(deck, {{{"DT", "5"}}});
+    REQUIRE(by_user.size() == 2);
+    CHECK(contains(by_user[0], "(TSSFAC) = 5 (&DT), expected > 0 and <= 1"));
+    CHECK(contains(by_user[1], "(DT) = -5 (-&dt), expected >= 0"));
+}
+
 TEST_CASE("an override with -D of a name that the deck does not have names the nearest", "[io]") {
     const DeckFolder folder;
     const auto faults = folder.faults(WITH_PARAMETERS, {{{"PEROID", "0.5"}}});
