@@ -47,13 +47,47 @@ Head parse_head(std::string_view line) {
     return head;
 }
 
-/// Options of *KEYWORD: LONG=Y or K reads 20 columns; LONG=S is about files that LS-DYNA writes.
-Columns keyword_columns(std::string_view options, Columns now) {
-    for_each_word(options, [&](std::string_view word) {
-        if (word == "LONG=Y" || word == "LONG=K") now = Columns::LONG;
-        if (word == "LONG=S" || word == "LONG=N") now = Columns::STANDARD;
-        if (word == "I10=Y") now = Columns::I10;
+/// What LS-DYNA knows on the line of *KEYWORD and nothing here depends on.
+bool is_of_ls_dyna(std::string_view option) {
+    if (option.front() >= '0' && option.front() <= '9') return true;  // words of memory
+    bool found = false;
+    for_each_word("MEMORY MEMORY2 NCPU PROJECT JOBID NUM STAGE ID", [&](std::string_view name) {
+        found |= option.starts_with(name) && option.substr(name.size()).starts_with('=');
     });
+    return found;
+}
+
+/// The options of *KEYWORD: "LONG = Y, NCPU=2" -> "LONG=Y NCPU=2".
+std::string plain_options(const Head& head) {
+    const std::string glued = head.name.substr(std::string_view("KEYWORD").size());
+    const std::string written = (glued.starts_with('_') ? "" : glued) + ' ' + head.rest;
+    std::string plain;
+    for (const char c : written) {
+        const bool is_blank = c == ' ' || c == ',';
+        if (is_blank && plain.ends_with('=')) continue;
+        while (c == '=' && plain.ends_with(' ')) plain.pop_back();
+        plain += is_blank ? ' ' : c;
+    }
+    return plain;
+}
+
+/// LONG=Y or K reads 20 columns; LONG=S is about files that LS-DYNA writes.
+Columns keyword_columns(const Head& head, Columns now, Place place, Faults& faults) {
+    std::string unknown;
+    for_each_word(plain_options(head), [&](std::string_view word) {
+        if (word == "LONG=Y" || word == "LONG=YES" || word == "LONG=K")
+            now = Columns::LONG;
+        else if (word == "LONG=S" || word == "LONG=N" || word == "LONG=NO")
+            now = Columns::STANDARD;
+        else if (word == "I10=Y" || word == "I10=YES")
+            now = Columns::I10;
+        else if (word != "I10=N" && word != "I10=NO" && !is_of_ls_dyna(word))
+            unknown.append(unknown.empty() ? "" : " ").append(word);
+    });
+    if (!unknown.empty())
+        faults.warn(place,
+                    fmt::format("*KEYWORD {} is ignored, expected LONG = Y, K, S or N, or I10 = Y",
+                                unknown));
     return now;
 }
 
@@ -110,7 +144,8 @@ private:
             const Head head = parse_head(lines[i].text);
             if (file == 0) text_.end.line = lines[i].number;
             if (head.name == "END") break;
-            if (head.name.starts_with("KEYWORD")) columns = keyword_columns(head.rest, columns);
+            if (head.name.starts_with("KEYWORD"))
+                columns = keyword_columns(head, columns, {file, lines[i].number}, faults_);
             const Block block{head.name,
                               {file, lines[i].number},
                               head.columns.value_or(columns),

@@ -82,6 +82,17 @@ TEST_CASE("a mesh is the same in fixed, comma, long, I10 and mixed format", "[io
         deck.replace(0, 8, "*KEYWORD LONG=S");
         check_mesh(folder.read(deck));
     }
+    SECTION("options of *KEYWORD in any case, with blanks and commas, YES for Y") {
+        std::string deck = deck_of("*NODE\n" + long_nodes, "*ELEMENT_SHELL\n" + long_shell);
+        const auto rest = deck.find("*PART");
+        deck.insert(rest, "*KEYWORD LONG = No\n");
+        for (const char* options : {"LONG = Y", "long=yes", "200M, Long= k NCPU =2", ", long =Y"}) {
+            const Model model = folder.read("*KEYWORD" + std::string(*options == ',' ? "" : " ") +
+                                            options + deck.substr(8));
+            check_mesh(model);
+            CHECK(model.warnings.empty());
+        }
+    }
     SECTION("ids of ten columns") {
         check_mesh(folder.read(deck_of(
             FIXED_NODES,
@@ -99,6 +110,22 @@ TEST_CASE("a mesh is the same in fixed, comma, long, I10 and mixed format", "[io
     SECTION("tabs reach the next eighth column") {
         check_mesh(folder.read(deck_of(FIXED_NODES, "*ELEMENT_SHELL\n10\t1\t1\t2\t3\t3\n")));
     }
+}
+
+TEST_CASE("options of *KEYWORD that nothing knows are warned of, those of LS-DYNA are not",
+          "[io]") {
+    const DeckFolder folder;
+    const auto warnings = [&](const std::string& options) {
+        return folder.read("*KEYWORD" + options + small_deck().substr(8)).warnings;
+    };
+    for (const char* known : {"", " 100000000", " 200m NCPU=4", " MEMORY = 200M memory2=20m",
+                              " JOBID=a PROJECT=b", " i10=n", "_ID\nproject,2,3"})
+        CHECK(warnings(known).empty());
+    REQUIRE(warnings(" FROB = 1 ncpu=2").size() == 1);
+    CHECK(contains(warnings(" FROB = 1 ncpu=2")[0],
+                   "deck.k:1: *KEYWORD FROB=1 is ignored, expected"));
+    CHECK(warnings(" LONG=maybe =").size() == 1);
+    CHECK(warnings("S").size() == 1);
 }
 
 TEST_CASE("numbers may abut in fixed columns", "[io]") {
