@@ -14,7 +14,7 @@ namespace corpuscle {
 ///        its own, without mass, that only the gas feels
 ///
 /// Each is written to Model::mendings, and a lid to the warnings too. Facets that are turned round
-/// need no mending here: the gas turns them (gas/enclosure).
+/// are the gas's to turn (gas/enclosure), and a mending too.
 /// @throws InputError with a description of every hole that is left: its bag, centre, width, edges,
 /// area, and the parts that touch its rim; with Model::closes_bags = false of all that there are.
 void close_bags(Model& model);

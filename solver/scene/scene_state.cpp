@@ -182,12 +182,39 @@ std::vector<std::uint8_t> SceneState::held_nodes() const {
     return held;
 }
 
+namespace {
+
+std::string name_of(const gas::BagCard& card) {
+    return card.name();
+}
+std::string name_of(const gas::UniformBagCard& card) {
+    return fmt::format("{} {}", card.keyword, card.id);
+}
+
+/// Facets that were turned are a mending, or a fault where a bag is taken as it is.
+void take_turned(std::size_t turned, const std::string& bag, Model& model,
+                 std::vector<Fault>& faults) {
+    if (turned == 0) return;
+    if (!model.closes_bags)
+        faults.push_back({.of = bag,
+                          .property = Property::CLOSING_WALL,
+                          .why = fmt::format("{} facets have their normals against their "
+                                             "neighbours', expected all on one side",
+                                             turned)});
+    else
+        model.mendings.push_back(fmt::format("{}: {} facets turned", bag, turned));
+}
+
+}  // namespace
+
 void SceneState::build_bags() {
     std::vector<Fault> faults;
     const auto build = [&](auto& bags, auto&&... how) {
         try {
-            const auto& found = bags.emplace_back(how...).warnings();
+            const auto& bag = bags.emplace_back(how...);
+            const auto& found = bag.warnings();
             model.warnings.insert(model.warnings.end(), found.begin(), found.end());
+            take_turned(bag.enclosure().turned(), name_of(bag.card()), model, faults);
         } catch (const InputError& error) {
             faults.insert(faults.end(), error.typed.begin(), error.typed.end());
         }

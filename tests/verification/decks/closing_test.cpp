@@ -122,6 +122,23 @@ TEST_CASE("a part whose free edges are the hole joins the bag", "[closing]") {
                    Contains("part 2 \"face with the nozzle\" has all nodes of its rim: add it"));
 }
 
+TEST_CASE("facets that are turned are a mending, or refused", "[closing]") {
+    Model model = read_closing("closing_clean.k");
+    for (const std::size_t s : {0U, 3U})
+        std::swap(model.shells[s].nodes[1], model.shells[s].nodes[3]);
+    Model refused = model;
+    const Simulation mended(std::move(model), 1);
+    CHECK_THAT(mended.model().mendings.back(), Catch::Contains("2 facets turned"));
+    refused.closes_bags = false;
+    std::string why;
+    try {
+        const Simulation none(std::move(refused), 1);
+    } catch (const InputError& error) {
+        why = error.what();
+    }
+    CHECK_THAT(why, Catch::Contains("2 facets have their normals against their neighbours'"));
+}
+
 TEST_CASE("nodes that hang on the rim of a finer face are tied", "[closing]") {
     Model model = read_closing("closing_hanging.k");
     CHECK_THAT(only_mending(model), Catch::Contains("16 hanging nodes tied"));
