@@ -22,25 +22,19 @@ constexpr double ROUNDING = 1e-12;
 }  // namespace
 
 double AsciiFiles::File::next_time() const {
-    return count * interval * (1.0 - ROUNDING);
+    return reached.count * reached.interval * (1.0 - ROUNDING);
 }
 
 void AsciiFiles::File::write(std::string_view text) {
     const bool written = out && std::fwrite(text.data(), 1, text.size(), out.get()) == text.size();
     if (!written || std::fflush(out.get()) != 0)
         throw SystemError(fmt::format("cannot write {}: {}", path.string(), std::strerror(errno)));
-    size += text.size();
+    reached.size += text.size();
 }
 
-/// Opens the file as it was when it had `size` bytes.
-void AsciiFiles::File::go_on() {
-    std::error_code why;
-    if (std::filesystem::file_size(path, why) < size || why)
-        throw SystemError(
-            fmt::format("{} is shorter than at the checkpoint; start the run anew", path.string()));
-    std::filesystem::resize_file(path, size, why);
-    if (!why) out.reset(std::fopen(path.c_str(), "ab"));
-    if (!out) throw SystemError(fmt::format("cannot write {}", path.string()));
+void AsciiFiles::File::begin() {
+    out.reset(std::fopen(path.c_str(), "wb"));
+    write(heading);
 }
 
 AsciiFiles::AsciiFiles(const std::filesystem::path& folder, const RecordLayout& layout,
@@ -50,33 +44,63 @@ AsciiFiles::AsciiFiles(const std::filesystem::path& folder, const RecordLayout& 
     for (const char* name : {"glstat", "abstat", "abstat_cpm", "cpm_sensor", "matsum", "rcforc",
                              "rwforc", "rbdout", "nodout"})
         std::filesystem::remove(folder / name, ignored);  // of an earlier run
-    list_files(folder, layout, intervals);
-    for (File& file : files_) {
-        file.out.reset(std::fopen(file.path.c_str(), "wb"));
-        file.write(
-            !file.heading.empty()
-                ? file.heading
-                : fmt::format(" {}\n{:25}corpuscle, in the columns of ls-dyna\n", title, ""));
-    }
+    list_files(folder, layout, intervals, title);
+    for (File& file : files_) file.begin();
 }
 
 AsciiFiles::AsciiFiles(const std::filesystem::path& folder, const RecordLayout& layout,
-                       const OutputIntervals& intervals, const std::string& /*title*/,
+                       const OutputIntervals& intervals, const std::string& title, double t,
                        StateReader& checkpoint) {
-    list_files(folder, layout, intervals);
+    list_files(folder, layout, intervals, title);
+    for (File& file : files_)
+        file.reached.count = std::ceil(t / file.reached.interval * (1.0 - ROUNDING));
     checkpoint(*this);
-    for (File& file : files_) file.go_on();
+}
+
+/// What a checkpoint says of the files, by their names.
+void AsciiFiles::take(const std::vector<Reached>& all) {
+    for (File& file : files_) {
+        const auto is_it = [&](const Reached& one) { return one.name == file.reached.name; };
+        const auto found = std::find_if(all.begin(), all.end(), is_it);
+        if (found == all.end()) continue;
+        const Reached own = std::exchange(file.reached, *found);
+        if (own.interval == found->interval) continue;
+        file.reached.interval = own.interval;
+        file.reached.count = own.count;
+    }
+}
+
+void AsciiFiles::go_on() {
+    namespace fs = std::filesystem;
+    std::error_code why;
+    for (const File& file : files_)
+        if (file.reached.size > 0 && (fs::file_size(file.path, why) < file.reached.size || why))
+            throw SystemError(fmt::format(
+                "{} is shorter than at the checkpoint; start the run anew", file.path.string()));
+    for (File& file : files_) {
+        if (file.reached.size == 0) {
+            file.begin();
+            continue;
+        }
+        fs::resize_file(file.path, file.reached.size, why);
+        if (!why) file.out.reset(std::fopen(file.path.c_str(), "ab"));
+        if (!file.out) throw SystemError(fmt::format("cannot write {}", file.path.string()));
+    }
 }
 
 void AsciiFiles::list_files(const std::filesystem::path& folder, const RecordLayout& layout,
-                            const OutputIntervals& intervals) {
-    const auto add = [&](const char* name, double interval, State state, std::string heading = {}) {
+                            const OutputIntervals& intervals, const std::string& title) {
+    const std::string titled =
+        fmt::format(" {}\n{:25}corpuscle, in the columns of ls-dyna\n", title, "");
+    const auto add = [&](const char* name, double interval, State state,
+                         const std::string& heading = {}) {
         if (!(interval > 0.0)) return;  // NaN or 0: not asked for
         File& file = files_.emplace_back();
         file.path = folder / name;
-        file.interval = interval;
+        file.reached.name = name;
+        file.reached.interval = interval;
         file.state = std::move(state);
-        file.heading = std::move(heading);
+        file.heading = heading.empty() ? titled : heading;
     };
     const auto who = std::make_shared<const RecordLayout>(layout);
     const auto now = [who](auto&& text) {
@@ -113,10 +137,11 @@ double AsciiFiles::next_time() const {
 void AsciiFiles::append(const Sample& sample) {
     for (File& file : files_) {
         if (sample.time < file.next_time()) continue;
-        if (!file.start) file.start = file.before = sample;
-        file.write(file.state(sample, *file.start, *file.before));
-        file.before = sample;
-        file.count = std::floor(sample.time / file.interval * (1.0 + 2.0 * ROUNDING)) + 1.0;
+        Reached& so_far = file.reached;
+        if (!so_far.start) so_far.start = so_far.before = sample;
+        file.write(file.state(sample, *so_far.start, *so_far.before));
+        so_far.before = sample;
+        so_far.count = std::floor(sample.time / so_far.interval * (1.0 + 2.0 * ROUNDING)) + 1.0;
     }
 }
 

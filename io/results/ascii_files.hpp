@@ -27,14 +27,24 @@ public:
     AsciiFiles(const std::filesystem::path& folder, const RecordLayout& layout,
                const OutputIntervals& intervals, const std::string& title);
 
-    /// The same files, gone on with from a checkpoint: what was written after it is cut off.
+    /// The same files, to go on with from a checkpoint of time t: nothing is touched before
+    /// go_on(). One that the checkpoint does not know begins at t; one with another interval goes on
+    /// at the multiples of the new one.
     AsciiFiles(const std::filesystem::path& folder, const RecordLayout& layout,
-               const OutputIntervals& intervals, const std::string& title, StateReader& checkpoint);
+               const OutputIntervals& intervals, const std::string& title, double t,
+               StateReader& checkpoint);
+
+    /// Once, after the constructor from a checkpoint: what was written after it is cut off.
+    /// @throws SystemError if a file is shorter than it was then, before any is cut
+    void go_on();
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        for (File& file : files_) archive(file.count, file.size, file.start, file.before);
+        std::vector<Reached> all;
+        for (const File& file : files_) all.push_back(file.reached);
+        archive(all);
+        take(all);
     }
 
     /// Does any file want the state at this time?
@@ -53,22 +63,33 @@ private:
     struct Close {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
+    /// How far a file has come.
+    struct Reached {
+        std::string name;        ///< of the file
+        double interval = 0;     ///< [s]
+        double count = 0;        ///< intervals until the next state
+        std::uint64_t size = 0;  ///< bytes written; 0: not begun
+        std::optional<Sample> start = {}, before = {};
+
+        template <class Archive>
+        void visit_state(Archive& archive) {
+            archive(name, interval, count, size, start, before);
+        }
+    };
     struct File {
         std::filesystem::path path;
         std::unique_ptr<std::FILE, Close> out;
-        double interval;      ///< [s]
-        std::string heading;  ///< empty: the title
+        std::string heading;
         State state;
-        double count = 0;        ///< intervals until the next state
-        std::uint64_t size = 0;  ///< bytes written
-        std::optional<Sample> start, before;
+        Reached reached;
 
         [[nodiscard]] double next_time() const;
         void write(std::string_view text);
-        void go_on();
+        void begin();
     };
     void list_files(const std::filesystem::path& folder, const RecordLayout& layout,
-                    const OutputIntervals& intervals);
+                    const OutputIntervals& intervals, const std::string& title);
+    void take(const std::vector<Reached>& all);
 
     std::vector<File> files_;
 };

@@ -76,6 +76,9 @@ ResultsFile::ResultsFile(fs::path folder, RunInfo info, const RecordLayout& layo
       reserve_(folder_ / "results.parts/reserve") {
     xdmf_.has_contact = !layout_.contacts.empty();
     checkpoint(*this);
+}
+
+void ResultsFile::go_on() {
     find_parts();
     flush();
     list_frames();

@@ -64,10 +64,13 @@ public:
     /// @throws SystemError if that cannot be written, InputError if ids of one kind collide
     ResultsFile(std::filesystem::path folder, RunInfo info, const RecordLayout& layout);
 
-    /// Goes on from a checkpoint: what was written after it is taken back.
-    /// @throws SystemError if what was written before it is not there any more
+    /// To go on with from a checkpoint: nothing is touched before go_on().
     ResultsFile(std::filesystem::path folder, RunInfo info, const RecordLayout& layout,
                 StateReader& checkpoint);
+
+    /// Once, after the constructor from a checkpoint: what was written after it is taken back.
+    /// @throws SystemError if what was written before it is not there any more
+    void go_on();
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>

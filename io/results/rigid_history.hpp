@@ -55,10 +55,10 @@ public:
     /// So far; the first is the start.
     [[nodiscard]] std::size_t rows() const { return rows_; }
 
-    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    /// What a checkpoint holds of it (solver/base/archive.hpp); rows stay as far apart as they were.
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(tracks_, rows_, waits_, t_, t_half_);
+        archive(interval_, tracks_, rows_, waits_, t_, t_half_);
     }
 
 private:

@@ -131,6 +131,22 @@ std::optional<io::Checkpoint> checkpoint_for(const Simulation& simulation,
     return found;
 }
 
+/// Brings the scene to where the checkpoint is.
+void go_to(StateReader& state, Simulation& simulation) {
+    state(simulation);
+    if (!simulation.is_finite())
+        throw SystemError("the checkpoint holds a number that is not finite");
+}
+
+/// Likewise the files: once all of the checkpoint is read, for one that does not fit leaves them be.
+void go_on(StateReader& state, RunRecorder& recorder, io::AsciiFiles& ascii,
+           io::ResultsFile& results) {
+    state(recorder);
+    if (!state.is_at_end()) throw SystemError("the checkpoint holds more than the scene asks for");
+    ascii.go_on();
+    results.go_on();
+}
+
 /// Did a run of this scene come to its end in the folder before?
 bool is_finished(const Simulation& simulation, const std::string& folder) {
     const auto run = io::finished_run(folder);
@@ -175,18 +191,14 @@ int run(const RunArguments& arguments) {
     const io::RunInfo info =
         run_info(model, version(), arguments.deck.seed, simulation.fingerprint());
     StateReader state(from ? std::span<const char>(from->state) : std::span<const char>());
-    if (from) {
-        state(simulation);
-        if (!simulation.is_finite())
-            throw SystemError("the checkpoint holds a number that is not finite");
-    }
+    if (from) go_to(state, simulation);
     io::ResultsFile results =
         from ? io::ResultsFile(folder, info, layout, state) : io::ResultsFile(folder, info, layout);
-    io::AsciiFiles ascii = from ? io::AsciiFiles(folder, layout, model.output, model.title, state)
-                                : io::AsciiFiles(folder, layout, model.output, model.title);
+    io::AsciiFiles ascii =
+        from ? io::AsciiFiles(folder, layout, model.output, model.title, simulation.time(), state)
+             : io::AsciiFiles(folder, layout, model.output, model.title);
     RunRecorder recorder(simulation, results, ascii);
-    if (from) state(recorder);
-    if (!state.is_at_end()) throw SystemError("the checkpoint holds more than the scene asks for");
+    if (from) go_on(state, recorder, ascii, results);
     from.reset();
 
     io::Progress progress(model.end_time, arguments.quiet);

@@ -16,11 +16,18 @@ namespace corpuscle::tools {
 /// Times k · interval at which something is due, each met by the first step that reaches it.
 class Schedule {
 public:
-    explicit Schedule(double interval) : interval_(interval) {}
+    /// @param t  the first of them is t, or comes after it
+    Schedule(double interval, double t)
+        : interval_(interval), count_(std::ceil(t / interval * (1.0 - ROUNDING))) {
+        next_ = count_ > 0.0 ? count_ * interval : (t > 0.0 ? INF : 0.0);
+    }
 
+    /// A checkpoint with another interval changes nothing.
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(next_, count_);
+        Schedule other = *this;
+        archive(other.interval_, other.next_, other.count_);
+        if (other.interval_ == interval_) *this = other;
     }
     /// Is one due at t? Marks it as met.
     bool meets(double t) {
@@ -39,8 +46,8 @@ private:
     static constexpr double ROUNDING = 1e-12;  ///< of times, which are sums of many steps
 
     double interval_;
-    double next_ = 0.0;
-    double count_ = 0.0;
+    double count_;  ///< of the next
+    double next_;
 };
 
 inline double history_interval(const Model& model) {
@@ -57,10 +64,10 @@ public:
         : results_(results),
           ascii_(ascii),
           bodies_(simulation, results),
-          histories_(history_interval(simulation.model())),
-          frames_(std::isnan(simulation.model().output.frames) ? INF
-                                                               : simulation.model().output.frames) {
-    }
+          histories_(history_interval(simulation.model()), simulation.time()),
+          frames_(
+              std::isnan(simulation.model().output.frames) ? INF : simulation.model().output.frames,
+              simulation.time()) {}
 
     /// `at_end`: the last state of a run. It and the first are always taken.
     void observe(Simulation& simulation, bool at_end) {

@@ -10,6 +10,7 @@
 #include "io/responses/channel_filter.hpp"
 #include "io/responses/criteria.hpp"
 #include "io/results/rigid_history.hpp"
+#include "solver/base/archive.hpp"
 #include "solver/base/error.hpp"
 #include "tests/unit/io/results/results_scene.hpp"
 
@@ -266,4 +267,25 @@ TEST_CASE("a body's rate is 100 kHz in every unit system, and its rows are bound
     CHECK(io::rigid_interval("ton-mm-s-K", 0.03) == Approx(1e-5));
     CHECK(io::rigid_interval("consistent", 50.0) == Approx(1e-2));
     CHECK(io::rigid_interval("SI", 1000.0) == Approx(5e-3));
+}
+
+TEST_CASE("a history goes on at its own interval where another end time gives another",
+          "[responses]") {
+    const std::vector<io::RigidTrack> tracks{{7, 3.0, Vec3::Zero(), Vec3(1, 0, 0)}};
+    const auto observe = [](io::RigidHistory& history, int n) {
+        history.observe(0.01 * n, {{Vec3(0.01 * n, 0, 0), Vec3(1, 0, 0), Vec3::Zero()}}, false);
+    };
+    io::RigidHistory first(0.02, tracks), second(0.05, tracks);
+    for (int n = 0; n < 20; ++n) observe(first, n);
+    StateWriter to;
+    to(first);
+    StateReader from(to.bytes());
+    from(second);
+    for (int n = 20; n < 40; ++n) {
+        observe(first, n);
+        observe(second, n);
+    }
+    CHECK(second.rows() == first.rows());
+    CHECK(second.motions()[0].interval == 0.02);
+    CHECK(second.motions()[0].position.back().x() == Approx(0.38));
 }

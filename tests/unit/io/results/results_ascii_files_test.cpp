@@ -85,3 +85,50 @@ TEST_CASE("a text file that cannot be opened is named with the reason", "[io]") 
     CHECK_THROWS_WITH(io::AsciiFiles(folder.path, scene::layout(), intervals, ""),
                       Catch::Contains("abstat") && Catch::Contains("Is a directory"));
 }
+
+TEST_CASE("text files of a checkpoint are known by their names", "[io]") {
+    const scene::Folder folder("ascii_names");
+    const RecordLayout layout = scene::layout();
+    OutputIntervals intervals;
+    intervals.glstat = 0.5;
+    intervals.abstat = 1.0;
+    intervals.nodout = 1.0;
+    StateWriter checkpoint;
+    std::string abstat, nodout;
+    {
+        io::AsciiFiles files(folder.path, layout, intervals, "a bag");
+        for (std::size_t row = 0; row <= 8; ++row) {
+            files.append(scene::sample(layout, row));
+            if (row != 6) continue;  // time 3
+            checkpoint(files);
+            abstat = text_of(folder.path / "abstat");
+            nodout = text_of(folder.path / "nodout");
+        }
+    }
+    const std::string later = text_of(folder.path / "abstat");
+    const std::string glstat = text_of(folder.path / "glstat");
+    intervals.glstat = 0.0;
+    intervals.nodout = 2.0;
+    intervals.matsum = 1.5;
+    StateReader state(checkpoint.bytes());
+    io::AsciiFiles files(folder.path, layout, intervals, "a bag", 3.25, state);
+    CHECK(state.is_at_end());
+    CHECK(files.next_time() == Approx(4.0));
+    CHECK(text_of(folder.path / "abstat") == later);
+    CHECK_FALSE(std::filesystem::exists(folder.path / "matsum"));
+    SECTION("where one has lost rows none is touched") {
+        std::filesystem::resize_file(folder.path / "nodout", nodout.size() - 1);
+        CHECK_THROWS_WITH(files.go_on(), Catch::Contains("nodout is shorter"));
+        CHECK(text_of(folder.path / "abstat") == later);
+    }
+    SECTION("each is as it was then, and a new one begins") {
+        files.go_on();
+        CHECK(text_of(folder.path / "abstat") == abstat);
+        CHECK(text_of(folder.path / "nodout") == nodout);
+        CHECK(text_of(folder.path / "glstat") == glstat);
+        CHECK(lines(text_of(folder.path / "matsum"))[0] == " a bag");
+        files.append(scene::sample(layout, 8));
+        CHECK(text_of(folder.path / "abstat") == later);
+        CHECK(files.next_time() == Approx(4.5));
+    }
+}
