@@ -127,6 +127,11 @@ std::optional<io::Checkpoint> checkpoint_for(const Simulation& simulation,
             fmt::format("--restart: the checkpoint in {} is of another scene; expected "
                         "the same deck, -D values and seed",
                         folder));
+    if (const double end = simulation.model().end_time; found->t > end)
+        throw InputError(
+            fmt::format("--restart: end time = {:.6g}, expected {:.6g} or later: the checkpoint in "
+                        "{} is of that time",
+                        end, found->t, folder));
     fmt::print("going on from t = {:.6g}, step {}\n", found->t, found->step);
     return found;
 }

@@ -122,6 +122,18 @@ std::vector<double> times_of(const std::string& text) {
 
 }  // namespace
 
+TEST_CASE("a restart to before its checkpoint is refused, and the run can still go on",
+          "[restart]") {
+    const KilledRun run(every("GLSTAT", "5e-4"));
+    const auto before = run.files();
+    const auto [status, text] = run.restart(0.5 * run.time());
+    CHECK(status == 2);
+    CHECK_THAT(text, Contains("--restart: end time = ") && Contains("or later: the checkpoint in"));
+    CHECK(run.files() == before);
+    CHECK(run.restart(1.5 * run.time()).first == 0);
+    CHECK(run.times("/frames/time").back() == Approx(1.5 * run.time()).epsilon(1e-12));
+}
+
 TEST_CASE("a restart with other intervals goes on at their multiples", "[restart]") {
     KilledRun run(every("ABSTAT", "3e-4") + every("BINARY_D3PLOT", "1e-3"));
     const std::string ab = GENERATE("3.7e-4", "1.3e-3", "2e-4"), plot = GENERATE("2.6e-3", "4e-4");
