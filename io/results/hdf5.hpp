@@ -97,6 +97,8 @@ public:
     [[nodiscard]] std::vector<std::string> names(const std::string& path) const;
     /// Whether it is a group; else it is a dataset.
     [[nodiscard]] bool is_group(const std::string& path) const;
+    /// Whether it stands for another file's, as Hdf5Writer::link() makes it.
+    [[nodiscard]] bool is_link(const std::string& path) const;
     /// Of a dataset.
     [[nodiscard]] Shape shape(const std::string& path) const;
     /// Bytes an element takes in the file.

@@ -81,6 +81,12 @@ bool Hdf5Reader::is_group(const std::string& path) const {
     return H5Iget_type(object) == H5I_GROUP;
 }
 
+bool Hdf5Reader::is_link(const std::string& path) const {
+    H5L_info_t link{};
+    checked(H5Lget_info(id_, path.c_str(), &link, H5P_DEFAULT), "read", file_, path);
+    return link.type == H5L_TYPE_EXTERNAL;
+}
+
 Shape Hdf5Reader::shape(const std::string& path) const {
     const Id set(checked(H5Dopen2(id_, path.c_str(), H5P_DEFAULT), "read", file_, path), H5Dclose);
     return shape_of(set);

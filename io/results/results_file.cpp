@@ -42,7 +42,8 @@ std::optional<FinishedRun> finished_run(const fs::path& folder) {
     const fs::path file = folder / "results.h5";
     if (!fs::exists(file)) return std::nullopt;
     const Hdf5Reader results(file);
-    if (results.text("/", "termination") != "normal") return std::nullopt;
+    if (results.text("/", "termination") != "normal" || results.is_link("/mesh"))
+        return std::nullopt;
     FinishedRun run;
     if (results.has_attribute("/", "scene"))
         run.scene = results.number<std::uint64_t>("/", "scene");

@@ -156,3 +156,19 @@ TEST_CASE("a number that is not finite is refused by its name, and is never in t
     REQUIRE(pressure.size() == 2);
     CHECK(pressure[1] == scene::sample(layout, 1).airbags[1].pressure);
 }
+
+TEST_CASE("a run whose end is not gathered is not finished, and keeps its parts", "[io]") {
+    const scene::Folder folder("not_gathered");
+    const RecordLayout layout = scene::layout();
+    ResultsFile results(folder.path, scene::info(), layout);
+    results.write(scene::frame(layout, 0, 20));
+    results.settle();
+    const auto frame = folder.path / "results.parts/00000.h5", away = folder.path / "away";
+    std::filesystem::rename(frame, away);
+    CHECK_THROWS_AS(results.finish("normal"), SystemError);
+    CHECK_FALSE(io::finished_run(folder.path).has_value());
+    CHECK(std::filesystem::exists(folder.path / "results.parts/mesh.h5"));
+    std::filesystem::rename(away, frame);
+    results.finish("normal");
+    CHECK(io::finished_run(folder.path).has_value());
+}
