@@ -12,16 +12,42 @@
 #include "solver/base/error.hpp"
 
 namespace corpuscle::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a symbolic link leads to in the end, be it there or not; of all else itself.
+fs::path target_of(const fs::path& file) {
+    constexpr int MOST_LINKS = 40;  // as the system has it
+    fs::path target = file;
+    std::error_code no_link;
+    for (int links = 0; fs::is_symlink(target, no_link); ++links) {
+        if (links == MOST_LINKS)
+            throw SystemError(
+                fmt::format("cannot write {}: {}", file.string(), std::strerror(ELOOP)));
+        target = target.parent_path() / fs::read_symlink(target, no_link);
+    }
+    return target;
+}
+
+/// Is there something that is not replaced but written to: a pipe, a device?
+bool takes_text_itself(const fs::path& file) {
+    std::error_code unknown;
+    const fs::file_status status = fs::status(file, unknown);
+    return fs::exists(status) && !fs::is_regular_file(status);
+}
+
+}  // namespace
 
 std::filesystem::path next_version(const std::filesystem::path& file) {
-    std::filesystem::path next = file;
+    std::filesystem::path next = target_of(file);
     next += ".next";
     return next;
 }
 
 void take_its_name(const std::filesystem::path& file) {
     std::error_code why;
-    std::filesystem::rename(next_version(file), file, why);
+    std::filesystem::rename(next_version(file), target_of(file), why);
     if (why) throw SystemError(fmt::format("cannot write {}: {}", file.string(), why.message()));
 }
 
@@ -30,18 +56,19 @@ void replace_text(const std::filesystem::path& file, std::string_view text) {
 }
 
 void replace_text(const std::filesystem::path& file, std::span<const std::string_view> parts) {
-    const std::filesystem::path next = next_version(file);
+    const bool is_replaced = !takes_text_itself(file);
+    const fs::path to = is_replaced ? next_version(file) : file;
     const auto fail = [&] {
         throw SystemError(fmt::format("cannot write {}: {}", file.string(), std::strerror(errno)));
     };
-    std::FILE* out = std::fopen(next.c_str(), "wb");
+    std::FILE* out = std::fopen(to.c_str(), "wb");
     if (out == nullptr) fail();
     const bool written = std::all_of(parts.begin(), parts.end(), [&](std::string_view part) {
         return std::fwrite(part.data(), 1, part.size(), out) == part.size();
     });
     const bool closed = std::fclose(out) == 0;
     if (!written || !closed) fail();
-    take_its_name(file);
+    if (is_replaced) take_its_name(file);
 }
 
 }  // namespace corpuscle::io

@@ -89,11 +89,11 @@ void write_all(int to, const char* from, std::size_t size) {
 
 /// All that comes through the pipe until its end; false when time is up before that.
 bool read_all(int from, double seconds, std::vector<char>& bytes) {
-    using Clock = std::chrono::steady_clock;
-    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    using SteadyClock = std::chrono::steady_clock;
+    const auto end = SteadyClock::now() + std::chrono::duration<double>(seconds);
     std::array<char, 65536> part;
     for (;;) {
-        const double left = std::chrono::duration<double>(end - Clock::now()).count();
+        const double left = std::chrono::duration<double>(end - SteadyClock::now()).count();
         pollfd ready{from, POLLIN, 0};
         if (left <= 0.0) return false;
         if (poll(&ready, 1, 1 + static_cast<int>(1e3 * std::min(left, 1e3))) <= 0) continue;
