@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -95,6 +96,11 @@ int study(const StudyArguments& arguments);
 int export_results(const ExportArguments& arguments);
 int report(const ReportArguments& arguments);
 int verify_program(const VerifyArguments& arguments);
+
+/// Nothing that a command reads is written over.
+/// @throws InputError  where the output is one of the inputs, by whatever names
+void expect_no_input(const std::filesystem::path& output,
+                     const std::vector<std::filesystem::path>& inputs);
 
 /// The deck's scene with its -D values and --until, on the threads that are asked for.
 /// @throws InputError with file and line of each fault, also of those that only the scene shows.

@@ -14,10 +14,12 @@
 namespace corpuscle::tools {
 int fold(const FoldArguments& arguments) {
     const fold::Recipe recipe = fold::read_recipe(arguments.recipe);
+    const auto picture = std::filesystem::path(arguments.output).replace_extension(".svg");
+    for (const std::filesystem::path& output : {std::filesystem::path(arguments.output), picture})
+        expect_no_input(output, {arguments.recipe, recipe.pattern.deck});
     const fold::Bag bag = fold::fold(recipe);
     const fold::Inspection found = fold::inspect(bag, recipe.pattern.gap);
     fold::refuse_crossings(recipe, bag, found, arguments.output);
-    const auto picture = std::filesystem::path(arguments.output).replace_extension(".svg");
     io::replace_text(arguments.output, fold::bag_deck(bag, recipe, found));
     io::replace_text(picture, fold::section_svg(bag, found));
     fmt::print("{}\n", fold::text(found));

@@ -10,6 +10,7 @@
 namespace corpuscle::tools {
 
 int mesh(const MeshArguments& arguments) {
+    expect_no_input(arguments.output, {arguments.input});
     io::ImportedMesh mesh = io::read_mesh(arguments.input);
     const io::MeshReport report = io::check_mesh(mesh);
     io::write_deck(arguments.output, mesh, arguments.input);

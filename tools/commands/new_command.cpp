@@ -18,6 +18,7 @@
 #include "solver/base/error.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/new_from_recipe.hpp"
+#include "tools/fold/recipe/recipe.hpp"
 #include "tools/new_deck.hpp"
 
 namespace corpuscle::tools {
@@ -175,10 +176,18 @@ int new_deck(const NewArguments& arguments) {
     if (!fs::is_regular_file(from))
         throw InputError(fmt::format("--from {}: expected a file that can be read", from.string()));
     fs::path mesh = fs::path(deck).replace_extension("mesh.k");
+    const fs::path study = fs::path(deck).replace_extension("study.toml");
+    const bool is_recipe = from.extension() == ".toml";
+    const bool is_deck = from.extension() == ".k" || from.extension() == ".key";
+    std::vector<fs::path> inputs{from}, outputs{deck};
+    if (is_recipe) inputs.push_back(fold::read_recipe(from).pattern.deck);
+    if (!is_deck) outputs.push_back(mesh);
+    if (arguments.head) outputs.push_back(study);
+    for (const fs::path& output : outputs) expect_no_input(output, inputs);
     std::optional<RecipeBag> folded;
-    if (from.extension() == ".toml") {
+    if (is_recipe) {
         folded = bag_of_recipe(from, mesh);
-    } else if (from.extension() == ".k" || from.extension() == ".key") {
+    } else if (is_deck) {
         mesh = from;
     } else {
         import(from, mesh);
@@ -199,7 +208,6 @@ int new_deck(const NewArguments& arguments) {
     if (text.find("\n*PART\n") != std::string::npos) bag.numbered_parts = bag.parts;
     if (arguments.head) bag.head = std::max(900, *bag.parts.rbegin() + 1);
     io::replace_text(deck, new_deck(bag));
-    const fs::path study = fs::path(deck).replace_extension("study.toml");
     if (arguments.head) {
         io::replace_text(study, new_study(bag, deck.filename().string()));
         fmt::print("{}: the headform's speed as a study\n", study.string());

@@ -22,6 +22,8 @@ int report(const ReportArguments& arguments) {
     if (!arguments.png.empty() && std::filesystem::exists(folders.front() / "study.csv"))
         throw InputError(fmt::format("--png: expected the folder of a run first, {} is a study",
                                      folders.front().string()));
+    for (const std::filesystem::path& folder : folders)
+        expect_no_input(file, {folder / "results.h5", folder / "study.csv"});
     const std::string page = report::page(folders);
     io::replace_text(file, page);
     fmt::print("{}: {:.1f} MB, opens in any browser\n", file.string(),

@@ -1,0 +1,65 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// Claim: no command writes over what it reads, whatever the names.
+
+#include <catch2/catch.hpp>
+
+#include <fstream>
+#include <sstream>
+
+#include "io/results/results_file.hpp"
+#include "tests/places.hpp"
+#include "tests/support/shell.hpp"
+#include "tests/unit/io/deck/deck_scene.hpp"
+#include "tests/unit/io/results/results_scene.hpp"
+
+using namespace corpuscle;
+using Catch::Contains;
+
+namespace {
+
+std::pair<int, std::string> corpuscle_in(const std::filesystem::path& folder,
+                                         const std::string& words) {
+    return test::shell("cd '" + folder.string() + "' && " CORPUSCLE_PROGRAM " " + words + " 2>&1");
+}
+
+std::string bytes_of(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+}  // namespace
+
+TEST_CASE("an output that is an input is refused", "[io]") {
+    const test::DeckFolder folder;
+    const std::filesystem::path models = CORPUSCLE_MODELS;
+    const auto recipe = folder.write("bag.toml", bytes_of(models / "recipes/zigzag.toml"));
+    const auto here = recipe.parent_path();
+    folder.write("bag.ply",
+                 "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                 "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+                 "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    std::filesystem::create_symlink("bag.toml", here / "link.k");
+    std::filesystem::create_hard_link(here / "bag.ply", here / "other.k");
+    for (const char* words :
+         {"fold bag.toml -o bag.toml", "fold bag.toml -o ./link.k", "mesh bag.ply -o bag.ply",
+          "mesh bag.ply -o other.k", "new --from bag.toml -o link.k"}) {
+        CAPTURE(words);
+        const auto [status, text] = corpuscle_in(here, words);
+        CHECK(status == 2);
+        CHECK_THAT(text, Contains("expected another file: this is bag."));
+        CHECK(bytes_of(recipe) == bytes_of(models / "recipes/zigzag.toml"));
+        CHECK(bytes_of(here / "bag.ply").starts_with("ply"));
+    }
+    CHECK(std::filesystem::is_symlink(here / "link.k"));
+}
+
+TEST_CASE("a page is not written over the results that it shows", "[io]") {
+    const scene::Folder folder("page_over_results");
+    { const io::ResultsFile begun(folder.path / "bag.out", scene::info(), scene::layout()); }
+    const auto [refused, told] = corpuscle_in(folder.path, "report bag.out -o bag.out/results.h5");
+    CHECK(refused == 2);
+    CHECK_THAT(told, Contains("expected another file: this is bag.out/results.h5"));
+}
