@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/deck_mesh.hpp"
 
+#include <algorithm>
+
 #include "io/deck/keyword_reader.hpp"
 #include "io/keywords/keywords.hpp"
 #include "io/model/draft.hpp"
@@ -22,6 +24,21 @@ void read_shells(Cards& cards, Draft& draft, DeckMesh& mesh) {
         nodes[3] = fourth < 0 ? nodes[2] : fourth;
         mesh.shells.push_back(nodes);
     }
+}
+
+/// Greatest id of the sets of a kind, whatever is in them; of one without an id 0.
+int last_set(const DeckText& text, std::string_view kind, const Parameters& parameters) {
+    static const Layout layout("SID");
+    Faults of_the_scene;  // none of a mesh
+    int last = 0;
+    for (const Block& block : text.blocks) {
+        if (!block.keyword.starts_with(kind)) continue;
+        of_the_scene.begin_block();
+        Cards cards(block, of_the_scene, parameters);
+        if (block.keyword.find("_TITLE") != std::string::npos) cards.title();
+        last = std::max(last, cards.next(layout).integer("SID"));
+    }
+    return last;
 }
 
 }  // namespace
@@ -48,6 +65,8 @@ DeckMesh read_deck_mesh(const std::filesystem::path& file) {
     if (!text.files.empty() && mesh.shells.empty())
         faults.fault(text.end, "*ELEMENT_SHELL is missing, expected a mesh");
     if (faults.any()) throw InputError(faults.faults());
+    mesh.last_node_set = last_set(text, "SET_NODE", parameters);
+    mesh.last_part_set = last_set(text, "SET_PART", parameters);
     mesh.x = std::move(model.x);
     mesh.node_id = std::move(model.node_id);
     return mesh;

@@ -16,10 +16,12 @@ struct DeckMesh {
     std::vector<int> node_id;                  ///< N
     std::vector<std::array<Index, 4>> shells;  ///< E × 4 node rows; a triangle repeats its 3rd
     std::vector<int> shell_id, part_id;        ///< E
+    int last_node_set = 0;                     ///< greatest id of *SET_NODE; 0: there is none
+    int last_part_set = 0;                     ///< likewise of *SET_PART
 };
 
 /// Reads *NODE and *ELEMENT_SHELL of a deck and its includes, as `corpuscle mesh` and preprocessors
-/// write them; all other keywords are passed over.
+/// write them, and what ids sets have; all other keywords are passed over.
 /// @throws InputError with every fault: file, line, keyword, card, field
 [[nodiscard]] DeckMesh read_deck_mesh(const std::filesystem::path& file);
 

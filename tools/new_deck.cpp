@@ -92,15 +92,13 @@ std::string part_set(int id, const char* title, const std::set<int>& parts) {
     return text + (column % 8 == 0 ? "" : "\n");
 }
 
-constexpr int WHOLE = 1, CLOSING = 4;  ///< part sets
-
 std::string part_sets(const NewDeck& bag) {
     std::string text;
-    if (!bag.has_part_set) text += part_set(WHOLE, "the whole bag", bag.parts);
+    if (!bag.has_part_set) text += part_set(bag.whole, "the whole bag", bag.parts);
     if (bag.tethers == 0) return text;
     std::set<int> closing = bag.parts;
     closing.erase(bag.tethers);
-    return text + part_set(CLOSING, "what closes the bag", closing);
+    return text + part_set(bag.closing, "what closes the bag", closing);
 }
 
 /// A rigid ball of 165 mm and 4.5 kg above the bag, that flies along -z. Its nodes are written with
@@ -154,13 +152,13 @@ std::string headform(const NewDeck& bag, const Units& units) {
                "*SECTION_SHELL\n{0:10d}         9\n    &THICK    &THICK    &THICK    &THICK\n"
                "*MAT_RIGID\n{0:10d}{4:>10}{5:>10}       0.3\n       0.0\n       0.0\n"
                "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID\n         2bag on headform\n"
-               "         1{0:10d}         2         3\n"
+               "{7:10d}{0:10d}         2         3\n"
                "       0.3       0.3       0.0       0.0      20.0\n"
                "       1.0       1.0    &THICK    &THICK\n"
                "*DATABASE_RBDOUT\n{6:>10}\n",
                bag.head, ten(clean(bag.inflator.x(), r)), ten(clean(bag.inflator.y(), r)), MASS,
                fmt::format("{:.3g}", 1000.0 * std::pow(units.length, 3.0)), units.p(2e9),
-               units.t(1e-4));
+               units.t(1e-4), bag.whole);
 }
 
 /// Title, parameters, control, output.
@@ -210,12 +208,12 @@ std::string supports(const NewDeck& bag) {
     text += stands(bag.has_module, "The inflator's place stands still", 1);
     text += stands(bag.has_clamps, "What is clamped stands still", 3);
     if (!bag.held.empty()) {
-        text += "*SET_NODE_LIST_TITLE\nround the inflator\n         4\n";
+        text += fmt::format("*SET_NODE_LIST_TITLE\nround the inflator\n{:10d}\n", bag.held_set);
         for (std::size_t k = 0; k < bag.held.size(); ++k)
             text += fmt::format("{:10d}{}", bag.held[k],
                                 k % 8 == 7 || k + 1 == bag.held.size() ? "\n" : "");
         text += "$ THINK: what holds the bag\n" +
-                stands(true, "The cloth round the inflator stands still", 4);
+                stands(true, "The cloth round the inflator stands still", bag.held_set);
     }
     if (!bag.has_module && !bag.has_clamps && bag.held.empty())
         text += "$ THINK: nothing holds this bag. *SET_NODE_LIST and *BOUNDARY_SPC_SET do.\n";
@@ -227,7 +225,7 @@ std::string contact_and_airbag(const NewDeck& bag, const Units& units) {
     std::string text;
     text += fmt::format(
         "*CONTACT_AIRBAG_SINGLE_SURFACE_ID\n$#     cid     title\n         1fabric on fabric\n"
-        "$#   surfa     surfb  surfatyp  surfbtyp\n         1         0         2         0\n"
+        "$#   surfa     surfb  surfatyp  surfbtyp\n{:10d}         0         2         0\n"
         "$#      fs        fd        dc        vc       vdc\n"
         "       0.2       0.2       0.0       0.0      20.0\n"
         "$#    sfsa      sfsb      sast      sbst\n       1.0       1.0    &THICK    &THICK\n"
@@ -241,9 +239,10 @@ std::string contact_and_airbag(const NewDeck& bag, const Units& units) {
         "       &NP{:>10}         1     293.0{:>10}{:>10}   1.0E+10   1.0E+10\n"
         "$ Initial air, one gas, one orifice\n$#    iair      ngas     norif\n"
         "         1         1         1\n",
-        bag.free_node, io::in_16_columns(bag.inflator.x()), io::in_16_columns(bag.inflator.y()),
-        io::in_16_columns(bag.inflator.z()), bag.tethers != 0 ? CLOSING : WHOLE, bag.tethers,
-        bag.is_mm ? 0 : 1, units.p(ATMOSPHERE), bag.has_vents ? 1 : 0);
+        bag.whole, bag.free_node, io::in_16_columns(bag.inflator.x()),
+        io::in_16_columns(bag.inflator.y()), io::in_16_columns(bag.inflator.z()),
+        bag.tethers != 0 ? bag.closing : bag.whole, bag.tethers, bag.is_mm ? 0 : 1,
+        units.p(ATMOSPHERE), bag.has_vents ? 1 : 0);
     if (bag.has_vents)
         text +=
             "$ Vents: part set 2\n$#    sid3    stype3       c23    lctc23    lcpc23     enh_v\n"

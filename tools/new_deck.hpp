@@ -17,12 +17,15 @@ struct NewDeck {
     std::set<int> parts;           ///< numbers of the bag's parts
     std::set<int> numbered_parts;  ///< of those, what *PART of the mesh asks for as section and
                                    ///< material; the others get a *PART here
-    bool has_part_set = false;     ///< the mesh has part set 1, the bag
+    bool has_part_set = false;     ///< the mesh has the part set of the whole bag
+    int whole = 1;                 ///< part set of the whole bag
+    int closing = 4;               ///< likewise of what closes it, where there are tethers
     bool has_vents = false;        ///< and part set 2, its vents
     int tethers = 0;               ///< part that lies inside, open to both sides; 0: none
     bool has_module = false;       ///< and node set 1, what holds it
     bool has_clamps = false;       ///< node set 3 is clamped
-    std::vector<int> held;         ///< nodes that this deck holds, as node set 4
+    std::vector<int> held;         ///< nodes that this deck holds
+    int held_set = 4;              ///< their node set
     int free_node = 1;             ///< a number that no node has, nor one above it
     int free_shell = 1;            ///< likewise of shells
     Vec3 inflator = Vec3::Zero();  ///< where gas comes in

@@ -17,6 +17,7 @@
 #include "io/system/atomic_file.hpp"
 #include "solver/base/error.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/mesh_inside.hpp"
 #include "tools/commands/new_from_recipe.hpp"
 #include "tools/fold/recipe/recipe.hpp"
 #include "tools/new_deck.hpp"
@@ -104,7 +105,7 @@ void import(const fs::path& from, const fs::path& to) {
     fmt::print("{}\n", io::text(report));
 }
 
-NewDeck bag_of(const fs::path& mesh_file) {
+NewDeck bag_of(const fs::path& mesh_file, bool wants_head) {
     const io::DeckMesh mesh = io::read_deck_mesh(mesh_file);
     NewDeck bag;
     bag.mesh = mesh_file.filename().string();
@@ -131,25 +132,28 @@ NewDeck bag_of(const fs::path& mesh_file) {
     bag.is_mm = (high - low).maxCoeff() > MILLIMETRES;
     bag.top = high.z();
     bag.free_shell = *std::max_element(mesh.shell_id.begin(), mesh.shell_id.end()) + 1;
+    bag.whole = mesh.last_part_set + 1;
+    bag.closing = std::max(bag.closing, bag.whole + 1);
+    bag.tethers = inner_part(mesh);
+    bag.held_set = std::max(bag.held_set, mesh.last_node_set + 1);
+    if (wants_head) bag.head = std::max({900, *bag.parts.rbegin() + 1, mesh.last_node_set + 1});
     bag.free_node = *std::max_element(mesh.node_id.begin(), mesh.node_id.end()) + 1;
     return bag;
 }
 
 /// Holds the cloth round the inflator of a bag that nothing else holds, and brings the inflator
-/// close to it, where no cloth may come between; not where it is far from all cloth.
+/// close to it, where no cloth may come between; not where it is far from all cloth. Between the
+/// layers of a folded bag it comes inside, and what lies flat with the nearest shell is held.
 void hold_round_inflator(const io::DeckMesh& mesh, NewDeck& bag) {
     constexpr double RADIUS = 0.15, NEAR = 0.1;  ///< of a panel's side; of the way to the cloth
     const double radius = RADIUS * std::sqrt(0.5 * bag.area);
-    const auto middle = [&](const auto& n) -> Vec3 {
-        return 0.25 * (mesh.x[n[0]] + mesh.x[n[1]] + mesh.x[n[2]] + mesh.x[n[3]]);
-    };
     double least = radius;
     std::size_t back = mesh.shells.size();
     for (std::size_t s = 0; s < mesh.shells.size(); ++s) {  // of two panels as near, the lower
-        const Vec3 at = middle(mesh.shells[s]);
+        const Vec3 at = middle_of(mesh, s);
         const double away = (at - bag.inflator).norm();
-        const bool is_lower = back < mesh.shells.size() && away < 1.001 * least &&
-                              at.z() < middle(mesh.shells[back]).z();
+        const bool is_lower =
+            back < mesh.shells.size() && away < 1.001 * least && at.z() < middle_of(mesh, back).z();
         if (away >= 0.999 * least && !is_lower) continue;
         back = s;
         least = away;
@@ -157,14 +161,19 @@ void hold_round_inflator(const io::DeckMesh& mesh, NewDeck& bag) {
     if (back == mesh.shells.size()) return;
     const auto& n = mesh.shells[back];
     Vec3 towards = (mesh.x[n[2]] - mesh.x[n[0]]).cross(mesh.x[n[3]] - mesh.x[n[1]]).normalized();
-    const double off = (middle(n) - bag.inflator).dot(towards);
+    const double off = (middle_of(mesh, back) - bag.inflator).dot(towards);
     if (off < 0.0) towards = -towards;
+    const Vec3 near = bag.inflator + (1.0 - NEAR) * std::abs(off) * towards;
+    const auto over =
+        is_inside(mesh, bag.tethers, near) ? std::nullopt : place_over(mesh, bag.tethers, back);
+    const double gap = over ? 2.0 * (*over - middle_of(mesh, back)).norm() : 0.0;
     for (std::size_t k = 0; k < mesh.x.size(); ++k) {
-        const Vec3 from = mesh.x[k] - bag.inflator;
-        if (from.norm() < radius && from.dot(towards) > 0.5 * std::abs(off))
-            bag.held.push_back(mesh.node_id[k]);
+        const Vec3 from = mesh.x[k] - bag.inflator, away = mesh.x[k] - middle_of(mesh, back);
+        const bool is_held = over ? away.norm() < radius && std::abs(away.dot(towards)) < NEAR * gap
+                                  : from.norm() < radius && from.dot(towards) > 0.5 * std::abs(off);
+        if (is_held) bag.held.push_back(mesh.node_id[k]);
     }
-    bag.inflator += (1.0 - NEAR) * std::abs(off) * towards;
+    bag.inflator = over.value_or(near);
 }
 
 }  // namespace
@@ -198,7 +207,7 @@ int new_deck(const NewArguments& arguments) {
             fmt::format("{}: has *SECTION_SHELL, expected a mesh alone: nodes, shells "
                         "and parts",
                         mesh.string()));
-    NewDeck bag = bag_of(mesh);
+    NewDeck bag = bag_of(mesh, arguments.head);
     if (folded)
         take_recipe(*folded, bag);
     else
@@ -206,7 +215,6 @@ int new_deck(const NewArguments& arguments) {
     bag.title = fmt::format("bag of {}", from.filename().string());
     if (mesh == from) bag.mesh = fs::relative(mesh, fs::absolute(deck).parent_path()).string();
     if (text.find("\n*PART\n") != std::string::npos) bag.numbered_parts = bag.parts;
-    if (arguments.head) bag.head = std::max(900, *bag.parts.rbegin() + 1);
     io::replace_text(deck, new_deck(bag));
     if (arguments.head) {
         io::replace_text(study, new_study(bag, deck.filename().string()));

@@ -113,6 +113,7 @@ void take_recipe(const RecipeBag& folded, NewDeck& deck) {
     deck.inflator = folded.inflator;
     deck.held = folded.held;
     deck.has_part_set = true;
+    deck.whole = 1;
     deck.has_vents = folded.has_vents;
     deck.has_module = folded.has_module;
     deck.has_clamps = folded.has_clamps;

@@ -102,3 +102,15 @@ TEST_CASE("folded bags and meshes become decks that are accepted", "[new]") {
         CHECK_THAT(said("check '" + deck + "'"), Catch::Contains("units: kg-mm-ms-K"));
     }
 }
+
+TEST_CASE("a folded deck becomes a deck that is accepted, with a head too", "[new]") {
+    const test::DeckFolder folder;
+    const fs::path models = CORPUSCLE_MODELS, here = folder.write("note", "").parent_path();
+    const std::string folded = (here / "folded.k").string(), deck = (here / "bag.k").string();
+    for (const char* from : {"recipes/zigzag.toml", "recipes/rectangle.toml"})
+        for (const char* head : {"", " --head"}) {
+            said("fold '" + (models / from).string() + "' -o '" + folded + "'");
+            said("new --from '" + folded + "' -o '" + deck + "'" + head);
+            CHECK_THAT(said("check '" + deck + "'"), Catch::Contains("units: kg-mm-ms-K"));
+        }
+}
