@@ -29,6 +29,10 @@ std::string units_for(const io::Hdf5Reader& file, const ResponsesArguments& argu
 
 std::vector<int> asked_for(const io::Hdf5Reader& file, const ResponsesArguments& arguments) {
     const std::vector<int> all = io::tracked_bodies(file);
+    if (all.empty() && file.read<double>("/history/time").empty())
+        throw InputError(fmt::format(
+            "{}: the run has no histories yet: expected one that has come to its first sample",
+            arguments.folder));
     if (all.empty())
         throw InputError(fmt::format(
             "{}: the run had no rigid body that can move, so there is nothing to respond",

@@ -56,6 +56,14 @@ TEST_CASE("an output that is an input is refused", "[io]") {
     CHECK(std::filesystem::is_symlink(here / "link.k"));
 }
 
+TEST_CASE("a run that has no histories yet has no responses, and says so", "[responses]") {
+    const scene::Folder folder("no_histories");
+    { const io::ResultsFile begun(folder.path / "bag.out", scene::info(), scene::layout()); }
+    const auto [status, text] = corpuscle_in(folder.path, "responses bag.out");
+    CHECK(status == 2);
+    CHECK_THAT(text, Contains("bag.out: the run has no histories yet"));
+}
+
 TEST_CASE("a page is not written over the results that it shows", "[io]") {
     const scene::Folder folder("page_over_results");
     { const io::ResultsFile begun(folder.path / "bag.out", scene::info(), scene::layout()); }
