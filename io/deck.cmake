@@ -1,6 +1,6 @@
 # keyword decks -> Model
 target_sources(corpuscle_io PRIVATE
-    deck.cpp deck_mesh.cpp
+    deck.cpp deck_mesh.cpp deck_parameters.cpp
     # text -> cards
     deck/card.cpp deck/card_faults.cpp deck/cards.cpp deck/comment_settings.cpp deck/deck_fingerprint.cpp
     deck/deck_places.cpp deck/deck_words.cpp deck/expression.cpp deck/faults.cpp

@@ -86,7 +86,7 @@ std::uint64_t scene_fingerprint(const DeckText& text, Parameters& parameters) {
         }
     }
     // what no card but a parameter or -D says
-    for (const char* name : {"DIALECT", "COLLISION", "MEAN_FREE_PATH", "CLOSE", "UNITS"}) {
+    for (const std::string_view name : OWN_NAMES) {
         take_parameter(name, 0, parameters, hash);
         hash.take(parameters.take_override(name).value_or(""));
     }

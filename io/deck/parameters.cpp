@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "io/text/text.hpp"
 
 namespace corpuscle::io {
@@ -55,6 +57,16 @@ std::string Parameters::nearest_name(std::string_view name) const {
     for (const File& file : files_)
         for (const auto& [key, parameter] : file.local) known.push_back(key);
     return std::string(nearest(upper(name), known));
+}
+
+std::vector<std::string> Parameters::names() const {
+    std::vector<std::string> all;
+    for (const auto& [key, parameter] : global_) all.push_back(key);
+    for (const File& file : files_)
+        for (const auto& [key, parameter] : file.local) all.push_back(key);
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
 }
 
 std::vector<std::string> Parameters::unused_overrides() const {

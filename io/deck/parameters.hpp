@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -23,6 +24,10 @@ struct Parameter {
     Place place;
 };
 
+/// Names that -D may give a value in any deck.
+inline constexpr std::array<std::string_view, 5> OWN_NAMES = {"DIALECT", "COLLISION",
+                                                              "MEAN_FREE_PATH", "CLOSE", "UNITS"};
+
 /// What *PARAMETER and -D define. Names have no case. A _LOCAL one is seen in its file and what
 /// that includes; the others everywhere.
 class Parameters {
@@ -40,6 +45,8 @@ public:
     [[nodiscard]] const Parameter* find(std::string_view name, std::uint32_t from_file) const;
     /// Number of an expression's name.
     [[nodiscard]] std::optional<Value> value(std::string_view name, std::uint32_t from_file) const;
+    /// Of all parameters, in alphabetical order.
+    [[nodiscard]] std::vector<std::string> names() const;
     /// The name that was probably meant, or "".
     [[nodiscard]] std::string nearest_name(std::string_view name) const;
 

@@ -14,6 +14,7 @@
 #include "solver/base/error.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/study/convergence.hpp"
+#include "tools/study/known_names.hpp"
 #include "tools/study/machine_share.hpp"
 #include "tools/study/slurm.hpp"
 #include "tools/study/table.hpp"
@@ -96,6 +97,7 @@ int study(const StudyArguments& arguments) {
         study.workers = arguments.workers;
         study.says_workers = true;
     }
+    if (!arguments.only_table) study::expect_known_names(study);
     std::filesystem::create_directories(study.folder);
     if (arguments.only_table) return tell(study);
     const study::Share share = share_of(arguments.share);

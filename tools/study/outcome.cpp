@@ -115,6 +115,17 @@ std::string key_of(const Study& study, const Row& row) {
                        study.until ? fmt::format("{}", *study.until) : "its end");
 }
 
+bool has_form_of_response(const std::string& response) {
+    if (const std::size_t colon = response.find(':'); colon != std::string::npos) {
+        const std::string how = response.substr(0, colon);
+        return (how == "max" || how == "min" || how == "end") &&
+               response.compare(colon + 1, 1, "/") == 0;
+    }
+    const std::size_t dot = std::min(response.find('.'), response.size());
+    return io::parse_integer(response.substr(0, dot)).has_value() && dot < response.size() &&
+           is_response(response.substr(dot + 1));
+}
+
 void write_status(const Study& study, const Row& row, int status, const Cost& cost,
                   const std::string& reason) {
     io::replace_text(folder_of(study, row) / "status",

@@ -14,6 +14,7 @@
 #include "solver/base/parallel.hpp"
 #include "solver/base/vec.hpp"
 #include "tests/unit/tools/study/desk.hpp"
+#include "tools/study/known_names.hpp"
 #include "tools/study/slurm.hpp"
 #include "tools/study/table.hpp"
 #include "tools/study/workers.hpp"
@@ -252,4 +253,32 @@ TEST_CASE("a body that met nothing has no time to contact, and its run went well
     const study::Outcome outcome = study::read_outcome(s, row);
     CHECK(outcome.status == 0);
     CHECK(std::isnan(outcome.responses[0]));
+}
+
+TEST_CASE("names that no run could know are found before the first", "[study]") {
+    const Desk desk("names");
+    desk.put("bag.k",
+             "*KEYWORD\n*PARAMETER\nR SPEED          3.0\nI NP             100\n*INCLUDE\n"
+             "mesh.k\n*END\n");
+    desk.put("mesh.k", "*PARAMETER\nR SIZE           2.0\n*END\n");
+    const auto faults = [&](const std::string& text) -> std::vector<std::string> {
+        try {
+            study::expect_known_names(desk.study(text));
+        } catch (const InputError& error) {
+            return error.faults;
+        }
+        return {};
+    };
+    CHECK(faults(HEAD + "[fixed]\nNP = 7\nCLOSE = 0\n[factors]\nspeed = [1]\nSIZE = [1, 2]\n")
+              .empty());
+    const auto told = faults(
+        "deck = \"bag.k\"\nresponses = [\"20.peak_force\", \"20.peak_froce\", "
+        "\"mx:/history/airbag/1/pressure\", \"max:/history/airbag/1/pressure\"]\n"
+        "[fixed]\nPN = 7\n[factors]\nSPED = [1, 2]\n");
+    REQUIRE(told.size() == 4);
+    CHECK_THAT(told[0], Catch::Contains("s.toml: [factors] SPED, expected a *PARAMETER of bag.k: "
+                                        "NP, SIZE, SPEED"));
+    CHECK_THAT(told[1], Catch::Contains("s.toml: [fixed] PN, expected a *PARAMETER of bag.k"));
+    CHECK_THAT(told[2], Catch::Contains("responses = 20.peak_froce, expected BODY.RESPONSE"));
+    CHECK_THAT(told[3], Catch::Contains("responses = mx:/history/airbag/1/pressure"));
 }
