@@ -124,11 +124,11 @@ TEST_CASE("a part whose free edges are the hole joins the bag", "[closing]") {
 
 TEST_CASE("facets that are turned are a mending, or refused", "[closing]") {
     Model model = read_closing("closing_clean.k");
-    for (const std::size_t s : {0U, 3U})
+    for (const std::size_t s : {0U, 3U})  // quads, of two facets each
         std::swap(model.shells[s].nodes[1], model.shells[s].nodes[3]);
     Model refused = model;
     const Simulation mended(std::move(model), 1);
-    CHECK_THAT(mended.model().mendings.back(), Catch::Contains("2 facets turned"));
+    CHECK_THAT(mended.model().mendings.back(), Catch::Contains("4 facets turned"));
     refused.closes_bags = false;
     std::string why;
     try {
@@ -136,7 +136,7 @@ TEST_CASE("facets that are turned are a mending, or refused", "[closing]") {
     } catch (const InputError& error) {
         why = error.what();
     }
-    CHECK_THAT(why, Catch::Contains("2 facets have their normals against their neighbours'"));
+    CHECK_THAT(why, Catch::Contains("4 facets have their normals against their neighbours'"));
 }
 
 TEST_CASE("nodes that hang on the rim of a finer face are tied", "[closing]") {
