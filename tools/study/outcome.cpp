@@ -118,8 +118,8 @@ std::string key_of(const Study& study, const Row& row) {
 bool has_form_of_response(const std::string& response) {
     if (const std::size_t colon = response.find(':'); colon != std::string::npos) {
         const std::string how = response.substr(0, colon);
-        return (how == "max" || how == "min" || how == "end") &&
-               response.compare(colon + 1, 1, "/") == 0;
+        return (how == "max" || how == "min" || how == "end" || how == "last") &&
+               colon + 1 < response.size();
     }
     const std::size_t dot = std::min(response.find('.'), response.size());
     return io::parse_integer(response.substr(0, dot)).has_value() && dot < response.size() &&

@@ -15,6 +15,7 @@
 #include "solver/base/vec.hpp"
 #include "tests/unit/tools/study/desk.hpp"
 #include "tools/study/known_names.hpp"
+#include "tools/study/outcome.hpp"
 #include "tools/study/slurm.hpp"
 #include "tools/study/table.hpp"
 #include "tools/study/workers.hpp"
@@ -281,4 +282,5 @@ TEST_CASE("names that no run could know are found before the first", "[study]") 
     CHECK_THAT(told[1], Catch::Contains("s.toml: [fixed] PN, expected a *PARAMETER of bag.k"));
     CHECK_THAT(told[2], Catch::Contains("responses = 20.peak_froce, expected BODY.RESPONSE"));
     CHECK_THAT(told[3], Catch::Contains("responses = mx:/history/airbag/1/pressure"));
+    CHECK(study::has_form_of_response("last:/history/energy/total"));  // as end:
 }
