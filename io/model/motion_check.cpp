@@ -112,13 +112,13 @@ void check_motions(Draft& draft, Faults& faults) {
 }
 
 void check_curves(const Draft& draft, Faults& faults) {
-    constexpr double ROUNDING = 1e-9;  // of times in decks
+    constexpr double OF_TIMES = 1e-9;  // rounding of those in decks
     const Model& model = draft.model;
     for (const CurveUse& use : draft.curve_uses) {
         if (use.curve < 0) continue;
         const Curve& curve = model.curves[static_cast<std::size_t>(use.curve)];
         if (curve.empty()) continue;
-        const double end = std::min(use.to, model.end_time), slack = ROUNDING * model.end_time;
+        const double end = std::min(use.to, model.end_time), slack = OF_TIMES * model.end_time;
         const auto tell = [&](const char* which, double at, double value) {
             const std::string text =
                 fmt::format("curve {} {} at {:g} and keeps its value {:g} {} it (LS-DYNA: 0)",
