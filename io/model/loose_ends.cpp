@@ -8,6 +8,7 @@
 
 #include "io/keywords/bodies/rigid_parts.hpp"
 #include "io/model/held_bodies.hpp"
+#include "io/model/motion_check.hpp"
 #include "io/model/part_remarks.hpp"
 
 namespace corpuscle::io {

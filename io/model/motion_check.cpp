@@ -1,12 +1,13 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
+#include "io/model/motion_check.hpp"
+
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <map>
 
 #include "io/keywords/bodies/rigid_parts.hpp"
-#include "io/model/held_bodies.hpp"
 
 namespace corpuscle::io {
 namespace {

@@ -88,15 +88,17 @@ TEST_CASE("nodes of rigid bodies are not moved one by one", "[io][rigid]") {
 TEST_CASE("two motions along one axis at one time are refused, one of what is held is told",
           "[io][motion]") {
     const std::string rigid = "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n";
-    CHECK(contains(only_fault(PLATES + rigid + "50,3,0,77\n50,3,0,77,2\n"), "moves part 50, which "));
+    CHECK(
+        contains(only_fault(PLATES + rigid + "50,3,0,77\n50,3,0,77,2\n"), "moves part 50, which "));
     CHECK(contains(only_fault(PLATES + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n1,1,0,77\n1,1,2,77\n"),
                    "moves node 1, which "));
     const auto warnings = [](const std::string& rows) {
         return read_small(PLATES + rows).warnings;
     };
-    CHECK_FALSE(any_contains(warnings(rigid + "50,3,0,77\n50,2,0,77\n50,6,0,77\n"), "motion counts"));
     CHECK_FALSE(
-        any_contains(warnings(rigid + "50,3,0,77,1,0,0.5\n50,3,0,77,1,0,1,0.5\n"), "motion counts"));
+        any_contains(warnings(rigid + "50,3,0,77\n50,2,0,77\n50,6,0,77\n"), "motion counts"));
+    CHECK_FALSE(any_contains(warnings(rigid + "50,3,0,77,1,0,0.5\n50,3,0,77,1,0,1,0.5\n"),
+                             "motion counts"));
     CHECK(any_contains(warnings("*BOUNDARY_SPC_NODE\n1,0,1\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n"
                                 "1,1,0,77\n"),
                        "node 1 is held along that axis: this motion counts"));

@@ -224,10 +224,10 @@ TEST_CASE("a study for Slurm without sbatch says so, with one it is an array and
     ::setenv("PATH", desk.folder.path.c_str(), 1);
     CHECK_THROWS_WITH(study::submit(s, 2, "/bin/corpuscle"), Catch::Contains("no sbatch"));
 
-    const fs::path stub = desk.folder.path / "sbatch";
+    const fs::path sbatch = desk.folder.path / "sbatch";
     desk.put("sbatch", "#!/bin/sh\nPATH=" + path + "\necho \"$@\" >> " +
                            (desk.folder.path / "said").string() + "\necho 41\n");
-    fs::permissions(stub, fs::perms::owner_all);
+    fs::permissions(sbatch, fs::perms::owner_all);
     ::setenv("PATH", (desk.folder.path.string() + ":" + path).c_str(), 1);
     const std::string told = study::submit(s, 2500, "/bin/corpuscle");
     ::setenv("PATH", path.c_str(), 1);
