@@ -54,9 +54,10 @@ double highest_frequency_squared(const CornerMatrix& stiffness, const double* ma
 ///     dt = (2/ω)·(sqrt(1 + ζ²) - ζ)
 ///
 /// @returns  (2/dt)² [1/s^2]
-inline double step_rate(double frequency_squared, double damping_time) {
-    const double share = 0.5 * damping_time * std::sqrt(frequency_squared);
-    const double factor = std::sqrt(1.0 + share * share) + share;  // 1/(sqrt(1 + ζ²) - ζ)
+template <class Real>
+Real step_rate(const Real& frequency_squared, const Real& damping_time) {
+    const Real share = 0.5 * damping_time * square_root(frequency_squared);
+    const Real factor = square_root(1.0 + share * share) + share;  // 1/(sqrt(1 + ζ²) - ζ)
     return frequency_squared * factor * factor;
 }
 

@@ -31,8 +31,8 @@ public:
 
     struct Result {
         double energy = 0.0;
-        double rate = 0.0;  ///< largest (2/dt)² met                              [1/s^2]
-        Index shell = -1;   ///< whose it is
+        double rate = 0.0;  ///< largest (2/dt)² met, above rest_rate             [1/s^2]
+        Index shell = -1;   ///< whose it is; -1: none is above
         double lost = 0.0;  ///< by loops of loading since the last call          [J]
         double pull = 0.0;  ///< what the stress would do on the strain of the start: ΣV·S:E_0 [J]
     };
@@ -54,6 +54,8 @@ public:
     /// (2/dt)² of an element at its reference shape.                            [1/s^2]
     [[nodiscard]] virtual double rate(std::size_t element) const = 0;
     virtual void set_rate(std::size_t element, double rate) = 0;
+    /// Takes what the corners weigh, once that is settled.
+    virtual void take_masses() = 0;
     /// β = 2ζ/ω with the frequency of the element alone.                         [s]
     [[nodiscard]] virtual double damping_time(std::size_t element) const = 0;
 
@@ -72,6 +74,7 @@ public:
     Index part = -1;
     int corners = 0;
     bool is_damped = false;
+    double rest_rate = 0.0;   ///< (2/dt)² of all elements at their reference shapes [1/s^2]
     double strain_left = 0.0;   ///< r: what is left of the start's strain (TSRFAC)     [-]
     std::vector<Index> shells;  ///< rows, in order
     std::vector<double> mass;   ///< that each corner brings to its node, size × corners  [kg]

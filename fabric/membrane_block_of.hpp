@@ -9,6 +9,7 @@
 
 #include "fabric/element_frequency.hpp"
 #include "fabric/element_pack.hpp"
+#include "fabric/elements/frequency_bound.hpp"
 #include "fabric/materials/stretch.hpp"
 #include "fabric/membrane_block.hpp"
 #include "fabric/point_history.hpp"
@@ -23,6 +24,7 @@ public:
     static constexpr std::size_t POINTS = Element<Lanes>::POINTS;
     static constexpr std::size_t STRIDE = 3 * LANES * CORNERS;  ///< corner forces of a pack
     static constexpr bool HAS_PAST = Remembering<Law>;
+    static constexpr bool IS_BOUNDED = KnowsBound<Element<Lanes>> && !StiffensBeyond<Law>;
 
     template <class Make>
     BlockOf(const BlockInput& in, const Law& law, const Make& make)
@@ -47,7 +49,7 @@ public:
     /// Flattened: with so many laws in one file the compiler would call what must be inline.
     [[gnu::flatten]] Result force(std::size_t begin, std::size_t end, const Points& x,
                                   const Points& v, double* elastic, double* damping) override {
-        Lanes energy{}, rate{}, pack_of{}, lost{}, pull{};
+        Lanes energy{}, rate = Lanes{} + rest_rate, pack_of{}, lost{}, pull{};
         for (std::size_t p = begin; p < end; ++p) {
             const Pack<Element>& pack = packs_[p];
             const auto motion = pack.shape.motion(corners_of(x.data()->data(), pack.nodes));
@@ -58,7 +60,8 @@ public:
             energy += stored;
             if constexpr (DAMPED) damp(p, motion, v, damping);
 
-            const Lanes now = pack.rate * stiffening(strain);
+            Lanes now = pack.rate * stiffening(strain);
+            if (any(now > rate)) now = sharpened(p, motion, load, now);
             pack_of = select(now > rate, Lanes{} + static_cast<double>(p), pack_of);
             rate = greater(now, rate);
         }
@@ -102,7 +105,7 @@ public:
                 s = {s.warp + here.warp, s.weft + here.weft, s.shear + here.shear, s.energy};
             }
             for (std::size_t l = 0; l < LANES && p * LANES + l < size(); ++l)
-                write(l, e, s, stress[row(p, l)], strain[row(p, l)]);
+                store_means(l, e, s, POINTS, stress[row(p, l)], strain[row(p, l)]);
         }
     }
 
@@ -116,6 +119,14 @@ public:
         packs_[element / LANES].rate[element % LANES] = rate;
     }
     double damping_time(std::size_t element) const override { return damping_time_[element]; }
+
+    void take_masses() override {
+        if constexpr (IS_BOUNDED) {
+            mobility_.resize(packs_.size());
+            for (std::size_t p = 0; p < packs_.size(); ++p)
+                mobility_[p] = corner_mobility(packs_[p].shape, per_mass<CORNERS>(mass, p));
+        }
+    }
 
     void visit_past(const PastVisitor& visit) override {
         visit(std::as_writable_bytes(std::span(memory_)));
@@ -231,7 +242,7 @@ private:
     Lanes stiffening(const auto& strain) const {
         Lanes most{};
         for (const Strain<Lanes>& e : strain) {
-            if constexpr (requires { law_.stiffening(e); }) {
+            if constexpr (StiffensBeyond<Law>) {
                 most = greater(most, law_.stiffening(e));
                 if (!liner_) continue;
             }
@@ -240,11 +251,23 @@ private:
         return most;
     }
 
+    /// The lesser of (2/dt)² as stretch alone bounds it and as the element does.
+    Lanes sharpened(std::size_t p, const auto& motion, const auto& load, const Lanes& by_stretch) {
+        if constexpr (!IS_BOUNDED) {
+            return by_stretch;
+        } else {
+            const Lanes square =
+                packs_[p].shape.frequency_bound(moduli_, motion, load, mobility_[p]);
+            const Lanes bound = step_rate(square, load_lanes(damping_time_.data() + p * LANES));
+            return select(bound < by_stretch, bound, by_stretch);
+        }
+    }
+
     Result summary(const Lanes& energy, const Lanes& rate, const Lanes& pack_of) const {
         Result out;
         for (std::size_t l = 0; l < LANES; ++l) {
             out.energy += energy[l];
-            if (rate[l] <= 0.0 || rate[l] < out.rate) continue;
+            if (rate[l] <= rest_rate || rate[l] < out.rate) continue;
             const Index shell = shells[static_cast<std::size_t>(pack_of[l]) * LANES + l];
             if (rate[l] > out.rate || shell < out.shell) out.shell = shell;
             out.rate = rate[l];
@@ -252,23 +275,12 @@ private:
         return out;
     }
 
-    static void write(std::size_t l, const Strain<Lanes>& e, const Stress<Lanes>& s,
-                      std::array<float, 3>& stress, std::array<float, 3>& strain) {
-        constexpr double SHARE = 1.0 / Element<Lanes>::POINTS;
-        const double e1 = SHARE * e.warp[l], e2 = SHARE * e.weft[l], e3 = SHARE * e.shear[l];
-        const double length_1 = std::sqrt(std::max(0.0, 1.0 + 2.0 * e1));
-        const double length_2 = std::sqrt(std::max(0.0, 1.0 + 2.0 * e2));
-        strain = {static_cast<float>(e1), static_cast<float>(e2), static_cast<float>(e3)};
-        stress = {static_cast<float>(SHARE * s.warp[l] * length_1 * length_1),
-                  static_cast<float>(SHARE * s.weft[l] * length_2 * length_2),
-                  static_cast<float>(SHARE * s.shear[l] * length_1 * length_2)};
-    }
-
     Law law_;
     std::optional<WaitingLiner> liner_;
     PlaneModuli moduli_;  ///< of law and liner
     std::vector<Pack<Element>> packs_;
-    std::vector<double> damping_time_;  ///< β, for every lane                     [s]
+    std::vector<CornerMobility<Lanes>> mobility_;  ///< empty: no bound
+    std::vector<double> damping_time_;             ///< β, for every lane                     [s]
     std::vector<typename MemoryOf<Law, POINTS>::PerPack> memory_;  ///< empty: nothing to remember
     std::vector<std::array<PointHistory, POINTS>> history_;  ///< empty: neither TSRFAC nor LNRC
 };

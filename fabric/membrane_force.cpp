@@ -82,8 +82,7 @@ void Membranes::gather_damping(std::size_t chunk, Points& f) {
 /// What the tasks found, in their order.
 void Membranes::reduce() {
     std::fill(part_energy_.begin(), part_energy_.end(), 0.0);
-    double rate = 0.0;
-    Index shell = -1;
+    auto [rate, shell] = rest_;
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
         part_energy_[static_cast<std::size_t>(blocks_[tasks_[i].block]->part)] += found_[i].energy;
         lost_energy_ += found_[i].lost;

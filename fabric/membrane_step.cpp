@@ -89,12 +89,18 @@ void Membranes::find_rest_rates(const std::vector<double>& mass) {
 void Membranes::find_rest_step() {
     double rate = 0.0;
     step_ = {};
+    rest_ = {};
     for (const auto& block : blocks_)
         for (std::size_t e = 0; e < block->size(); ++e)
             if (block->rate(e) > rate) {
                 rate = block->rate(e);
-                step_ = HeldStep(coat_.shortened(2.0 / std::sqrt(rate)), block->shells[e]);
+                rest_ = {rate, block->shells[e]};
             }
+    if (rate > 0.0) step_ = HeldStep(coat_.shortened(2.0 / std::sqrt(rate)), rest_.shell);
+    for (const auto& block : blocks_) {
+        block->rest_rate = rate;
+        block->take_masses();
+    }
 }
 
 Membranes::AddedMass Membranes::scale_mass(double wish, Scaling where) {

@@ -171,6 +171,10 @@ private:
     std::vector<Restoring> restoring_;
     double lost_energy_ = 0.0, restored_energy_ = 0.0;
     std::size_t element_count_ = 0, node_count_ = 0;
+    struct {
+        double rate = 0.0;  ///< (2/dt)² of the reference shapes                        [1/s^2]
+        Index shell = -1;   ///< whose it is
+    } rest_;
     HeldStep step_;
     CoatBending coat_;
 };

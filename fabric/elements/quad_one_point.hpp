@@ -5,6 +5,7 @@
 #include <array>
 #include <tuple>
 
+#include "fabric/elements/frequency_bound.hpp"
 #include "fabric/elements/quad_modes.hpp"
 #include "fabric/lanes.hpp"
 #include "fabric/materials/plane_stress.hpp"
@@ -110,7 +111,42 @@ struct QuadOnePoint {
             QuadModes<Real>{xi_1 * on_1 + xi_2 * on_2, eta_1 * on_1 + eta_2 * on_2, on_q});
     }
 
+    /// Bound of the highest frequency squared of now: nothing in the plane is stiffer than d, the
+    /// stress holds what turns, and hourglassing adds its share.                          [1/s^2]
+    Real frequency_bound(const PlaneModuli& d, const Motion& m, const Load& load,
+                         const CornerMobility<Real>& a) const {
+        const Real c11 = dot(m.g1, m.g1), c12 = dot(m.g1, m.g2), c22 = dot(m.g2, m.g2);
+        const Real c1q = dot(m.g1, m.q), c2q = dot(m.g2, m.q), cqq = dot(m.q, m.q);
+        const Real k1 = m11(), k2 = m22(), k3 = 2.0 * m12();
+        const Real q1 = c1q * a.a1q, q2 = c2q * a.a2q, qq = cqq * a.aqq,
+                   mixed = c1q * a.a2q + c2q * a.a1q;
+        const RateProducts<Real> r{
+            c11 * a.a11 + 2.0 * k1 * q1 + k1 * k1 * qq,
+            c12 * a.a12 + k2 * q1 + k1 * q2 + k1 * k2 * qq,
+            c11 * a.a12 + c12 * a.a11 + k3 * q1 + k1 * mixed + k1 * k3 * qq,
+            c22 * a.a22 + 2.0 * k2 * q2 + k2 * k2 * qq,
+            c12 * a.a22 + c22 * a.a12 + k3 * q2 + k2 * mixed + k2 * k3 * qq,
+            c11 * a.a22 + c22 * a.a11 + 2.0 * c12 * a.a12 + 2.0 * k3 * mixed + k3 * k3 * qq};
+        const Stress<Real>& s = load.stress;
+        const Real bow = greater(s.warp * k1 + s.weft * k2 + s.shear * k3, Real{});
+        return volume * (material_bound(d, r) + stress_bound(s, a) + bow * a.aqq +
+                         hourglass_bound(d, c11, c1q, c22, c2q, cqq, load, a));
+    }
+
 private:
+    /// Of both fluctuations g_i·q: κ D_ii m_ii |g_i ⊗ b_q + q ⊗ b_i|², and what holds them.
+    Real hourglass_bound(const PlaneModuli& d, const Real& c11, const Real& c1q, const Real& c22,
+                         const Real& c2q, const Real& cqq, const Load& load,
+                         const CornerMobility<Real>& a) const {
+        const Real rate_1 = c11 * a.aqq + 2.0 * c1q * a.a1q + cqq * a.a11;
+        const Real rate_2 = c22 * a.aqq + 2.0 * c2q * a.a2q + cqq * a.a22;
+        const Real held_1 =
+            magnitude(load.hold_1) * (square_root(a.a11 * a.aqq) + magnitude(a.a1q));
+        const Real held_2 =
+            magnitude(load.hold_2) * (square_root(a.a22 * a.aqq) + magnitude(a.a2q));
+        return (HOURGLASS * d.warp) * m11() * rate_1 + (HOURGLASS * d.weft) * m22() * rate_2 +
+               held_1 + held_2;
+    }
     Real m11() const { return (xi_1 * xi_1 + eta_1 * eta_1) * (1.0 / 3.0); }
     Real m22() const { return (xi_2 * xi_2 + eta_2 * eta_2) * (1.0 / 3.0); }
     Real m12() const { return (xi_1 * xi_2 + eta_1 * eta_2) * (1.0 / 3.0); }

@@ -5,6 +5,7 @@
 #include <array>
 #include <tuple>
 
+#include "fabric/elements/frequency_bound.hpp"
 #include "fabric/lanes.hpp"
 #include "fabric/materials/plane_stress.hpp"
 #include "fabric/reference_shape.hpp"
@@ -68,6 +69,20 @@ struct Triangle {
     Load viscous(const PlaneModuli& d, const Motion& m, const Motion& rate) const {
         return {d.times(Strain<Real>{dot(m.g1, rate.g1), dot(m.g2, rate.g2),
                                      dot(m.g1, rate.g2) + dot(m.g2, rate.g1)})};
+    }
+
+    /// Bound of the highest frequency squared of now: nothing in the plane is stiffer than d, and
+    /// the stress holds what turns.                                                       [1/s^2]
+    Real frequency_bound(const PlaneModuli& d, const Motion& m, const Load& load,
+                         const CornerMobility<Real>& a) const {
+        const Real c11 = dot(m.g1, m.g1), c12 = dot(m.g1, m.g2), c22 = dot(m.g2, m.g2);
+        const RateProducts<Real> r{c11 * a.a11,
+                                   c12 * a.a12,
+                                   c11 * a.a12 + c12 * a.a11,
+                                   c22 * a.a22,
+                                   c12 * a.a22 + c22 * a.a12,
+                                   c11 * a.a22 + c22 * a.a11 + 2.0 * c12 * a.a12};
+        return volume * (material_bound(d, r) + stress_bound(load.stress, a));
     }
 
     /// -scale·dW/dx at each corner.                                                        [N]
