@@ -15,8 +15,9 @@ namespace corpuscle::gas {
 
 BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curves,
                std::span<const int> node_id, std::span<const std::uint8_t> held, const Points& x,
-               std::uint64_t seed)
-    : bag_(std::make_unique<Envelope>(card, std::move(walls), curves, node_id, held, x, seed)),
+               std::uint64_t seed, std::span<const Index> body)
+    : bag_(
+          std::make_unique<Envelope>(card, std::move(walls), curves, node_id, held, x, seed, body)),
       particles_(std::make_unique<ParticleGas>(*bag_, curves, x, seed)) {}
 
 void BagGas::add_load(const Points& x, const Points& v, std::span<const double> mass, double span,

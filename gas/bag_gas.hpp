@@ -46,10 +46,11 @@ public:
     /// @param held     N: 1 for nodes that supports, motions or rigid bodies carry
     /// @param x        N × 3, at the start                                              [m]
     /// @param seed     of the run
+    /// @param body     N: row of the rigid body that carries a node and can turn, or -1; empty: none
     /// @throws InputError  for walls that do not close, orifices outside, gases that are none
     BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curves,
            std::span<const int> node_id, std::span<const std::uint8_t> held, const Points& x,
-           std::uint64_t seed);
+           std::uint64_t seed, std::span<const Index> body = {});
     /// What was moved from may only be assigned to or destroyed.
     BagGas(BagGas&&) noexcept;
     /// Likewise.

@@ -90,7 +90,7 @@ std::vector<Index> chambers_of_rooms(const Chambers& chambers, const WettedSurfa
 
 Envelope::Envelope(const BagCard& bag, BagWalls bag_walls, std::span<const Curve> curves,
                    std::span<const int> node_id, std::span<const std::uint8_t> held,
-                   const Points& x, std::uint64_t seed)
+                   const Points& x, std::uint64_t seed, std::span<const Index> body)
     : card(bag),
       walls(std::move(bag_walls)),
       enclosure(closing(walls), x, node_id, card.name(), Property::CLOSING_WALL),
@@ -102,7 +102,7 @@ Envelope::Envelope(const BagCard& bag, BagWalls bag_walls, std::span<const Curve
       load(surface, held, jet_nodes(orifices),
            LoadTimes::of(LoadTimes::LONGEST * card.second * card.smoothing, surface->points(),
                          std::max<std::size_t>(1, inflators.particles() + inflators.resident())),
-           card.normal_damping),
+           card.normal_damping, body),
       samples(card.vents.empty() && walls.leaks.empty() && card.heat.empty()
                   ? WallSamples()
                   : WallSamples(surface, walls, inflators.species(), particle_mass,

@@ -32,7 +32,7 @@ struct Envelope {
     /// Arguments and errors: those of BagGas.
     Envelope(const BagCard& bag, BagWalls bag_walls, std::span<const Curve> curves,
              std::span<const int> node_id, std::span<const std::uint8_t> held, const Points& x,
-             std::uint64_t seed);
+             std::uint64_t seed, std::span<const Index> body);
     Envelope(const Envelope&) = delete;
     Envelope& operator=(const Envelope&) = delete;
 

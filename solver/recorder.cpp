@@ -127,8 +127,9 @@ void add_parts(const SceneState& scene, Sample& row) {
 void add_bodies(const SceneState& scene, Sample& row) {
     for (const RigidBody& body : scene.bodies.all) {
         const Vec3 velocity = body.velocity_at_t(scene.ledger.weight);
-        row.rigid_bodies.push_back(
-            {body.position(), velocity, body.acceleration(), Recorder::force_on(scene, body)});
+        row.rigid_bodies.push_back({body.position(), velocity, body.acceleration(),
+                                    Recorder::force_on(scene, body),
+                                    body.angular_momentum_at_t(scene.ledger.weight)});
         for (const Index part : body.parts()) row.parts[part] = {};
         row.parts[body.part()].kinetic_energy = body.kinetic_energy_at_t(scene.ledger.weight);
         row.parts[body.part()].momentum = body.mass() * velocity;

@@ -135,10 +135,11 @@ struct Sample {
     std::vector<Part> parts;  ///< by part
     /// Mass centre of one rigid body.
     struct Rigid {
-        Vec3 position = Vec3::Zero();      ///< [m]
-        Vec3 velocity = Vec3::Zero();      ///< [m/s]
-        Vec3 acceleration = Vec3::Zero();  ///< [m/s^2]
-        Vec3 force = Vec3::Zero();         ///< of contact and gas                           [N]
+        Vec3 position = Vec3::Zero();          ///< [m]
+        Vec3 velocity = Vec3::Zero();          ///< [m/s]
+        Vec3 acceleration = Vec3::Zero();      ///< [m/s^2]
+        Vec3 force = Vec3::Zero();             ///< of contact and gas                           [N]
+        Vec3 angular_momentum = Vec3::Zero();  ///< about it                     [kg m^2/s]
     };
     std::vector<Rigid> rigid_bodies;  ///< by body
     std::vector<Vec3> wall_impulse;   ///< that each has got so far                      [N s]

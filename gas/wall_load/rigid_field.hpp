@@ -41,11 +41,15 @@ struct Lever {
 /// Points on a line have no moment about it: then b = 0, and what is missing is not in whole().
 class RigidField {
 public:
+    /// Determinant of I over the cube of its trace, below which points lie on a line. More: stronger
+    /// forces where they nearly do.                                                         [-]
+    static constexpr double FLAT = 1e-3;
+
     /// @param origin  that the lever's moments are taken from                              [m]
     /// @param wanted  J [N s] and L [N m s]
-    RigidField(const Lever& lever, const Vec3& origin, const Wrench& wanted)
+    /// @param flat    where b is 0
+    RigidField(const Lever& lever, const Vec3& origin, const Wrench& wanted, double flat = FLAT)
         : weight_(lever.weight) {
-        constexpr double FLAT = 1e-3;  // of its size³: points on a line have no moment about it
         const Vec3 from_origin = lever.first / lever.weight;
         centre_ = origin + from_origin;
         const Mat3 second = lever.second - lever.weight * from_origin * from_origin.transpose();
@@ -53,7 +57,7 @@ public:
         const double size = inertia_.trace();
         const Mat3 shape = inertia_ / size;
         a_ = wanted.linear / lever.weight;
-        if (size > 0.0 && shape.determinant() > FLAT)
+        if (size > 0.0 && shape.determinant() > flat)
             b_ = shape.inverse() * (wanted.angular - centre_.cross(wanted.linear)) / size;
     }
     /// Impulse by weight of a point at x.

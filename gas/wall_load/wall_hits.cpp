@@ -26,6 +26,8 @@ Index settles(const std::vector<Hit>& hits, std::size_t k) {
 }  // namespace
 
 void WallHits::list(FlightResult& flight, std::span<const Vec3> x_0, std::span<const Vec3> x_1) {
+    x_0_ = x_0;
+    x_1_ = x_1;
     first_.resize(flight.hits.size() + 1);
     first_[0] = 0;
     for (std::size_t l = 0; l < flight.hits.size(); ++l)
@@ -94,6 +96,18 @@ std::size_t WallHits::side_of(const Hit& hit, std::span<const Vec3> x_0,
         x[c] = 0.5 * (x_0[n] + x_1[n]);
     }
     return surface_.side(facet, hit.impulse.dot(vector_area(x[0], x[1], x[2])) < 0.0);
+}
+
+std::array<Vec3, 3> WallHits::corners(const Hit& hit) const {
+    std::array<Vec3, 3> x;
+    Vec3 off = hit.where;
+    for (int c = 0; c < 3; ++c) {
+        const Index n = surface_.triangles()[static_cast<std::size_t>(hit.facet)][c];
+        x[c] = 0.5 * (x_0_[n] + x_1_[n]);
+        off -= hit.at[c] * x[c];
+    }
+    for (Vec3& corner : x) corner += off;
+    return x;
 }
 
 }  // namespace corpuscle::gas

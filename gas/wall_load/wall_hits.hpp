@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,7 +30,7 @@ public:
 
     explicit WallHits(const WettedSurface& surface) : surface_(surface), patches_(surface) {}
 
-    /// Lists the hits of a flight, which is to outlive this.
+    /// Lists the hits of a flight. It and the nodes' places before and after it are to outlive this.
     void list(FlightResult& flight, std::span<const Vec3> x_0, std::span<const Vec3> x_1);
 
     [[nodiscard]] std::size_t size() const { return sides_.size(); }
@@ -43,6 +44,10 @@ public:
         return std::span(by_patch_).subspan(start_[patch], start_[patch + 1] - start_[patch]);
     }
 
+    /// Where the corners of the facet were when it was hit: half way between before and after the
+    /// flight, moved so that the hit's place on it is where the particle turned.               [m]
+    [[nodiscard]] std::array<Vec3, 3> corners(const Hit& hit) const;
+
 private:
     [[nodiscard]] std::size_t side_of(const Hit& hit, std::span<const Vec3> x_0,
                                       std::span<const Vec3> x_1) const;
@@ -50,8 +55,9 @@ private:
 
     const WettedSurface& surface_;
     SidePatches patches_;
-    std::vector<std::size_t> first_;  ///< hit of each list
-    std::vector<Index> sides_;        ///< of hits, list by list
+    std::span<const Vec3> x_0_, x_1_;  ///< of the flight
+    std::vector<std::size_t> first_;   ///< hit of each list
+    std::vector<Index> sides_;         ///< of hits, list by list
     std::vector<Met> by_patch_;
     std::vector<std::size_t> start_;    ///< of each patch
     std::vector<std::uint32_t> count_;  ///< by some hits and patch, then where those are to go

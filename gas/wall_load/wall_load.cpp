@@ -49,13 +49,15 @@ std::vector<std::uint8_t> held_at(const WettedSurface& surface,
 }  // namespace
 
 WallLoad::WallLoad(std::shared_ptr<const WettedSurface> surface, std::span<const std::uint8_t> held,
-                   std::span<const Index> jet_nodes, LoadTimes times, double extra_damping)
+                   std::span<const Index> jet_nodes, LoadTimes times, double extra_damping,
+                   std::span<const Index> body)
     : surface_(std::move(surface)),
       smoother_(*surface_),
       recoil_(held_at(*surface_, held)),
       times_(times),
       extra_damping_(extra_damping),
       by_node_(*surface_, jet_nodes, held.size()),
+      at_held_{{}, BodyCouples(*surface_, body)},
       hits_(*surface_) {
     const std::size_t points = surface_->points();
     held_ = held_at(*surface_, held);
@@ -110,7 +112,7 @@ void WallLoad::receive(FlightResult& flight, std::span<const double> mass, Parti
 
 void WallLoad::add(const Tally& tally, Index room) {
     owed_[room] += tally.owed;
-    held_owed_ += tally.held;
+    at_held_.owed += tally.held;
     taken_ += tally.taken;
 }
 
@@ -158,11 +160,28 @@ void WallLoad::take_in(const WallHits::Met& met, std::span<const double> mass, P
         due += hit.at[c] * account_[p];
         if (held_[p] == 0) free += hit.at[c];
     }
-    tally.owed.add(hit.where, free * hit.impulse);
+    if (at_held_.couples.carries_any(points)) {
+        take_in_of_body(hit, points, tally);
+    } else {
+        tally.owed.add(hit.where, free * hit.impulse);
+        tally.held.add(hit.where, (1.0 - free) * hit.impulse);
+    }
     tally.owed.angular += hit.moment;
-    tally.held.add(hit.where, (1.0 - free) * hit.impulse);
     tally.taken += hit.energy;
     if (met.settles > 0 && !hit.has_left()) settle(met, m, due, particles, tally);
+}
+
+/// Where bodies and others share a facet, each corner has its part of the moment.
+void WallLoad::take_in_of_body(const Hit& hit, const std::array<Index, 3>& points, Tally& tally) {
+    const bool is_bodys = at_held_.couples.carries_all(points);
+    const std::array<Vec3, 3> places =
+        is_bodys ? std::array{hit.where, hit.where, hit.where} : hits_.corners(hit);
+    for (int c = 0; c < 3; ++c) {
+        const Index p = points[c];
+        const Vec3 own = hit.at[c] * hit.impulse;
+        (held_[p] != 0 ? tally.held : tally.owed).add(places[c], own);
+        at_held_.couples.take(p, places[c], own);
+    }
 }
 
 /// A particle's last hit in a flight pays, and is paid, for all of them: of hits at points of

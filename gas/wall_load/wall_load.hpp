@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -12,6 +13,7 @@
 #include "gas/enclosure/wetted_surface.hpp"
 #include "gas/flight/flight.hpp"
 #include "gas/particles.hpp"
+#include "gas/wall_load/body_couples.hpp"
 #include "gas/wall_load/point_smoother.hpp"
 #include "gas/wall_load/recoil.hpp"
 #include "gas/wall_load/wall_hits.hpp"
@@ -111,15 +113,18 @@ struct WallRelease {
 ///   that gas has left passes its account on to the points of its room where gas is.
 /// - *Recoil.* A free wall takes from a hit what a body of the mass that bears it does.
 /// - A point on a node that supports, motions or bodies carry passes impulse on at once: there
-///   it does no harm, and work is done where it arises.
+///   it does no harm, and work is done where it arises. Bodies that can turn get the moment that
+///   hits had (body_couples.hpp).
 class WallLoad {
 public:
     /// @param held  N: 1 for nodes that supports, motions or rigid bodies carry
     /// @param extra_damping  VNDAMP: adds so many rho sqrt(R T / M) to D                  [-]
+    /// @param body  N: row of the rigid body that carries a node and can turn, or -1; empty: none
     WallLoad(std::shared_ptr<const WettedSurface> surface, std::span<const std::uint8_t> held,
-             std::span<const Index> jet_nodes, LoadTimes times, double extra_damping);
+             std::span<const Index> jet_nodes, LoadTimes times, double extra_damping,
+             std::span<const Index> body = {});
 
-    /// Tells on which sides of the wall a flight's hits were.
+    /// Tells on which sides of the wall a flight's hits were. All three are to last until receive().
     void find_sides(FlightResult& flight, std::span<const Vec3> x_0, std::span<const Vec3> x_1) {
         hits_.list(flight, x_0, x_1);
     }
@@ -184,7 +189,7 @@ public:
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(deferred_, released_, jets_, account_, fresh_, arrived_, arrived_mass_, owed_,
-                held_owed_, taken_, since_hits_);
+                at_held_.owed, at_held_.couples, taken_, since_hits_);
     }
 
 private:
@@ -204,6 +209,7 @@ private:
     void set_right(FlightResult& flight, std::span<const double> mass, Particles& particles) const;
     void take_in(const WallHits::Met& met, std::span<const double> mass, Particles& particles,
                  Tally& tally);
+    void take_in_of_body(const Hit& hit, const std::array<Index, 3>& points, Tally& tally);
     void settle(const WallHits::Met& met, double m, double due, Particles& particles, Tally& tally);
     void add(const Tally& tally, Index room);
     void measure(std::span<const Vec3> x);
@@ -243,7 +249,10 @@ private:
     Points arrived_;               ///< since the last release                           [N s]
     std::vector<double> arrived_mass_;
     std::vector<Wrench> owed_;  ///< by room; without held points
-    Wrench held_owed_;          ///< of held points: given at the next release
+    struct {
+        Wrench owed;          ///< given at the next release
+        BodyCouples couples;  ///< of those that bodies carry
+    } at_held_;               ///< points that are held
     WallHits hits_;
     struct {
         std::vector<Tally> tally;     ///< by patch

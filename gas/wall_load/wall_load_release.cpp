@@ -59,7 +59,7 @@ void WallLoad::release(double span, std::span<const Vec3> x, std::span<const Vec
     const double share = std::min(1.0, span / times_.release);
     if (!is_at_rest()) release_hits(share, span, x, v, mass, f);
     release_jets(share, span, x);
-    held_owed_ = {};
+    at_held_.owed = {};
     released_.wrench -= owed();
     if (begins) take_half_step(share, x);
     released_.share = begins ? std::min(1.0, 2.0 * share) : share;
@@ -78,6 +78,7 @@ void WallLoad::release_hits(double share, double span, std::span<const Vec3> x,
     smoother_.prepare(*surface_, area_, size_, takes_part_);
     smoother_.spread(*surface_, brought_);
     release_points(share, span, v, mass);
+    at_held_.couples.give(span, *surface_, x, size_, released_.force);
     balance_momentum(share, span, x);
     parallel::for_each(by_node_.nodes.size(), [&](std::size_t i) {
         Vec3 sum = Vec3::Zero();
@@ -241,7 +242,8 @@ Wrench WallLoad::owed(double done) const {
     Wrench sum = released_.wrench;
     sum *= 1.0 - done;
     sum += jets_.wrench;
-    sum += held_owed_;
+    sum += at_held_.owed;
+    sum.angular += at_held_.couples.owed();
     for (const Wrench& room : owed_) sum += room;
     return sum;
 }

@@ -142,6 +142,8 @@ void bodies(auto&& row, const RecordLayout& layout, const Sample& s) {
         row(of + "acceleration", ACCELERATION, "of the centre of mass",
             s.rigid_bodies[i].acceleration);
         row(of + "force", FORCE, "contact and gas on the body", s.rigid_bodies[i].force);
+        row(of + "angular_momentum", ANGULAR_MOMENTUM, "about the centre of mass",
+            s.rigid_bodies[i].angular_momentum);
     }
     for (std::size_t i = 0; i < layout.history_nodes.size(); ++i) {
         const std::string of = fmt::format("/history/node/{}/", layout.history_nodes[i]);

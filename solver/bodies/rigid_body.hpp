@@ -82,6 +82,8 @@ public:
     [[nodiscard]] const Vec3& acceleration() const { return acceleration_; }
     /// Not all of its translations are fixed.
     [[nodiscard]] bool can_move() const { return fixed_moves_ != 7U; }
+    /// Not all of its rotations are fixed.
+    [[nodiscard]] bool can_turn() const { return fixed_turns_ != 7U; }
     /// Of all its parts.                                                                      [kg]
     [[nodiscard]] double mass() const { return mass_; }
     /// L about the mass centre, at t + dt/2, global axes.                              [kg m^2/s]
@@ -99,10 +101,13 @@ public:
     [[nodiscard]] Vec3 velocity_at_t(double weight) const {
         return velocity_before_ + weight * (velocity_ - velocity_before_);
     }
-    /// At t, of velocity_at_t() and of L likewise.                                          [J]
+    /// L at t, likewise.                                                              [kg m^2/s]
+    [[nodiscard]] Vec3 angular_momentum_at_t(double weight) const {
+        return momentum_before_ + weight * (angular_momentum_ - momentum_before_);
+    }
+    /// At t, of both.                                                                       [J]
     [[nodiscard]] double kinetic_energy_at_t(double weight) const {
-        return energy_of(velocity_at_t(weight),
-                         momentum_before_ + weight * (angular_momentum_ - momentum_before_));
+        return energy_of(velocity_at_t(weight), angular_momentum_at_t(weight));
     }
     /// Velocity of a place, mean of before and after the last kick: with it the work of forces on
     /// the body is exactly what they change of its kinetic energy.

@@ -182,6 +182,17 @@ std::vector<std::uint8_t> SceneState::held_nodes() const {
     return held;
 }
 
+std::vector<Index> SceneState::turning_bodies() const {
+    std::vector<Index> body = bodies.of_node;
+    if (body.empty()) return body;
+    for (Index& b : body)
+        if (b >= 0 && !bodies.all[b].can_turn()) b = -1;
+    for (auto tie = ties.all().rbegin(); tie != ties.all().rend(); ++tie)
+        if (body[tie->ends[0]] == body[tie->ends[1]]) body[tie->node] = body[tie->ends[0]];
+    if (std::all_of(body.begin(), body.end(), [](Index b) { return b < 0; })) body.clear();
+    return body;
+}
+
 namespace {
 
 std::string name_of(const gas::BagCard& card) {
@@ -221,7 +232,7 @@ void SceneState::build_bags() {
     };
     for (const gas::BagCard& card : model.bags)
         build(airbags.particle, card, bag_walls(model, card, cloth.reference), model.curves,
-              model.node_id, held_nodes(), model.x, seed);
+              model.node_id, held_nodes(), model.x, seed, turning_bodies());
     for (const gas::UniformBagCard& card : model.uniform_bags)
         build(airbags.uniform, card, bag_walls(model, card), model.curves, model.node_id, model.x);
     for (const gas::ExchangeCard& card : model.exchanges)

@@ -152,6 +152,9 @@ struct SceneState {
     [[nodiscard]] Vec3 velocity(Index node) const;
     /// 1 for nodes that supports, motions, rigid bodies or other nodes carry in every direction.
     [[nodiscard]] std::vector<std::uint8_t> held_nodes() const;
+    /// N: row of the rigid body that carries a node, by itself or by an edge that it is tied to,
+    /// where that body can turn; -1: none. Empty: no body can.
+    [[nodiscard]] std::vector<Index> turning_bodies() const;
     /// Mass of nodes that obstacles meet.                                             N [kg]
     [[nodiscard]] const std::vector<double>& mass_met() const {
         return ties.empty() ? nodes.mass : met_mass;

@@ -52,6 +52,7 @@ Method method_of(const Card& card) {
         {"mixing_chambers", mixing_chambers},
         {"plate_on_gas", plate_on_gas},
         {"spinning_bag", spinning_bag},
+        {"spinning_box", spinning_box},
         {"standing_wave", standing_wave},
         {"uniform_tank", uniform_tank},
     };

@@ -44,6 +44,7 @@ Findings fast_piston(const Runs&);
 Findings piston_wave(const Runs&);
 /// cases/momenta.cpp
 Findings spinning_bag(const Runs&);
+Findings spinning_box(const Runs&);
 Findings jet_on_plate(const Runs&);
 Findings free_jet(const Runs&);
 /// cases/oscillations.cpp

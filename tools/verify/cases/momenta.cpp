@@ -1,7 +1,8 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 //
-// Momentum: a free bag that flies and spins, a jet that strikes a plate, a jet in air.
+// Momentum: a free bag and a free rigid box that fly and spin, a jet that strikes a plate, a jet in
+// air.
 
 #include <algorithm>
 #include <array>
@@ -51,6 +52,29 @@ Momentum momentum_of_gas(const MeasuredRun& run, const std::string& frame) {
     return gas;
 }
 
+/// Walls at a frame, with what the gas has given up and they have not yet got, and gas keep both
+/// momenta: the worst change, of what there is at the start. A row of the history is a frame.
+/// @param walls  Momentum(frame's row, frame's path)
+template <class Walls>
+std::map<std::string, double> changes(const MeasuredRun& run, Walls&& walls) {
+    const auto owed = run.vectors("/history/airbag/1/owed_momentum"),
+               owed_angular = run.vectors("/history/airbag/1/owed_angular_momentum");
+    const auto frames = run.frames();
+    Momentum start;
+    double linear = 0.0, angular = 0.0;
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+        Momentum all = momentum_of_gas(run, frames[f]);
+        const Momentum of_walls = walls(f, frames[f]);
+        all.linear += of_walls.linear + owed.at(f);
+        all.angular += of_walls.angular + owed_angular.at(f);
+        if (f == 0) start = all;
+        const Momentum change = all.change_from(start);
+        linear = std::max(linear, change.linear.norm() / start.linear.norm());
+        angular = std::max(angular, change.angular.norm() / start.angular.norm());
+    }
+    return {{"linear", linear}, {"angular", angular}};
+}
+
 /// Impulse of the gas on a part of `area` from the inside.                              [N s]
 double impulse_on(const MeasuredRun& run, int part, double area) {
     const auto time = run.time(),
@@ -62,31 +86,31 @@ double impulse_on(const MeasuredRun& run, int part, double area) {
 
 }  // namespace
 
-/// A bag spins about an axis that it is not round about: cloth, gas and what the gas has given up
-/// and the cloth has not yet got keep both momenta. A row of the history is a frame.
+/// A bag spins about an axis that it is not round about.
 Findings spinning_bag(const Runs& runs) {
     constexpr double MASS_BY_AREA = 750.0 * 0.3e-3;
     return by_run(runs, [&](const MeasuredRun& run) {
         const std::vector<double> mass = node_masses(run, MASS_BY_AREA);
-        const auto owed = run.vectors("/history/airbag/1/owed_momentum"),
-                   owed_angular = run.vectors("/history/airbag/1/owed_angular_momentum"),
-                   cloth = run.vectors("/history/part/1/momentum");
-        const auto frames = run.frames();
-        Momentum start;
-        double linear = 0.0, angular = 0.0;
-        for (std::size_t f = 0; f < frames.size(); ++f) {
-            const auto x = run.vectors(frames[f] + "coordinates"),
-                       v = run.vectors(frames[f] + "velocity");
-            Momentum all = momentum_of_gas(run, frames[f]);
-            for (std::size_t n = 0; n < mass.size(); ++n) all.angular += mass[n] * x[n].cross(v[n]);
-            all.linear += cloth.at(f) + owed.at(f);
-            all.angular += owed_angular.at(f);
-            if (f == 0) start = all;
-            const Momentum change = all.change_from(start);
-            linear = std::max(linear, change.linear.norm() / start.linear.norm());
-            angular = std::max(angular, change.angular.norm() / start.angular.norm());
-        }
-        return std::map<std::string, double>{{"linear", linear}, {"angular", angular}};
+        const auto momentum = run.vectors("/history/part/1/momentum");
+        return changes(run, [&](std::size_t f, const std::string& frame) {
+            const auto x = run.vectors(frame + "coordinates"), v = run.vectors(frame + "velocity");
+            Momentum cloth{momentum.at(f)};
+            for (std::size_t n = 0; n < mass.size(); ++n)
+                cloth.angular += mass[n] * x[n].cross(v[n]);
+            return cloth;
+        });
+    });
+}
+
+/// A rigid box spins about an axis that it does not keep: x_c × P + L of the box.
+Findings spinning_box(const Runs& runs) {
+    return by_run(runs, [&](const MeasuredRun& run) {
+        const auto momentum = run.vectors("/history/part/1/momentum"),
+                   centre = run.vectors("/history/rigid_body/1/position"),
+                   turning = run.vectors("/history/rigid_body/1/angular_momentum");
+        return changes(run, [&](std::size_t f, const std::string&) {
+            return Momentum{momentum.at(f), centre.at(f).cross(momentum.at(f)) + turning.at(f)};
+        });
     });
 }
 

@@ -161,6 +161,8 @@ inline void expect_the_rest(Histories& h) {
     h.expect(body + "/acceleration",
              [](const Sample& s) { return s.rigid_bodies[0].acceleration; });
     h.expect(body + "/force", [](const Sample& s) { return s.rigid_bodies[0].force; });
+    h.expect(body + "/angular_momentum",
+             [](const Sample& s) { return s.rigid_bodies[0].angular_momentum; });
     h.expect_mean("/history/rigidwall/31/force", [](const Sample& s) { return s.wall_impulse[0]; });
     h.expect_mean("/history/rigidwall/32/force", [](const Sample& s) { return s.wall_impulse[1]; });
     h.expect("/history/rigidwall/32/displacement",

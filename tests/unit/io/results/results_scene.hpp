@@ -98,7 +98,7 @@ inline Sample sample(const RecordLayout& layout, std::size_t row) {
     for (std::size_t i = 0; i < layout.parts.size(); ++i)
         s.parts.push_back({c.next(), c.next(), c.next3()});
     for (std::size_t i = 0; i < layout.rigid_bodies.size(); ++i)
-        s.rigid_bodies.push_back({c.next3(), c.next3(), c.next3(), c.next3()});
+        s.rigid_bodies.push_back({c.next3(), c.next3(), c.next3(), c.next3(), c.next3()});
     // such that their mean forces differ too
     const double grown = static_cast<double>(row + 1);
     for (std::size_t i = 0; i < layout.walls.size(); ++i)
