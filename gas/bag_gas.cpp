@@ -78,11 +78,13 @@ bool BagGas::switches(double t) const {
     return !uniform_ && t >= bag_->card.switch_at * (1.0 - ROUNDING);
 }
 
-void BagGas::become_uniform(const Points& x) {
+void BagGas::become_uniform(double dt, const Points& x_0, const Points& x_1) {
     if (bag_->inflators.species().empty() && bag_->air.empty()) return;
+    std::vector<Vec3> wall = bag_->surface->mean_way(x_0, x_1);
+    for (Vec3& way : wall) way /= dt;
     auto rooms = std::make_unique<UniformGas>(*bag_);
-    rooms->take_over(particles_->holdings(), x);
-    particles_->freeze();
+    rooms->take_over(particles_->holdings(), wall, x_0);
+    particles_->freeze(wall);
     uniform_ = std::move(rooms);
 }
 
@@ -110,12 +112,7 @@ std::vector<ChamberState> BagGas::chamber_states(const Points& x) const {
     for (std::size_t r = 0; r < volume.size(); ++r)
         sums[static_cast<std::size_t>(bag_->chamber_of_room[r])].state.volume += volume[r];
     now().add_to_chambers(volume, sums);
-    for (ChamberSum& sum : sums) {
-        ChamberState& state = sum.state;
-        state.pressure = sum.pV / state.volume;
-        state.temperature = state.mass > 0.0 ? sum.content.temperature(state.energy) : 0.0;
-        all.push_back(state);
-    }
+    for (const ChamberSum& sum : sums) all.push_back(sum.whole());
     return all;
 }
 

@@ -92,8 +92,10 @@ public:
 
     /// Is it time (TSW) to go over to uniform pressure?
     [[nodiscard]] bool switches(double t) const;
-    /// Sums up all particles, which freeze where they are.
-    void become_uniform(const Points& x);
+    /// Sums up all particles, which freeze where they are; nodes go on from x_0 to x_1 in dt. What
+    /// the gas has as motion with the walls, at their mean velocity w in each room, leaves the bag:
+    /// P·w - m w²/2 is booked as lost.
+    void become_uniform(double dt, const Points& x_0, const Points& x_1);
     /// Whether become_uniform() has taken place.
     [[nodiscard]] bool is_uniform() const { return uniform_ != nullptr; }
 

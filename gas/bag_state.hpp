@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "gas/thermo/species.hpp"
@@ -10,17 +11,19 @@ namespace corpuscle::gas {
 
 /// The gas of a bag at t.
 struct GasState {
-    double volume = 0;         ///< enclosed                                                 [m^3]
-    double pressure = 0;       ///< absolute                                                  [Pa]
-    double temperature = 0;    ///< at which the gas at rest would hold its energy             [K]
-    double area = 0;           ///< of what closes the bag                                   [m^2]
-    double mass = 0;           ///< inside                                                    [kg]
-    double mass_in = 0;        ///< come in, so far                                           [kg]
-    double mass_out_vent = 0,  ///< through vents, so far  [kg]
-        mass_out_fabric = 0;   ///< through fabric that leaks, so far  [kg]
-    double particles_out = 0;  ///< particles gone, so far                                     [-]
-    double energy = 0;         ///< all that the gas inside holds                            [J]
-    double translational = 0;  ///< of which makes pressure, p = 2/3 translational / volume  [J]
+    double volume = 0;           ///< enclosed                                                 [m^3]
+    double pressure = 0;         ///< absolute                                                  [Pa]
+    double temperature = 0;      ///< at which the gas at rest would hold its energy             [K]
+    double area = 0;             ///< of what closes the bag                                   [m^2]
+    double mass = 0;             ///< inside                                                    [kg]
+    double mass_in = 0;          ///< come in, so far                                           [kg]
+    double mass_out_vent = 0,    ///< through vents, so far  [kg]
+        mass_out_fabric = 0;     ///< through fabric that leaks, so far  [kg]
+    double particles_out = 0;    ///< particles gone, so far                                     [-]
+    double energy = 0;           ///< all that the gas inside holds                            [J]
+    double translational = 0;    ///< of which makes pressure, p = 2/3 translational / volume  [J]
+    double static_pressure = 0,  ///< without the motion of each room's gas as a whole  [Pa]
+        static_temperature = 0;  ///< likewise  [K]
     /// One gas of it.
     struct Share {
         double mass = 0;         ///< inside  [kg]
@@ -32,18 +35,32 @@ struct GasState {
 
 /// The gas in one chamber of a bag.
 struct ChamberState {
-    double volume = 0;       ///< enclosed                                                 [m^3]
-    double pressure = 0;     ///< absolute                                                  [Pa]
-    double temperature = 0;  ///< at which the gas at rest would hold its energy            [K]
-    double mass = 0;         ///< inside                                                    [kg]
-    double energy = 0;       ///< all that the gas inside holds                             [J]
+    double volume = 0;           ///< enclosed                                                 [m^3]
+    double pressure = 0;         ///< absolute                                                  [Pa]
+    double temperature = 0;      ///< at which the gas at rest would hold its energy            [K]
+    double mass = 0;             ///< inside                                                    [kg]
+    double energy = 0;           ///< all that the gas inside holds                             [J]
+    double static_pressure = 0,  ///< without the motion of each room's gas as a whole  [Pa]
+        static_temperature = 0;  ///< likewise  [K]
 };
 
 /// A chamber's state while it is added up, room by room.
 struct ChamberSum {
     ChamberState state;        ///< as far as it is added up
     double pV = 0.0;           ///< sum of the rooms' pressure times volume                  [J]
+    double bulk = 0.0;         ///< of the energy: that of its rooms' gas as a whole         [J]
     EnergyPolynomial content;  ///< energy of its gas at rest, as a polynomial in T
+
+    /// What it comes to, once all rooms are added.
+    [[nodiscard]] ChamberState whole() const {
+        ChamberState all = state;
+        all.pressure = pV / all.volume;
+        all.static_pressure = std::max(0.0, pV - 2.0 / 3.0 * bulk) / all.volume;
+        if (!(all.mass > 0.0)) return all;
+        all.temperature = content.temperature(all.energy);
+        all.static_temperature = content.temperature(std::max(0.0, all.energy - bulk));
+        return all;
+    }
 };
 
 /// What the gas did to each part of a bag, in the order of BagWalls::part_rows.

@@ -192,7 +192,8 @@ void ParticleGas::let_in(const Entry& entry, double t, double dt, const Points& 
 }
 
 void ParticleGas::fly(double t, double dt, const Points& x_0, const Points& x_1) {
-    if (bag_.loses() && (cells_.steps() != looked_at_ || cells_.steps() == 0)) look_inside(x_0);
+    if (bag_.loses() && (cells_.steps() != looked_at_ || cells_.steps() == 0))
+        look_inside(dt, x_0, x_1);
     if (!bag_.openings.empty()) {
         look_at_openings();
         bag_.openings.set_transmission(t, dt, x_0, at_opening_);
@@ -206,7 +207,7 @@ void ParticleGas::fly(double t, double dt, const Points& x_0, const Points& x_1)
     }
     flights_ += particles_.size();
     bag_.load.find_sides(flight_, x_0, x_1);
-    bag_.samples.receive(bag_.load.hits(), dt, x_1, bag_.rooms, particles_);
+    bag_.samples.receive(bag_.load.hits(), dt, x_0, x_1, bag_.rooms, particles_);
     bag_.load.receive(flight_, bag_.particle_mass, particles_);
     roughness_.receive(flight_, dt, pressure(), x_1);
     bag_.monitor.record(bag_.load.hits(), x_1);
@@ -250,10 +251,10 @@ void ParticleGas::book_lost(double t) {
     lost_ += flight_.lost.size();
 }
 
-void ParticleGas::freeze() {
+void ParticleGas::freeze(std::span<const Vec3> wall) {
     for (std::size_t i = 0; i < particles_.size(); ++i) {
-        particles_.e[i] +=
-            0.5 * bag_.particle_mass[particles_.species[i]] * particles_.v[i].squaredNorm();
+        particles_.e[i] += 0.5 * bag_.particle_mass[particles_.species[i]] *
+                           (particles_.v[i] - wall[particles_.room_of(i)]).squaredNorm();
         particles_.v[i].setZero();
     }
 }

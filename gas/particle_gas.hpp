@@ -20,7 +20,26 @@ namespace corpuscle::gas {
 /// What the particles of one gas hold in one room.
 struct Holding {
     double count = 0, translational = 0, internal = 0;  ///< [-], [J], [J]
+    double mass = 0;                                    ///< [kg]
+    Vec3 momentum = Vec3::Zero();                       ///< [N s]
+
     [[nodiscard]] double all() const { return translational + internal; }
+    /// That of the motion as a whole, P²/(2 m).                                               [J]
+    [[nodiscard]] double bulk() const {
+        return mass > 0.0 ? 0.5 * momentum.squaredNorm() / mass : 0.0;
+    }
+    /// The same where velocities are taken about w, E - P·w + m w²/2.          [m/s] -> [J]
+    [[nodiscard]] double about(const Vec3& w) const {
+        return all() - momentum.dot(w) + 0.5 * mass * w.squaredNorm();
+    }
+    Holding& operator+=(const Holding& o) {
+        count += o.count;
+        translational += o.translational;
+        internal += o.internal;
+        mass += o.mass;
+        momentum += o.momentum;
+        return *this;
+    }
 };
 
 /// A bag's gas as particles, and initial air that is none (IAIR 1, -1): a pressure in each room.
@@ -42,7 +61,8 @@ public:
     void collide(double dt, const Points& x) override;
     void inject(double t, double dt, const Points& x_0, const Points& x_1) override;
     void fly(double t, double dt, const Points& x_0, const Points& x_1) override;
-    void freeze();  ///< where particles are: their motion becomes heat
+    /// Where particles are: their motion becomes heat, but for that at wall[room].          [m/s]
+    void freeze(std::span<const Vec3> wall);
 
     [[nodiscard]] double stable_step() const override { return cells_.stable_step(); }
     [[nodiscard]] double energy() const override;
@@ -80,7 +100,7 @@ private:
     void exchange_heat_with_air(std::vector<Heat>& heat, std::vector<double>& after);
     void return_heat_to_air(std::span<const double> expected);
     void check_collided(double thermal) const;
-    void look_inside(const Points& x);
+    void look_inside(double dt, const Points& x_0, const Points& x_1);
     void look_at_openings();
     void pass_on();
     void let_out(double dt);

@@ -12,11 +12,13 @@
 
 namespace corpuscle::gas {
 
-/// Mean state of each room's particles and air: p and T of the gas come to rest. They change with
-/// what flows only; the pressure of this instant trembles about them.
-void ParticleGas::look_inside(const Points& x) {
+/// Mean state of each room's particles and air: p and T of the gas come to rest, in its room: at the
+/// mean velocity of the walls. They change with what flows only; the pressure of this instant
+/// trembles about them.
+void ParticleGas::look_inside(double dt, const Points& x_0, const Points& x_1) {
     looked_at_ = cells_.steps();
-    bag_.surface->volumes(x, bag_.volumes);
+    bag_.surface->volumes(x_0, bag_.volumes);
+    const std::vector<Vec3> way = bag_.surface->mean_way(x_0, x_1);
     const std::vector<Holding> holds = holdings();
     const std::size_t kinds = bag_.particle_mass.size();
     for (std::size_t r = 0; r < bag_.rooms.size(); ++r) {
@@ -30,11 +32,11 @@ void ParticleGas::look_inside(const Points& x) {
             const Holding& own = holds[r * kinds + s];
             const double n = own.count * bag_.inflators.moles_each();
             content += n * bag_.inflators.species()[s].molar_energy();
-            energy += own.all();
+            energy += own.about(way[r] / dt);
             moles += n;
-            mass += own.count * bag_.particle_mass[s];
+            mass += own.mass;
             count += own.count;
-            inside.density[s] = own.count * bag_.particle_mass[s] / volume;
+            inside.density[s] = own.mass / volume;
         }
         if (!bag_.air.empty()) {
             content += bag_.air[r].content();
@@ -49,8 +51,7 @@ void ParticleGas::look_inside(const Points& x) {
         if (!(T > 0.0)) continue;
         double heat = 0.0;  // capacity at constant pressure                             [J/K]
         for (std::size_t s = 0; s < kinds; ++s)
-            heat += holds[r * kinds + s].count * bag_.particle_mass[s] *
-                    bag_.inflators.species()[s].cp(T);
+            heat += holds[r * kinds + s].mass * bag_.inflators.species()[s].cp(T);
         if (!bag_.air.empty()) heat += bag_.air[r].mass() * bag_.air[r].species().cp(T);
         const double R = bag_.card.gas_constant;
         inside.temperature = T;

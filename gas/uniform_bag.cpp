@@ -235,12 +235,12 @@ double UniformBag::stable_step() const {
 GasState UniformBag::state(const Points& x) const {
     GasState now;
     now.area = enclosure_.area(x);
-    now.pressure = pressure();
+    now.pressure = now.static_pressure = pressure();
     now.species = {{0.0, 0.0, 0.0}};
     now.volume = card_.law ? law_volume_ : gas_.volume();
     now.translational = 1.5 * now.pressure * now.volume;
     if (card_.law) return now;
-    now.temperature = gas_.temperature();
+    now.temperature = now.static_temperature = gas_.temperature();
     now.mass = gas_.mass();
     now.mass_in = mass_in_;
     now.energy = gas_.energy();

@@ -41,9 +41,10 @@ UniformRooms empty_rooms(const Envelope& bag) {
 
 UniformGas::UniformGas(Envelope& bag) : bag_(bag), rooms_(empty_rooms(bag)) {}
 
-void UniformGas::take_over(std::span<const Holding> holds, const Points& x) {
+void UniformGas::take_over(std::span<const Holding> holds, std::span<const Vec3> wall,
+                           const Points& x) {
     bag_.surface->volumes(x, bag_.volumes);
-    sum_up(holds);
+    sum_up(holds, wall);
     settle(x);
     std::vector<double> of_hits;
     for (std::size_t r = 0; r < rooms_.size(); ++r)
@@ -52,14 +53,17 @@ void UniformGas::take_over(std::span<const Holding> holds, const Points& x) {
     bag_.load.end_of_hits(of_hits, x);
 }
 
-/// Puts what each room's particles and initial air hold into the room.
-void UniformGas::sum_up(std::span<const Holding> holds) {
+/// Puts what each room's particles and initial air hold into the room. A gas that is uniform has no
+/// momentum, so that none of its energy is that of motion with the room.
+void UniformGas::sum_up(std::span<const Holding> holds, std::span<const Vec3> wall) {
     const std::size_t kinds = bag_.particle_mass.size();
     for (std::size_t r = 0; r < rooms_.size(); ++r) {
         ControlVolume& gas = rooms_[r];
         for (std::size_t s = 0; s < kinds; ++s) {
             const Holding& own = holds[r * kinds + s];
-            gas.add(s, own.count * bag_.inflators.moles_each(), own.all());
+            const double kept = own.about(wall[r]);
+            gas.add(s, own.count * bag_.inflators.moles_each(), kept);
+            bag_.balance.lost_energy += own.all() - kept;
         }
         if (!bag_.air.empty()) gas.add(kinds, bag_.air[r].moles(), bag_.air[r].energy());
     }
@@ -125,6 +129,8 @@ void UniformGas::describe(GasState& now) const {
     now.mass = rooms_.mass();
     now.pressure = rooms_.pressure();
     now.temperature = rooms_.temperature();
+    now.static_pressure = now.pressure;
+    now.static_temperature = now.temperature;
     now.energy = rooms_.energy();
     now.translational = 1.5 * now.pressure * now.volume;
     const auto include = [&](std::size_t s) {

@@ -18,10 +18,11 @@ public:
     /// @param bag  outlives this
     explicit UniformGas(Envelope& bag);
 
-    /// Takes over what the rooms' particles and initial air hold: mass, energy and so temperature
-    /// stay as they are, motion becomes heat. Uniform pressure takes the place of what hits gave on
-    /// average; what they have brought beyond it is still released.
-    void take_over(std::span<const Holding> holds, const Points& x);
+    /// Takes over what the rooms' particles and initial air hold: mass and energy stay as they are,
+    /// motion about the walls becomes heat, motion with them leaves. Uniform pressure takes the
+    /// place of what hits gave on average; what they have brought beyond it is still released.
+    /// @param wall  velocity of each room's wall                                            [m/s]
+    void take_over(std::span<const Holding> holds, std::span<const Vec3> wall, const Points& x);
 
     void add_load(const Points& x, Points& f) override;
     [[nodiscard]] Vec3 load_on(Index node) const override { return rooms_.force(node); }
@@ -50,7 +51,7 @@ public:
     }
 
 private:
-    void sum_up(std::span<const Holding> holds);
+    void sum_up(std::span<const Holding> holds, std::span<const Vec3> wall);
     void settle(const Points& x);
     void thrust(std::size_t inflow, double mass, double t, double dt, const Points& x_0,
                 const Points& x_1);

@@ -39,6 +39,8 @@ AirbagSample row_of(const gas::GasState& state, const gas::PartState& parts) {
     row.energy = state.energy;
     row.translational_energy = state.translational;
     row.surface_area = state.area;
+    row.static_pressure = state.static_pressure;
+    row.static_temperature = state.static_temperature;
     for (const auto& share : state.species)
         row.species.push_back({share.mass, share.temperature, share.energy});
     for (std::size_t p = 0; p < parts.pressure.size(); ++p)
@@ -50,7 +52,8 @@ AirbagSample row_of(const gas::GasState& state, const gas::PartState& parts) {
 AirbagSample sample_of(gas::BagGas& bag, const Points& x, double since, double done) {
     AirbagSample row = row_of(bag.state(x), bag.part_state(x, since));
     for (const gas::ChamberState& now : bag.chamber_states(x))
-        row.chambers.push_back({now.volume, now.pressure, now.temperature, now.mass, now.energy});
+        row.chambers.push_back({now.volume, now.pressure, now.temperature, now.mass, now.energy,
+                                now.static_pressure, now.static_temperature});
     row.particles = static_cast<double>(bag.particles().size());
     const gas::Wrench owed = bag.owed(done);
     row.owed_momentum = owed.linear;

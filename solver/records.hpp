@@ -84,6 +84,8 @@ struct AirbagSample {
     double mass_rate_in = 0,                    ///< mean since the last sample         [kg/s]
         mass_rate_out = 0;                      ///< mean since the last sample         [kg/s]
     double surface_area = 0;                    ///< of what closes the bag              [m^2]
+    double static_pressure = 0;     ///< about the mean velocity of each room's gas         [Pa]
+    double static_temperature = 0;  ///< likewise                                            [K]
     /// One gas of the bag.
     struct Species {
         double mass = 0;         ///< [kg]
@@ -104,6 +106,7 @@ struct AirbagSample {
         double temperature = 0;  ///< [K]
         double mass = 0;         ///< [kg]
         double energy = 0;       ///< [J]
+        double static_pressure = 0, static_temperature = 0;  ///< [Pa], [K]
     };
     std::vector<Species> species;   ///< as RecordLayout::Airbag::species
     std::vector<Part> parts;        ///< as RecordLayout::Airbag::parts
@@ -114,8 +117,8 @@ struct AirbagSample {
     void visit_state(Archive& archive) {
         archive(volume, pressure, temperature, mass, mass_in, mass_out_vent, mass_out_fabric,
                 particles, particles_out, energy, translational_energy, owed_momentum,
-                owed_angular_momentum, mass_rate_in, mass_rate_out, surface_area, species, parts,
-                chambers);
+                owed_angular_momentum, mass_rate_in, mass_rate_out, surface_area, static_pressure,
+                static_temperature, species, parts, chambers);
     }
 };
 

@@ -35,7 +35,7 @@ StepReport Simulation::step(const Observer& observe) {
     // 4. Gas, t -> t + dt, against the fabric that moves from x to x_1
     touching_.tell_bags(scene_, span);                                          lap("contact");
     for (gas::BagGas& bag : scene_.airbags.particle) {
-        if (bag.switches(t)) bag.become_uniform(nodes.x);
+        if (bag.switches(t)) bag.become_uniform(dt, nodes.x, nodes.x_1);
         bag.prepare(dt, nodes.x, nodes.x_1);                                    lap("facet lists");
         bag.collide(dt, nodes.x);                                               lap("collisions");
         bag.inject(t, dt, nodes.x, nodes.x_1);                                  lap("inflators");

@@ -39,6 +39,32 @@ void WettedSurface::volumes(std::span<const Vec3> x, std::vector<double>& volume
         });
 }
 
+std::vector<Vec3> WettedSurface::mean_way(std::span<const Vec3> x_0,
+                                          std::span<const Vec3> x_1) const {
+    struct Sums {
+        Vec3 way = Vec3::Zero();  ///< [m^3]
+        double area = 0.0;        ///< [m^2]
+        Sums& operator+=(const Sums& o) {
+            way += o.way;
+            area += o.area;
+            return *this;
+        }
+    };
+    std::vector<Vec3> way(rooms_, Vec3::Zero());
+    for (std::size_t r = 0; r < rooms_; ++r) {
+        const Sums all = parallel::sum(sides(), Sums{}, [&](std::size_t s) {
+            Sums own;
+            if (room_[s] != static_cast<Index>(r)) return own;
+            const auto& [a, b, c] = triangles_[facet_[s]];
+            own.area = vector_area(x_0[a], x_0[b], x_0[c]).norm();
+            own.way = own.area / 3.0 * (x_1[a] - x_0[a] + x_1[b] - x_0[b] + x_1[c] - x_0[c]);
+            return own;
+        });
+        if (all.area > 0.0) way[r] = all.way / all.area;
+    }
+    return way;
+}
+
 std::vector<Index> WettedSurface::rooms_of(std::span<const Vec3> points,
                                            std::span<const Vec3> x) const {
     std::vector<Index> found(points.size(), 0);

@@ -71,6 +71,10 @@ public:
 
     /// Volume of each room.                                                     rooms [m^3]
     void volumes(std::span<const Vec3> x, std::vector<double>& volume) const;
+    /// Way of each room's wall from x_0 to x_1, the mean over its area at x_0.
+    ///                                                                         rooms × 3 [m]
+    [[nodiscard]] std::vector<Vec3> mean_way(std::span<const Vec3> x_0,
+                                             std::span<const Vec3> x_1) const;
     /// Room that each point lies in; the first where rounding leaves none.
     [[nodiscard]] std::vector<Index> rooms_of(std::span<const Vec3> points,
                                               std::span<const Vec3> x) const;

@@ -38,6 +38,16 @@ inline Vec3 velocity_at(const FlightScene& scene, const Meeting& meeting) {
     return velocity;
 }
 
+/// By how much the energy of a particle that leaves is more than to someone who rides on the facet:
+/// P·w - m w²/2, P = m v - impulse the momentum that it takes along. 0 for one that stays.      [J]
+inline double riding(const FlightScene& scene, const Meeting& meeting,
+                     const Transmission::Outcome& outcome, double mass, const Vec3& v,
+                     const Vec3& impulse) {
+    if (outcome.fate != Transmission::Fate::OUT) return 0.0;
+    const Vec3 w = velocity_at(scene, meeting);
+    return w.dot(mass * (v - 0.5 * w) - outcome.push * impulse);
+}
+
 /// Velocity after the bounce.
 inline Vec3 reflect(const FlightScene& scene, const Meeting& meeting, const Vec3& v) {
     const Triangle& nodes = scene.triangles[meeting.facet];

@@ -129,8 +129,8 @@ End fly_one(const FlightScene& scene, double born, Flyer& who) {
         who.hits.push_back(
             {meeting.facet, row, meeting.where.at, outcome.push * impulse, given, turn});
         if (outcome.opening >= 0)
-            who.arrivals.push_back(
-                {who.row, meeting.facet, outcome, before - given + who.internal});
+            who.arrivals.push_back({who.row, meeting.facet, outcome, before - given + who.internal,
+                                    riding(scene, meeting, outcome, who.mass, who.v, impulse)});
         if (outcome.fate == Transmission::Fate::OUT) return End::GONE;
         from = turn;
         who.v = away;

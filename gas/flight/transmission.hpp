@@ -77,7 +77,8 @@ struct Arrival {
     std::size_t particle;  ///< row
     Index facet;
     Transmission::Outcome outcome;
-    double energy;  ///< that it carries out                                       [J]
+    double energy;        ///< that it carries out                                       [J]
+    double riding = 0.0;  ///< of which is of the opening's motion at w: P·w - m w²/2   [J]
 };
 
 }  // namespace corpuscle::gas

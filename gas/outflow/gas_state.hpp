@@ -11,7 +11,7 @@ struct Inside {
     double pressure = 0.0;        ///< absolute                                          [Pa]
     double air_pressure = 0.0;    ///< of which the air that is no particles has         [Pa]
     double error = 0.0;           ///< of the pressure, one standard deviation           [Pa]
-    double temperature = 0.0;     ///< at which the gas at rest would hold its energy    [K]
+    double temperature = 0.0;     ///< of the gas come to rest where its walls are at rest  [K]
     double molar_mass = 0.0;      ///< of all gas                                        [kg/mol]
     double gamma = 0.0;           ///< of all gas                                        [-]
     double heat_capacity = 0.0;   ///< of all gas in the room, at constant volume        [J/K]

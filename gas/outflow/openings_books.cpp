@@ -50,8 +50,8 @@ const Openings::Passed& Openings::count(const FlightResult& flight, double dt,
                 mass;
             passed_.energy += arrival.energy;
             if (opening.law != Opening::Law::PLAIN)
-                passed_.still_owed[row] +=
-                    mass * species_[s].h(inside[row].temperature) - arrival.energy;
+                passed_.still_owed[row] += mass * species_[s].h(inside[row].temperature) -
+                                           (arrival.energy - arrival.riding);
             passed_.rows.push_back(arrival.particle);
         }
     particles_out_ += passed_.rows.size();

@@ -109,11 +109,12 @@ void WallSamples::list_patches(const SidePatches& patches) {
     }
 }
 
-void WallSamples::receive(const WallHits& hits, double dt, std::span<const Vec3> x,
-                          std::span<const Inside> rooms, const Particles& particles) {
+void WallSamples::receive(const WallHits& hits, double dt, std::span<const Vec3> x_0,
+                          std::span<const Vec3> x_1, std::span<const Inside> rooms,
+                          const Particles& particles) {
     if (empty()) return;
     if (patches_of_.empty()) list_patches(hits.patches());
-    measure(x);
+    measure(x_1);
     const std::size_t kinds = species_.size();
     expected_.resize(rooms.size() * kinds);
     slope_.resize(rooms.size() * kinds);
@@ -128,12 +129,20 @@ void WallSamples::receive(const WallHits& hits, double dt, std::span<const Vec3>
                 moles_each_ * (T > 0.0 ? species_[s].molar_energy().slope(T) + 0.5 * gas_constant_
                                        : 2.0 * gas_constant_);
         }
+    const auto wall = [&](const Hit& hit) {
+        Vec3 way = Vec3::Zero();
+        for (int c = 0; c < 3; ++c) {
+            const Index n = surface_->triangles()[hit.facet][c];
+            way += hit.at[c] * (x_1[n] - x_0[n]);
+        }
+        return Vec3(way / dt);
+    };
     const auto take = [&](std::size_t k) {
         Sample& sample = samples_[k];
         for (const Index patch : patches_of_[k])
             for (const WallHits::Met& met : hits.of(static_cast<std::size_t>(patch)))
                 if (std::binary_search(sample.sides.begin(), sample.sides.end(), met.side))
-                    add(met, particles, sample);
+                    add(*met.hit, wall(*met.hit), particles, sample);
         remember(sample, dt, rooms[sample.room]);
     };
     parallel::for_each(samples_.size(), take, 1);
@@ -141,8 +150,9 @@ void WallSamples::receive(const WallHits& hits, double dt, std::span<const Vec3>
 }
 
 /// Adds a hit to what a sample has got in this flight.
-void WallSamples::add(const WallHits::Met& met, const Particles& particles, Sample& sample) const {
-    const Hit& hit = *met.hit;
+/// @param wall  velocity of the wall there                                              [m/s]
+void WallSamples::add(const Hit& hit, const Vec3& wall, const Particles& particles,
+                      Sample& sample) const {
     const std::size_t row = hit.row();
     const std::int32_t kind = particles.species[row];
     const std::size_t of =
@@ -151,7 +161,7 @@ void WallSamples::add(const WallHits::Met& met, const Particles& particles, Samp
     const double push = hit.impulse.norm();
     const Vec3 n = push > 0.0 ? Vec3(hit.impulse / push) : Vec3(Vec3::Zero());
     // (What has left stands with the velocity that it came with.)
-    const Vec3 v = particles.v[row];
+    const Vec3 v = particles.v[row] - wall;
     const double carried = 0.5 * m * v.squaredNorm() + particles.e[row] - expected_[of];
     Memory& now = sample.now;
     now.push += push;

@@ -59,9 +59,11 @@ public:
     Index add(std::vector<Index> sides, bool drifts = false);
 
     void measure(std::span<const Vec3> x);  ///< areas, where no flight does
-    /// Takes in a flight's hits. rooms: mean states at t.
-    void receive(const WallHits& hits, double dt, std::span<const Vec3> x,
-                 std::span<const Inside> rooms, const Particles& particles);
+    /// Takes in a flight's hits, as they are to the walls, which go from x_0 to x_1. rooms: mean
+    /// states at t.
+    void receive(const WallHits& hits, double dt, std::span<const Vec3> x_0,
+                 std::span<const Vec3> x_1, std::span<const Inside> rooms,
+                 const Particles& particles);
 
     /// The gas at a sample: that of its room but for what its hits tell; come to rest, isentropically,
     /// from its drift along the wall, if the sample is one of a hole.
@@ -108,7 +110,7 @@ private:
         double energy = 0.0, energy2 = 0.0;  ///< beyond what the room's gas carries    [J], [J²]
         double slope = 0.0;                  ///< sum of d(energy carried)/dT           [J/K]
         double mass = 0.0;                   ///< of hits                               [kg]
-        Vec3 momentum = Vec3::Zero();        ///< of hits, along the wall               [N s]
+        Vec3 momentum = Vec3::Zero();        ///< of hits, past the wall                [N s]
         double square = 0.0;                 ///< sum of its squares                    [N² s²]
         std::vector<double> of;              ///< hits by species
 
@@ -160,7 +162,7 @@ private:
     };
     void cut_into_patches(const BagWalls& walls, std::span<const Vec3> x);
     void list_patches(const SidePatches& patches);
-    void add(const WallHits::Met& met, const Particles& particles, Sample& sample) const;
+    void add(const Hit& hit, const Vec3& wall, const Particles& particles, Sample& sample) const;
     void remember(Sample& sample, double dt, const Inside& room);
     void find_spread(std::span<const Inside> rooms);
     [[nodiscard]] double temperature(std::size_t sample, const Inside& room, double weight) const;

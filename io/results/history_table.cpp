@@ -67,7 +67,11 @@ void energy(auto&& row, const EnergyBooks& e) {
          e.smoothing);
     book("ambient", "work done against the atmosphere, p_atm (V - V at the start)", e.ambient);
     book("inflow", "energy brought in by inflators so far", e.inflow);
-    book("outflow", "energy that left with gas, and as heat to the fabric, so far", e.outflow);
+    book(
+        "outflow",
+        "energy that left with gas, and as heat to the fabric, so far; at TSW, of the gas's motion "
+        "with the bag",
+        e.outflow);
     book("external",
          "work of loads, supports, prescribed motion, and of contact that parts what began too "
          "near, so far",
@@ -84,6 +88,10 @@ void airbag(auto&& row, const RecordLayout::Airbag& bag, const AirbagSample& s) 
         s.pressure);
     row(at + "temperature", TEMPERATURE, "at which the gas at rest would hold `energy`",
         s.temperature);
+    row(at + "static_pressure", PRESSURE,
+        "pressure without the motion of each room's gas as a whole", s.static_pressure);
+    row(at + "static_temperature", TEMPERATURE,
+        "temperature without the motion of each room's gas as a whole", s.static_temperature);
     row(at + "mass", MASS, "gas inside", s.mass);
     row(at + "mass_in", MASS, "gas brought in by inflators so far", s.mass_in);
     row(at + "mass_out_vent", MASS, "gas lost through vents so far", s.mass_out_vent);
@@ -122,6 +130,12 @@ void airbag(auto&& row, const RecordLayout::Airbag& bag, const AirbagSample& s) 
             s.chambers[k].pressure);
         row(in + "temperature", TEMPERATURE, "at which its gas at rest would hold `energy`",
             s.chambers[k].temperature);
+        row(in + "static_pressure", PRESSURE,
+            "pressure without the motion of each room's gas as a whole",
+            s.chambers[k].static_pressure);
+        row(in + "static_temperature", TEMPERATURE,
+            "temperature without the motion of each room's gas as a whole",
+            s.chambers[k].static_temperature);
         row(in + "mass", MASS, "gas in it", s.chambers[k].mass);
         row(in + "energy", ENERGY, "all that its gas holds", s.chambers[k].energy);
     }

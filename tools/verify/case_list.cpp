@@ -15,6 +15,7 @@ Method method_of(const Card& card) {
         {"effusion", effusion},
         {"far_vent", far_vent},
         {"fast_piston", fast_piston},
+        {"flying_box", flying_box},
         {"folded_bag", folded_bag},
         {"helium_air", helium_air},
         {"pendulum", pendulum},

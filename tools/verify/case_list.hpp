@@ -52,6 +52,7 @@ Findings plate_on_gas(const Runs&);
 Findings standing_wave(const Runs&);
 /// cases/outflow.cpp
 Findings vented_tank(const Runs&);
+Findings flying_box(const Runs&);
 Findings effusion(const Runs&);
 Findings porous_tank(const Runs&);
 Findings vent_by_chamber(const Runs&);

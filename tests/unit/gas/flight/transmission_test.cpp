@@ -84,6 +84,19 @@ TEST_CASE("what leaves takes its energy, less the work of its push", "[gas][tran
     CHECK(given == Approx(impulse.z() * speed).margin(1e-9));
 }
 
+TEST_CASE("what leaves has as much energy about its opening at any velocity of both",
+          "[gas][transmission][galilei]") {
+    const double push = GENERATE(0.0, 0.4, 1.0), speed = GENERATE(0.0, -50.0, 80.0);
+    Sheet sheet(100, 1.0, false, push, speed);
+    for (Vec3& v : sheet.gas.v) v.z() += speed;
+    sheet.fly_through();
+    REQUIRE(sheet.passed(Transmission::Fate::OUT) == 100);
+    for (const auto& chunk : sheet.flight.arrivals)
+        for (const Arrival& arrival : chunk)
+            CHECK(arrival.energy - arrival.riding ==
+                  Approx(0.5 * 2.0 * (9.0 + 1e4) + 7.0).epsilon(1e-12));
+}
+
 TEST_CASE("an internal opening lets particles through as if it were not there",
           "[gas][transmission]") {
     Sheet sheet(100, 1.0, true, 0.0);

@@ -116,6 +116,8 @@ inline void expect_airbag(Histories& h, std::size_t i, const std::string& id,
     of("volume", &AirbagSample::volume);
     of("pressure", &AirbagSample::pressure);
     of("temperature", &AirbagSample::temperature);
+    of("static_pressure", &AirbagSample::static_pressure);
+    of("static_temperature", &AirbagSample::static_temperature);
     of("mass", &AirbagSample::mass);
     of("mass_in", &AirbagSample::mass_in);
     of("mass_out_vent", &AirbagSample::mass_out_vent);

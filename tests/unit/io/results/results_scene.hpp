@@ -85,10 +85,10 @@ inline Sample sample(const RecordLayout& layout, std::size_t row) {
         *book = c.next();
     for (const auto& bag : layout.airbags) {
         AirbagSample& b = s.airbags.emplace_back();
-        for (double* value :
-             {&b.volume, &b.pressure, &b.temperature, &b.mass, &b.mass_in, &b.mass_out_vent,
-              &b.mass_out_fabric, &b.particles, &b.particles_out, &b.energy,
-              &b.translational_energy, &b.mass_rate_in, &b.mass_rate_out, &b.surface_area})
+        for (double* value : {&b.volume, &b.pressure, &b.temperature, &b.mass, &b.mass_in,
+                              &b.mass_out_vent, &b.mass_out_fabric, &b.particles, &b.particles_out,
+                              &b.energy, &b.translational_energy, &b.mass_rate_in, &b.mass_rate_out,
+                              &b.surface_area, &b.static_pressure, &b.static_temperature})
             *value = c.next();
         for (std::size_t k = 0; k < bag.species.size(); ++k)
             b.species.push_back({c.next(), c.next(), c.next()});
