@@ -5,6 +5,7 @@ target_sources(corpuscle_io PRIVATE
     deck/card.cpp deck/card_faults.cpp deck/cards.cpp deck/comment_settings.cpp deck/deck_fingerprint.cpp
     deck/deck_places.cpp deck/deck_words.cpp deck/expression.cpp deck/faults.cpp
     deck/keyword_reader.cpp deck/lines.cpp deck/parameter_cards.cpp deck/parameters.cpp
+    deck/included/card_ids.cpp deck/included/file_names.cpp deck/included/file_place.cpp deck/included/inclusion.cpp
     # cards -> scene, a file a family
     keywords/control_output.cpp keywords/curves.cpp keywords/database_sensor.cpp keywords/keyword_table.cpp
     keywords/remarks.cpp keywords/table.cpp keywords/tasks.cpp
@@ -42,4 +43,4 @@ target_sources(corpuscle_io PRIVATE
     keywords/motion/loads.cpp
     keywords/motion/motion.cpp
     # what no single keyword sees
-    model/beam_bodies.cpp model/held_bodies.cpp model/loose_ends.cpp model/motion_check.cpp model/part_remarks.cpp model/rigid_start.cpp model/solid_skin.cpp)
+    model/beam_bodies.cpp model/held_bodies.cpp model/loose_ends.cpp model/motion_check.cpp model/part_remarks.cpp model/rigid_start.cpp model/solid_skin.cpp model/file_places.cpp model/transformation.cpp)

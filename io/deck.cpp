@@ -16,6 +16,7 @@
 #include "io/keywords/mesh/coordinates.hpp"
 #include "io/keywords/tasks.hpp"
 #include "io/model/draft.hpp"
+#include "io/model/file_places.hpp"
 #include "io/model/loose_ends.hpp"
 #include "io/model/rigid_start.hpp"
 #include "io/model/solid_skin.hpp"
@@ -198,7 +199,7 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options, D
     Faults faults;
     faults.keep_log(options.log);
     Parameters parameters(options.overrides);
-    const DeckText text = read_keywords(file, parameters, faults);
+    DeckText text = read_keywords(file, parameters, faults);
     Model model;
     model.deck = file.string();
     model.unit_system = "consistent";
@@ -213,7 +214,13 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options, D
     const auto scene = std::find_if(tasks.begin(), tasks.end(), [](const Task& task) {
         return task.match.keyword->phase > keywords::Phase::SHELL;
     });
-    for (auto task = tasks.begin(); task != scene; ++task)
+    const auto ground = std::find_if(tasks.begin(), scene, [](const Task& task) {
+        return task.match.keyword->phase > keywords::Phase::TRANSFORMATION;
+    });
+    for (auto task = tasks.begin(); task != ground; ++task)
+        read_block(*task, parameters, faults, draft, learnt);
+    place_files(text, parameters, faults, draft);
+    for (auto task = ground; task != scene; ++task)
         read_block(*task, parameters, faults, draft, learnt);
     check_parts(draft, faults);
     if (!faults.any()) make_skins(draft);  // sets and all that follows know them as shells

@@ -15,7 +15,6 @@ namespace corpuscle::io {
 namespace {
 constexpr double LARGEST = 1e100;  ///< squares and cubes must not overflow
 constexpr int WIDEST_NUMBER = 20;  ///< columns; a wider field is a title
-constexpr Range IDS{1.0};
 }  // namespace
 
 bool Range::holds(double value) const {
@@ -235,30 +234,6 @@ std::string Card::text(std::string_view name) {
     const Parameter* parameter =
         cards_.parameters().find(trim(written.substr(1)), cards_.block().place.file);
     return parameter != nullptr && parameter->type == 'C' ? parameter->text : std::string(written);
-}
-
-int Card::new_id(std::size_t i, Registry& registry, std::size_t row) {
-    const int id = integer(i, IDS);
-    if (id > 0 && !registry.add(id, static_cast<Index>(row), place()))
-        fault(i, fmt::format("an id that no other {} has, but {} has it", registry.kind(),
-                             cards_.faults().where(registry.find(id)->place)));
-    return id;
-}
-
-Index Card::row(std::size_t i, const Registry& registry) {
-    const Number id = number(i, true);
-    if (!id.is_good && given(i)) return -1;
-    if (const Registry::Entry* entry = registry.find(static_cast<int>(id.value))) return entry->row;
-    good_ = false;
-    if (!registry.is_spoilt(static_cast<int>(id.value)))
-        fault(i, fmt::format("the id of a {} of the deck", registry.kind()));
-    return -1;
-}
-
-Index Card::row_or_none(std::string_view name, const Registry& registry) {
-    const std::size_t i = at(name);
-    const Number id = number(i, true);
-    return id.value == 0.0 ? -1 : row(i, registry);
 }
 
 }  // namespace corpuscle::io

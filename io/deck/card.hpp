@@ -5,12 +5,15 @@
 #include <array>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "io/deck/faults.hpp"
+#include "io/deck/included/file_place.hpp"
+#include "io/deck/included/id_kind.hpp"
 #include "io/deck/parameters.hpp"
 #include "io/deck/registry.hpp"
 #include "solver/base/vec.hpp"
@@ -36,12 +39,15 @@ struct Line {
     std::uint32_t number = 0;
 };
 
+struct Inclusion;
+
 /// A keyword and its lines, comments taken out.
 struct Block {
     std::string keyword;  ///< upper case, without *
     Place place;
     Columns columns = Columns::STANDARD;
     std::span<const Line> lines;
+    const Inclusion* inclusion = nullptr;  ///< the *INCLUDE_TRANSFORM around it, the nearest
 };
 
 /// Numbers that a field may hold.
@@ -101,6 +107,28 @@ public:
     Vec3 vector(std::string_view x, std::string_view y, std::string_view z);
     std::string text(std::string_view name);
 
+    /// Where the card's file lies in the scene.
+    [[nodiscard]] const FilePlace& file() const;
+    /// A place that is written in coordinates, in those of the scene.
+    Vec3 point(std::string_view x, std::string_view y, std::string_view z);
+    /// A direction or a velocity, in the axes of the scene.
+    Vec3 direction(std::string_view x, std::string_view y, std::string_view z) {
+        return file().direction(vector(x, y, z));
+    }
+    /// An angular velocity, in the axes of the scene.
+    Vec3 spin(std::string_view x, std::string_view y, std::string_view z) {
+        return file().spin(vector(x, y, z));
+    }
+
+    // Ids are those of the deck: *INCLUDE_TRANSFORM adds its offsets to what is written.
+
+    /// An id that no registry knows.
+    int id(std::string_view name, IdKind kind, const Range& range = ANY) {
+        return id(at(name), kind, range);
+    }
+    /// What a number names that stands for an id, such as the curve of FLC = -7: id = 7. nullptr:
+    /// nothing.
+    const Registry::Entry* named(std::string_view name, double id, const Registry& registry);
     /// An id of one's own: above 0 and not used before for this kind.
     int new_id(std::string_view name, Registry& registry, std::size_t row) {
         return new_id(at(name), registry, row);
@@ -113,6 +141,7 @@ public:
     // By position, for tables
     double real(std::size_t i, const Range& range = ANY);
     int integer(std::size_t i, const Range& range = ANY);
+    int id(std::size_t i, IdKind kind, const Range& range = ANY);
     int new_id(std::size_t i, Registry& registry, std::size_t row);
     Index row(std::size_t i, const Registry& registry);
     [[nodiscard]] std::string_view raw(std::size_t i);  ///< as written; counts as read
@@ -146,6 +175,10 @@ private:
     [[nodiscard]] double named_value(std::string_view text) const;
     Number named_number(std::size_t i);
     double in_range(std::size_t i, Number number, const Range& range);
+    /// What the field stands for as an id of this kind. None: a fault, it would be no id.
+    std::optional<int> shifted(std::size_t i, IdKind kind, double written);
+    void mark_id(std::size_t i, IdKind kind);
+    [[nodiscard]] std::string shift_text(std::size_t i) const;
     [[nodiscard]] std::string written(std::size_t i) const;
     [[nodiscard]] std::string label(std::size_t i) const;
     [[nodiscard]] std::string cause(std::size_t i, const std::string& remark) const;
@@ -161,6 +194,7 @@ private:
     std::string_view beyond_;               ///< numbers beyond the last column of a card
     std::uint32_t read_ = 0;                ///< bit i: field i was read or is harmless
     std::uint32_t acted_ = 0, warned_ = 0;  ///< bit i: it was read to be acted on; to be warned of
+    std::array<std::uint8_t, Layout::MOST_FIELDS> id_kind_{};  ///< of ids, from 1; 0: no id
     int card_number_ = 0;
     bool is_missing_ = false;
     bool good_ = true;
@@ -197,6 +231,7 @@ public:
     void finish();
 
     [[nodiscard]] const Block& block() const { return block_; }
+    [[nodiscard]] const FilePlace& file() const;  ///< where the keyword's file lies in the scene
     [[nodiscard]] Faults& faults() { return faults_; }
     [[nodiscard]] const Parameters& parameters() const { return parameters_; }
     [[nodiscard]] int card_number() const { return static_cast<int>(next_); }

@@ -47,13 +47,13 @@ Place Card::place() const {
     return {cards_.block().place.file, line_.number};
 }
 
-/// "-5", "-5 (&NP)" of a parameter, "blank".
+/// "-5", "-5 (&NP)" of a parameter, "5 (105 by IDNOFF = 100)" of an id, "blank".
 std::string Card::written(std::size_t i) const {
     const std::string_view text = field_[i], start = text.substr(0, LONGEST_SHOWN);
     if (text.empty()) return "blank";
-    if (!is_named(text)) return std::string(start);
     try {
-        return fmt::format("{} ({})", named_value(text), start);
+        if (!is_named(text)) return std::string(start) + shift_text(i);
+        return fmt::format("{} ({}){}", named_value(text), start, shift_text(i));
     } catch (const ExpressionError&) {
         return std::string(start);  // the fault says why
     }
@@ -66,8 +66,9 @@ std::string Card::label(std::size_t i) const {
 
 /// What messages of one field, value and remark have in common, on whatever card.
 std::string Card::cause(std::size_t i, const std::string& remark) const {
+    const bool is_shifted = cards_.block().inclusion != nullptr && id_kind_[i] != 0;
     return fmt::format("*{} {} = {}: {}", cards_.block().keyword, layout_.fields()[i].name,
-                       field_[i], remark);
+                       is_shifted ? written(i) : std::string(field_[i]), remark);
 }
 
 void Card::fault(std::size_t i, const std::string& expected) {
@@ -111,10 +112,11 @@ void Card::write_log() const {
     for (std::size_t i = 0; i < fields.size(); ++i) {
         if (fields[i].name == "-") continue;
         const auto has = [&](std::uint32_t mask) { return (mask >> i & 1U) != 0; };
-        log->add(fields[i].name, has(acted_)    ? FieldUse::ACTED_ON
-                                 : has(warned_) ? FieldUse::WARNED
-                                 : has(read_)   ? FieldUse::HARMLESS
-                                                : FieldUse::REFUSED);
+        const FieldUse use = has(acted_)    ? FieldUse::ACTED_ON
+                             : has(warned_) ? FieldUse::WARNED
+                             : has(read_)   ? FieldUse::HARMLESS
+                                            : FieldUse::REFUSED;
+        log->add(fields[i].name, use, id_kind_[i] == 0 ? 0U : 1U << (id_kind_[i] - 1U));
     }
 }
 

@@ -64,6 +64,15 @@ void take_parameters(std::string_view line, std::uint32_t file, const Parameters
     }
 }
 
+/// Cards from line `first` on, with the parameters that they name.
+void take_cards(const Block& block, std::size_t first, const Parameters& parameters, Hash& hash) {
+    hash.take(block.keyword);
+    for (const Line& line : block.lines.subspan(first)) {
+        hash.take(line.text.substr(0, line.text.find_last_not_of(" \r") + 1));
+        take_parameters(line.text, block.place.file, parameters, hash);
+    }
+}
+
 }  // namespace
 
 std::uint64_t deck_fingerprint(const std::filesystem::path& deck) {
@@ -77,14 +86,11 @@ std::uint64_t deck_fingerprint(const std::filesystem::path& deck) {
 
 std::uint64_t scene_fingerprint(const DeckText& text, Parameters& parameters) {
     Hash hash;
-    for (const Block& block : text.blocks) {
-        if (is_of_output(block)) continue;
-        hash.take(block.keyword);
-        for (const Line& line : block.lines) {
-            hash.take(line.text.substr(0, line.text.find_last_not_of(" \r") + 1));
-            take_parameters(line.text, block.place.file, parameters, hash);
-        }
-    }
+    for (const Block& block : text.blocks)
+        if (!is_of_output(block)) take_cards(block, 0, parameters, hash);
+    for (const Inclusion& inclusion :
+         text.inclusions)  // how their files are placed, not their names
+        take_cards(inclusion.block, inclusion.name_lines, parameters, hash);
     // what no card but a parameter or -D says
     for (const std::string_view name : OWN_NAMES) {
         take_parameter(name, 0, parameters, hash);

@@ -22,18 +22,22 @@ enum class FieldUse {
 /// What readers do with the fields of cards, as they do it: for the table of keywords.
 class FieldLog {
 public:
-    using Fields = std::vector<std::pair<std::string, FieldUse>>;  ///< in order of first sight
+    struct Field {
+        std::string name;
+        FieldUse use = FieldUse::REFUSED;
+        unsigned ids = 0;  ///< bit k: it was read as an id of kind k (IdKind)
+    };
+    using Fields = std::vector<Field>;  ///< in order of first sight
 
     /// Cards from now on are of this keyword, as the table has it.
     void begin(std::string_view keyword) { keyword_ = keyword; }
-    void add(std::string_view field, FieldUse use) {
+    void add(std::string_view name, FieldUse use, unsigned ids) {
         Fields& fields = keywords_[keyword_];
-        const auto known = std::find_if(fields.begin(), fields.end(),
-                                        [&](const auto& f) { return f.first == field; });
-        if (known == fields.end())
-            fields.emplace_back(field, use);
-        else
-            known->second = std::max(known->second, use);
+        auto known = std::find_if(fields.begin(), fields.end(),
+                                  [&](const Field& field) { return field.name == name; });
+        if (known == fields.end()) known = fields.insert(fields.end(), {std::string(name)});
+        known->use = std::max(known->use, use);
+        known->ids |= ids;
     }
     [[nodiscard]] const std::map<std::string, Fields>& keywords() const { return keywords_; }
 

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "io/deck/comment_settings.hpp"
+#include "io/deck/included/file_names.hpp"
 #include "io/deck/parameter_cards.hpp"
 #include "io/text/text.hpp"
 
@@ -103,6 +104,7 @@ public:
             faults_.fault(text_.end, why);
         else
             read_file(file, deck_, Columns::STANDARD);
+        read_offsets(text_.inclusions, parameters_, faults_);
         return std::move(text_);
     }
 
@@ -149,7 +151,8 @@ private:
             const Block block{head.name,
                               {file, lines[i].number},
                               head.columns.value_or(columns),
-                              lines.subspan(i + 1, end - i - 1)};
+                              lines.subspan(i + 1, end - i - 1),
+                              inclusion_};
             take(block, path, columns);
             i = end;
         }
@@ -167,6 +170,8 @@ private:
             faults_.fault(block.place, "*, expected the name of a keyword behind it");
         else if (name == "INCLUDE")
             include(block, path, columns);
+        else if (name == "INCLUDE_TRANSFORM")
+            include_placed(block, path, columns);
         else if (name == "INCLUDE_PATH" || name == "INCLUDE_PATH_RELATIVE")
             add_path(block, path);
         else if (is_parameter_keyword(name))
@@ -175,39 +180,32 @@ private:
             text_.blocks.push_back(block);
     }
 
-    /// A name may go on over lines that end in " +"; every further line is a further file.
-    static std::vector<std::pair<std::string, Line>> file_names(const Block& block) {
-        std::vector<std::pair<std::string, Line>> names;
-        bool goes_on = false;
-        for (const Line& line : block.lines) {
-            std::string_view text = trim(line.text);
-            const bool more = text.ends_with(" +");
-            if (more) text = trim(text.substr(0, text.size() - 2));
-            if (text.size() > 1 && text.front() == '"' && text.back() == '"')
-                text = text.substr(1, text.size() - 2);
-            if (goes_on)
-                names.back().first += text;
-            else if (!text.empty())
-                names.emplace_back(text, line);
-            goes_on = more && !names.empty();
-        }
-        for (auto& [name, line] : names) std::replace(name.begin(), name.end(), '\\', '/');
-        return names;
-    }
-
     void include(const Block& block, const fs::path& path, Columns columns) {
-        const auto names = file_names(block);
+        const auto names = file_names(block.lines);
         if (names.empty()) faults_.fault(block.place, "*INCLUDE, expected the name of a file");
         for (std::size_t i = 0; i < names.size(); ++i)
-            include_one(names[i].first, i + 1, {block.place.file, names[i].second.number}, path,
-                        columns);
+            include_one(block, names[i], i + 1, path, columns);
     }
 
-    void include_one(const std::string& name, std::size_t card, Place at, const fs::path& path,
-                     Columns columns) {
+    /// The cards behind the name are read when all parameters are known.
+    void include_placed(const Block& block, const fs::path& path, Columns columns) {
+        const FileName file = file_name(block.lines);
+        if (file.name.empty())
+            return faults_.fault(block.place, "*INCLUDE_TRANSFORM, expected the name of a file");
+        const Inclusion* outer = inclusion_;
+        inclusion_ =
+            &text_.inclusions.emplace_back(Inclusion{block, file.lines, file.name, {}, {}});
+        include_one(block, file, 1, path, columns);
+        inclusion_ = outer;
+    }
+
+    void include_one(const Block& block, const FileName& file, std::size_t card,
+                     const fs::path& path, Columns columns) {
+        const std::string& name = file.name;
+        const Place at{block.place.file, file.line.number};
         const auto complain = [&](const std::string& expected) {
-            faults_.fault(at, fmt::format("*INCLUDE card {}, field 1 (FILENAME) = {}, {}", card,
-                                          name, expected));
+            faults_.fault(at, fmt::format("*{} card {}, field 1 (FILENAME) = {}, {}", block.keyword,
+                                          card, name, expected));
         };
         const fs::path found = look_for(name, path);
         const fs::path real = canonical(found);
@@ -249,9 +247,9 @@ private:
     void add_path(const Block& block, const fs::path& path) {
         const bool relative = block.keyword == "INCLUDE_PATH_RELATIVE";
         const fs::path& from = relative ? path : deck_;
-        for (const auto& [name, line] : file_names(block))
+        for (const FileName& file : file_names(block.lines))
             for (const fs::path& folder : {from.parent_path(), canonical(from).parent_path()})
-                paths_.push_back(folder / name);
+                paths_.push_back(folder / file.name);
     }
 
     fs::path deck_;
@@ -260,6 +258,7 @@ private:
     DeckText text_;
     std::vector<fs::path> open_files_;  ///< canonical, the deck first
     std::vector<fs::path> paths_;
+    const Inclusion* inclusion_ = nullptr;  ///< that is being read, the nearest
     std::uintmax_t total_ = 0;
 };
 

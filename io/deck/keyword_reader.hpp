@@ -9,6 +9,7 @@
 
 #include "io/deck/card.hpp"
 #include "io/deck/faults.hpp"
+#include "io/deck/included/inclusion.hpp"
 #include "io/deck/parameters.hpp"
 
 namespace corpuscle::io {
@@ -22,13 +23,15 @@ struct DeckText {
     };
     std::deque<File> files;     ///< what the blocks' views point into; moves, never copies
     std::vector<Block> blocks;  ///< all but *KEYWORD, *INCLUDE, *PARAMETER and *END, which are done
-    Place end;                  ///< where reading stopped, in the deck itself
+    std::deque<Inclusion> inclusions;  ///< *INCLUDE_TRANSFORM, in the order met
+    Place end;                         ///< where reading stopped, in the deck itself
 };
 
 /// Reads a deck with its includes, and its parameters into `parameters`.
 ///
 /// *INCLUDE names are looked for beside the including file, beside the deck, then along
-/// *INCLUDE_PATH.
+/// *INCLUDE_PATH; so are those of *INCLUDE_TRANSFORM, whose offsets are known and whose places are
+/// not yet.
 DeckText read_keywords(const std::filesystem::path& deck, Parameters& parameters, Faults& faults);
 
 /// Lines of a file: comments left out, tabs of fixed cards turned into blanks up to each 8th

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/deck/faults.hpp"
+#include "io/deck/included/id_kind.hpp"
 #include "solver/base/vec.hpp"
 
 namespace corpuscle::io {
@@ -22,10 +23,12 @@ public:
         Place place;
     };
 
-    explicit Registry(std::string_view kind) : kind_(kind) {}
+    explicit Registry(std::string_view kind, IdKind id_kind = IdKind::OTHER)
+        : kind_(kind), id_kind_(id_kind) {}
 
     /// In the user's words: "*PART".
     [[nodiscard]] std::string_view kind() const { return kind_; }
+    [[nodiscard]] IdKind id_kind() const { return id_kind_; }
 
     [[nodiscard]] const Entry* find(int id) const {
         const auto at = entries_.find(id);
@@ -60,6 +63,7 @@ public:
 
 private:
     std::string_view kind_;
+    IdKind id_kind_;
     std::unordered_map<int, Entry> entries_;
     std::unordered_set<int> spoilt_;
     mutable std::vector<std::pair<int, Index>> by_id_;

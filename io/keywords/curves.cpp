@@ -119,7 +119,7 @@ void define_box(Cards& cards, Draft& draft) {
             high(c.real("XMX"), c.real("YMX"), c.real("ZMX"));
         if (c.good() && !(low.array() <= high.array()).all())
             c.fault("XMX", "upper bounds that are not below the lower ones");
-        draft.box.push_back({low, high});
+        draft.box.push_back({Eigen::AlignedBox3d(low, high), c.file()});
     }
 }
 
@@ -131,7 +131,7 @@ void define_vector(Cards& cards, Draft& draft) {
         const Vec3 tail = c.vector("XT", "YT", "ZT");
         const Vec3 head = c.vector("XH", "YH", "ZH");
         if (c.good() && head == tail) c.fault("XH", "a head away from the tail");
-        draft.vector.push_back(head - tail);
+        draft.vector.push_back(c.file().direction(head - tail));
     }
 }
 

@@ -18,7 +18,20 @@ namespace corpuscle::io::keywords {
 void value_or_curve(Card& c, const char* name, const Registry& curves, double& value, Index& curve);
 
 /// What a keyword refers to is read before it, wherever it stands in the deck.
-enum class Phase { GROUND, AXES, MATERIAL, PART, SHELL, SET, SUM_OF_SETS, PLACE, SCENE, RELATION };
+enum class Phase {
+    NODE,
+    TRANSFORMATION,  ///< then files are where they belong
+    GROUND,
+    AXES,
+    MATERIAL,
+    PART,
+    SHELL,
+    SET,
+    SUM_OF_SETS,
+    PLACE,
+    SCENE,
+    RELATION
+};
 
 using Reader = void (*)(Cards&, Draft&);
 

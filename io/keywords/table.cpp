@@ -45,9 +45,9 @@ const Keyword KEYWORDS[] = {
 
     {"DATABASE_CPM_SENSOR", "", "", P::SCENE, database_cpm_sensor},
 
-    {"NODE", "", "MERGE RIGID SCALAR", P::GROUND, node},
+    {"NODE", "", "MERGE RIGID SCALAR", P::NODE, node},
     {"NODE_TRANSFORM", "", "", P::PLACE, node_transform},
-    {"DEFINE_TRANSFORMATION", "TITLE", "", P::GROUND, define_transformation},
+    {"DEFINE_TRANSFORMATION", "TITLE", "", P::TRANSFORMATION, define_transformation},
     {"DEFINE_CURVE", "TITLE", "", P::GROUND, define_curve},
     {"DEFINE_CURVE_SMOOTH", "TITLE", "", P::GROUND, define_curve_smooth},
     {"DEFINE_CURVE_FUNCTION", "TITLE", "", P::AXES, define_curve_function},

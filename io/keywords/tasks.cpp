@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 
+#include "io/deck/included/inclusion.hpp"
 #include "io/keywords/mesh/set_order.hpp"
 #include "io/text/text.hpp"
 
@@ -36,7 +37,8 @@ void spoil(const Block& block, Draft& draft) {
     first = first.substr(0, std::min<std::size_t>(first.find(','), 10));
     const auto id = parse_integer(trim(first));
     for (const auto& [family, registry] : families)
-        if (id && block.keyword.starts_with(family)) registry->spoil(*id);
+        if (id && block.keyword.starts_with(family))
+            registry->spoil(shifted_id(block, registry->id_kind(), *id).value_or(0));
 }
 
 /// Of keywords of which one holds.

@@ -9,12 +9,17 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "io/deck/included/file_place.hpp"
 #include "io/deck/registry.hpp"
+#include "io/model/transformation.hpp"
 #include "solver/model.hpp"
 
 namespace corpuscle::io {
+
+struct Inclusion;
 
 struct Section {
     double thickness = NaN;
@@ -54,20 +59,32 @@ struct LocalAxes {
     std::array<Index, 3> nodes{-1, -1, -1};  ///< _NODES: rows; they give the axes
 };
 
+/// *DEFINE_BOX, along the axes of its file.
+struct SetBox {
+    Eigen::AlignedBox3d box;
+    FilePlace file;
+
+    [[nodiscard]] bool contains(const Vec3& x) const { return box.contains(file.written(x)); }
+};
+
 /// Which meaning of the cards the deck wants: today's, or that of the 2007 course notes.
 enum class Dialect { TODAY, NOTES_2007 };
 
-/// By which keywords refer to each other.
+/// By which keywords refer to each other, and which offset of *INCLUDE_TRANSFORM shifts their ids.
 struct DraftNames {
-    Registry nodes{"*NODE"}, shells{"*ELEMENT_SHELL"}, parts{"*PART"}, materials{"*MAT"},
-        sections{"*SECTION_SHELL"}, curves{"*DEFINE_CURVE"}, vectors{"*DEFINE_VECTOR"},
-        coordinates{"*DEFINE_COORDINATE"};
-    Registry node_sets{"*SET_NODE"}, part_sets{"*SET_PART"}, shell_sets{"*SET_SHELL"},
-        segment_sets{"*SET_SEGMENT"}, solid_sets{"*SET_SOLID"};
-    Registry solids{"*ELEMENT_SOLID"};
-    Registry boxes{"*DEFINE_BOX"};
-    Registry transformations{"*DEFINE_TRANSFORMATION"};
-    Registry cpm_vents{"*DEFINE_CPM_VENT"}, cpm_chambers{"*DEFINE_CPM_CHAMBER"};
+    Registry nodes{"*NODE", IdKind::NODE};
+    Registry shells{"*ELEMENT_SHELL", IdKind::ELEMENT}, solids{"*ELEMENT_SOLID", IdKind::ELEMENT};
+    Registry parts{"*PART", IdKind::PART}, materials{"*MAT", IdKind::MATERIAL},
+        sections{"*SECTION_SHELL", IdKind::OTHER};
+    Registry node_sets{"*SET_NODE", IdKind::SET}, part_sets{"*SET_PART", IdKind::SET},
+        shell_sets{"*SET_SHELL", IdKind::SET}, segment_sets{"*SET_SEGMENT", IdKind::SET},
+        solid_sets{"*SET_SOLID", IdKind::SET};
+    Registry curves{"*DEFINE_CURVE", IdKind::FUNCTION};
+    Registry vectors{"*DEFINE_VECTOR", IdKind::DEFINE}, boxes{"*DEFINE_BOX", IdKind::DEFINE},
+        coordinates{"*DEFINE_COORDINATE", IdKind::DEFINE},
+        transformations{"*DEFINE_TRANSFORMATION", IdKind::DEFINE},
+        cpm_vents{"*DEFINE_CPM_VENT", IdKind::DEFINE},
+        cpm_chambers{"*DEFINE_CPM_CHAMBER", IdKind::DEFINE};
 };
 
 /// Members of sets, in the order of their names.
@@ -112,8 +129,10 @@ struct Draft : DraftNames, DraftSets, DraftAirbags {
     std::vector<Index> stiffened_parts;        ///< of solids that deform, taken as rigid
     Place node_masses_at;                      ///< the first *ELEMENT_MASS
     std::vector<Index> inertia_nodes;          ///< NODEID of *PART_INERTIA, node rows
-    std::vector<Eigen::AlignedBox3d> box;
-    std::vector<Eigen::Affine3d> transformation;
+    std::vector<SetBox> box;
+    std::vector<Transformation> transformation;
+    /// By *NODE block: its first node row, and the *INCLUDE_TRANSFORM around it or nullptr.
+    std::vector<std::pair<Index, const Inclusion*>> node_files;
     std::vector<RigidVelocity> inertia_start;  ///< of *PART_INERTIA, where nothing else says it
     std::vector<Index> rigid_owner;  ///< by node row: rigid part or -1; empty until it is asked for
     std::vector<LocalAxes> coordinate;

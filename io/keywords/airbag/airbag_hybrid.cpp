@@ -133,7 +133,7 @@ namespace {
 
 /// Row of the bag of uniform pressure that the field names, -1 with a fault.
 Index bag_named(Card& c, const Draft& draft, const char* field) {
-    const int id = c.integer(field);
+    const int id = c.id(field, IdKind::OTHER);
     const auto& bags = draft.model.uniform_bags;
     for (std::size_t b = 0; b < bags.size(); ++b)
         if (bags[b].id == id && !bags[b].law) return static_cast<Index>(b);

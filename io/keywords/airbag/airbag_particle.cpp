@@ -54,7 +54,7 @@ public:
 private:
     void name() {
         Card c = cards_.next("ID TITLE:70");
-        if (const int id = c.integer("ID", NON_NEGATIVE); id > 0) bag_.id = id;
+        if (const int id = c.id("ID", IdKind::OTHER, NON_NEGATIVE); id > 0) bag_.id = id;
         bag_.title = c.text("TITLE");
     }
 

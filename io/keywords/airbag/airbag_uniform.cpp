@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "io/keywords/airbag/airbag_uniform.hpp"
@@ -90,8 +89,8 @@ void molar_heat_capacities(Card& c, UniformBagCard& bag) {
 gas::CurveOr value_or_curve(Card& c, const char* name, const Registry& curves) {
     const double value = c.real(name);
     if (!c.good() || value >= 0.0) return {value};
-    const Registry::Entry* entry = value > -1e9 ? curves.find(static_cast<int>(-value)) : nullptr;
-    if (entry == nullptr || value != std::floor(value)) {
+    const Registry::Entry* entry = c.named(name, -value, curves);
+    if (entry == nullptr) {
         c.fault(name, ">= 0, or minus the id of a *DEFINE_CURVE of the deck");
         return {};
     }
@@ -100,8 +99,7 @@ gas::CurveOr value_or_curve(Card& c, const char* name, const Registry& curves) {
 
 std::vector<std::array<Index, 4>> facets_of_part(Card& c, const Draft& draft, const char* field,
                                                  double id, const char* expected) {
-    const Registry::Entry* entry =
-        id < 1e9 && id == std::floor(id) ? draft.parts.find(static_cast<int>(id)) : nullptr;
+    const Registry::Entry* entry = c.named(field, id, draft.parts);
     std::vector<std::array<Index, 4>> facets;
     if (entry != nullptr)
         for (const Shell& shell : draft.model.shells)
@@ -124,7 +122,7 @@ UniformBagCard control_volume(Cards& cards, const Draft& draft, const char* keyw
     bag.id = static_cast<int>(draft.model.bags.size() + draft.model.uniform_bags.size()) + 1;
     if (cards.has("ID")) {
         Card c = cards.next("ID TITLE:70");
-        if (const int id = c.integer("ID", NON_NEGATIVE); id > 0) bag.id = id;
+        if (const int id = c.id("ID", IdKind::OTHER, NON_NEGATIVE); id > 0) bag.id = id;
         bag.title = c.text("TITLE");
     }
     Card c = cards.next("SID SIDTYP RBID VSCA=1 PSCA=1 VINI MWD SPSF");

@@ -25,8 +25,8 @@ void vent_fields(Card& c, const Draft& draft, gas::VentCard& vent) {
 
 /// The row of the *DEFINE_CPM_VENT that C23 < 0 names.
 const gas::VentCard* defined_vent(Card& c, const Draft& draft, double C23) {
-    const Registry::Entry* entry = draft.cpm_vents.find(static_cast<int>(-C23));
-    if (entry != nullptr && -C23 == static_cast<int>(-C23)) return &draft.cpm_vent[entry->row];
+    const Registry::Entry* entry = c.named("C23", -C23, draft.cpm_vents);
+    if (entry != nullptr) return &draft.cpm_vent[static_cast<std::size_t>(entry->row)];
     c.fault("C23", ">= 0, or minus the id of a *DEFINE_CPM_VENT of the deck");
     return nullptr;
 }

@@ -70,8 +70,8 @@ void hold_body(Cards& cards, Draft& draft, Index body) {
     const Index material = draft.model.parts[static_cast<std::size_t>(body)].material;
     auto& rigid =
         std::get<fabric::RigidCard>(draft.model.materials[static_cast<std::size_t>(material)].card);
-    rigid.fixed_moves = HELD.at(static_cast<std::size_t>(moves));
-    rigid.fixed_turns = HELD.at(static_cast<std::size_t>(turns));
+    hold_along_axes(c.file(), HELD.at(static_cast<std::size_t>(moves)),
+                    HELD.at(static_cast<std::size_t>(turns)), rigid);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ void joint(Cards& cards, Draft& draft, bool has_axis) {
             fmt::format("*{} {}", cards.block().keyword, draft.model.rigid_joints.size() + 1);
         if (cards.has("ID")) {
             Card c = cards.next("JID TITLE:70");
-            joint.name = fmt::format("*{} {}", cards.block().keyword, c.integer("JID"));
+            joint.name = fmt::format("*{} {}", cards.block().keyword, c.id("JID", IdKind::OTHER));
             c.harmless("TITLE");
         }
         Card c = cards.next(layout);

@@ -17,6 +17,14 @@ bool is_rigid(const Draft& draft, Index part) {
                                 draft.model.materials[static_cast<std::size_t>(material)].card);
 }
 
+void hold_along_axes(const FilePlace& file, unsigned moves, unsigned turns,
+                     fabric::RigidCard& rigid) {
+    const auto held = file.held(moves | turns << 3U);
+    rigid.fixed_moves = held ? *held & 7U : moves;
+    rigid.fixed_turns = held ? *held >> 3U : turns;
+    if (!held) rigid.axes = file.mirrors() ? Mat3(-file.turn()) : file.turn();
+}
+
 namespace {
 
 Mat3 tensor(Cards& cards) {
@@ -56,7 +64,7 @@ void part_inertia(Cards& cards, Draft& draft, Index part) {
     Index node = -1;
     {
         Card c = cards.next("XC YC ZC TM IRCS NODEID");
-        body.centre = c.vector("XC", "YC", "ZC");
+        body.centre = c.point("XC", "YC", "ZC");
         body.mass = c.real("TM", POSITIVE);
         is_local = c.choice("IRCS", {0, 1}) == 1;
         node = c.row_or_none("NODEID", draft.nodes);
@@ -71,13 +79,15 @@ void part_inertia(Cards& cards, Draft& draft, Index part) {
     start.part = part;
     {
         Card c = cards.next("VTX VTY VTZ VRX VRY VRZ");
-        start.velocity = c.vector("VTX", "VTY", "VTZ");
-        start.spin = c.vector("VRX", "VRY", "VRZ");
+        start.velocity = c.direction("VTX", "VTY", "VTZ");
+        start.spin = c.spin("VRX", "VRY", "VRZ");
     }
     if (is_local) {
         const Mat3 axes = local_axes(cards);
         body.inertia = axes * body.inertia * axes.transpose();
     }
+    if (const FilePlace& file = cards.file(); file.turns())
+        body.inertia = (file.turn() * body.inertia * file.turn().transpose()).eval();
     if (!start.velocity.isZero(0.0) || !start.spin.isZero(0.0))
         draft.inertia_start.push_back(start);
     draft.model.rigid_inertia.push_back(body);
@@ -97,6 +107,15 @@ void section_solid(Cards& cards, Draft& draft) {
 
 namespace {
 
+/// Mirrored: nodes 1, 2 and 3, 4, and so on for those behind, change places; of a tetrahedron
+/// (nodes 4 to 8 are one) 1 and 2 alone.
+void turn_over(std::array<Index, 8>& nodes) {
+    const bool is_tetrahedron =
+        std::all_of(nodes.begin() + 4, nodes.end(), [&](Index n) { return n == nodes[3]; });
+    for (std::size_t k = 0; k < (is_tetrahedron ? 2U : 8U); k += 2)
+        std::swap(nodes[k], nodes[k + 1]);
+}
+
 /// EID PID and eight nodes, on one line or on two.
 Solid solid_cards(Cards& cards, const Draft& draft, Place& place) {
     static const Layout one("EID:8 PID:8 N1:8 N2:8 N3:8 N4:8 N5:8 N6:8 N7:8 N8:8");
@@ -107,7 +126,7 @@ Solid solid_cards(Cards& cards, const Draft& draft, Place& place) {
     };
     Card c = cards.next(one);
     place = c.place();
-    solid.id = c.integer(std::size_t{0}, {1.0});
+    solid.id = c.id(std::size_t{0}, IdKind::ELEMENT, {1.0});
     solid.part = c.row(std::size_t{1}, draft.parts);
     if (solid.part >= 0 && draft.part_has_solids[static_cast<std::size_t>(solid.part)] == 0)
         c.fault(std::size_t{1}, "a part with *SECTION_SOLID");
@@ -120,6 +139,7 @@ Solid solid_cards(Cards& cards, const Draft& draft, Place& place) {
             if (more.given(i) && more.integer(i) != 0)
                 more.fault(i, "blank: solids of 4 to 8 nodes are read");
     }
+    if (c.file().mirrors()) turn_over(solid.nodes);
     return solid;
 }
 

@@ -19,6 +19,11 @@ void expect_lead(Card& c, const Draft& draft, const char* field, Index part);
 /// The lead of the rigid part that each node belongs to, or -1; by node row.
 const std::vector<Index>& rigid_owners(Draft& draft);
 
+/// Holds a body along axes of the card's file and about them (bits x, y, z): along those of the deck
+/// where these are its axes too, else along its own.
+void hold_along_axes(const FilePlace& file, unsigned moves, unsigned turns,
+                     fabric::RigidCard& rigid);
+
 /// The cards of *PART_INERTIA behind that of the part.
 void part_inertia(Cards& cards, Draft& draft, Index part);
 

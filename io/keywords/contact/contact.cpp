@@ -143,7 +143,7 @@ void read_contact(Cards& cards, Draft& draft, Kind kind) {
     contact.id = free_id(draft);
     if (cards.has("ID") || cards.has("TITLE")) {
         Card c = cards.next("CID TITLE:70");
-        if (const int id = c.integer("CID", NON_NEGATIVE); id > 0) contact.id = id;
+        if (const int id = c.id("CID", IdKind::OTHER, NON_NEGATIVE); id > 0) contact.id = id;
         contact.title = c.text("TITLE");
     }
     if (cards.has("MPP")) {

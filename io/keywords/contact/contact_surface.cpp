@@ -167,7 +167,7 @@ ContactSide contact_side(Card& c, const Draft& draft, const SideFields& side, bo
 void keep_in_box(Card& c, const Draft& draft, std::string_view field, ContactSide& side) {
     const Index row = c.row_or_none(field, draft.boxes);
     if (row < 0) return;
-    const Eigen::AlignedBox3d& box = draft.box[static_cast<std::size_t>(row)];
+    const SetBox& box = draft.box[static_cast<std::size_t>(row)];
     std::vector<std::uint8_t> is_of(draft.model.parts.size(), 0), is_parted(is_of),
         is_on(draft.model.shells.size(), 0);
     for (const Index part : side.parts) is_of[static_cast<std::size_t>(part)] = 1;

@@ -15,7 +15,7 @@ void wall_name(Cards& cards, const Draft& draft, contact::WallCard& wall) {
     wall.id = static_cast<int>(draft.model.walls.size()) + 1;
     if (!cards.has("ID") && !cards.has("TITLE")) return;
     Card c = cards.next("ID TITLE:70");
-    if (const int id = c.integer("ID", NON_NEGATIVE); id > 0) wall.id = id;
+    if (const int id = c.id("ID", IdKind::PART, NON_NEGATIVE); id > 0) wall.id = id;
     wall.title = c.text("TITLE");
 }
 
@@ -30,7 +30,7 @@ std::vector<Index> stopped_nodes(Card& c, const Draft& draft) {
         std::erase_if(nodes, [&](Index node) { return gone.contains(node); });
     }
     if (const Index row = c.row_or_none("BOXID", draft.boxes); row >= 0) {
-        const Eigen::AlignedBox3d& box = draft.box[static_cast<std::size_t>(row)];
+        const SetBox& box = draft.box[static_cast<std::size_t>(row)];
         std::erase_if(nodes, [&](Index node) {
             return !box.contains(draft.model.x[static_cast<std::size_t>(node)]);
         });
@@ -41,8 +41,8 @@ std::vector<Index> stopped_nodes(Card& c, const Draft& draft) {
 
 Arrow arrow(Card& c) {
     Arrow a;
-    a.tail = c.vector("XT", "YT", "ZT");
-    const Vec3 way = c.vector("XH", "YH", "ZH") - a.tail;
+    a.tail = c.point("XT", "YT", "ZT");
+    const Vec3 way = c.point("XH", "YH", "ZH") - a.tail;
     if (c.good() && way.isZero(0.0))
         c.fault("XH", "a head away from the tail");
     else
@@ -54,7 +54,7 @@ Arrow arrow(Card& c) {
 contact::WallShape rectangle(Cards& cards, const Arrow& normal, bool has_depth) {
     constexpr double SQUARE = 1e-3;  // cosine up to which an edge stands upright on the normal
     Card c = cards.next(has_depth ? "XHEV YHEV ZHEV LENL LENM LENP" : "XHEV YHEV ZHEV LENL LENM");
-    const Vec3 edge = c.vector("XHEV", "YHEV", "ZHEV") - normal.tail;
+    const Vec3 edge = c.point("XHEV", "YHEV", "ZHEV") - normal.tail;
     const double l = c.real("LENL", NON_NEGATIVE), m = c.real("LENM", NON_NEGATIVE);
     const Vec3& n = normal.direction;
     Vec3 along = edge - n.dot(edge) * n;
@@ -69,6 +69,7 @@ contact::WallShape rectangle(Cards& cards, const Arrow& normal, bool has_depth) 
     block.axes << along, n.cross(along), n;
     if (l > 0.0) block.low[0] = 0.0, block.high[0] = l;
     if (m > 0.0) block.low[1] = 0.0, block.high[1] = m;
+    if (m > 0.0 && c.file().mirrors()) block.low[1] = -m, block.high[1] = 0.0;
     if (has_depth) {
         const double depth = c.real("LENP", NON_NEGATIVE);
         block.high[2] = 0.0;

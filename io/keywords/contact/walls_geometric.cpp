@@ -17,7 +17,7 @@ contact::WallMotion guided(Cards& cards, Draft& draft) {
     motion.curve = c.row("LCID", draft.curves);
     draft.curve_uses.push_back({motion.curve, c.place()});
     motion.is_displacement = c.choice("OPT", {0, 1}) == 1;
-    motion.direction = c.vector("VX", "VY", "VZ");
+    motion.direction = c.direction("VX", "VY", "VZ");
     if (c.good() && std::abs(motion.direction.norm() - 1.0) > UNIT)
         c.fault("VX", "the cosines of a direction, VX² + VY² + VZ² = 1");
     else
@@ -52,7 +52,7 @@ contact::WallShape ball(Cards& cards, double& friction) {
     contact::Ball ball;
     {
         Card c = cards.next("XT YT ZT XH YH ZH FRIC");
-        ball.centre = c.vector("XT", "YT", "ZT");
+        ball.centre = c.point("XT", "YT", "ZT");
         friction = c.real("FRIC", within(0.0, 1.0));
         c.harmless("XH YH ZH");  // a ball has no direction
     }

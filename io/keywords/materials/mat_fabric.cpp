@@ -14,10 +14,9 @@ void value_or_curve(Card& c, const char* name, const Registry& curves, double& v
                     Index& curve) {
     value = c.real(name);
     if (!c.good() || value >= 0.0) return;
-    const double id = -value;
+    const Registry::Entry* entry = c.named(name, -value, curves);
     value = 0.0;
-    const Registry::Entry* entry = id < 1e9 ? curves.find(static_cast<int>(id)) : nullptr;
-    if (entry == nullptr || id != std::floor(id))
+    if (entry == nullptr)
         return c.fault(name, ">= 0, or minus the id of a *DEFINE_CURVE of the deck");
     curve = entry->row;
 }
@@ -75,9 +74,8 @@ void restoration(Card& c, Draft& draft, FabricCard& cloth) {
     }
     if (factor > 0.0 && cloth.form < 2)
         return c.fault("TSRFAC", "below 1 for FORM 0 and 1, which have no course over time");
-    const Registry::Entry* entry =
-        std::abs(factor) < 1e9 ? draft.curves.find(static_cast<int>(std::abs(factor))) : nullptr;
-    if (entry == nullptr || factor != std::floor(factor))
+    const Registry::Entry* entry = c.named("TSRFAC", std::abs(factor), draft.curves);
+    if (entry == nullptr)
         return c.fault("TSRFAC", "0 to 1, or the id of a *DEFINE_CURVE of the deck, or minus it");
     (factor < 0.0 ? how.share_curve : how.course_curve) = entry->row;
     for (const double y : draft.model.curves[static_cast<std::size_t>(entry->row)].y)
@@ -148,7 +146,7 @@ void coat(Cards& cards, FabricCard& cloth) {
 void directions(Cards& cards, FabricCard& cloth) {
     {
         Card c = cards.next("- RGBRTH A0REF A1 A2 A3 X0 X1");
-        cloth.a = c.vector("A1", "A2", "A3");
+        cloth.a = c.direction("A1", "A2", "A3");
         cloth.reference_birth = c.real("RGBRTH", NON_NEGATIVE);
         if (cloth.reference_birth > 0.0 && cloth.restoration.any())
             c.fault("RGBRTH", "0 or blank: with TSRFAC strains come back from the start on");
@@ -158,9 +156,10 @@ void directions(Cards& cards, FabricCard& cloth) {
             c.fault("A1", "a vector for AOPT = 2");
     }
     Card c = cards.next("V1 V2 V3 D1 D2 D3 BETA ISREFG");
-    cloth.v = c.vector("V1", "V2", "V3");
+    cloth.v = c.direction("V1", "V2", "V3");
     if (cloth.axes == 3 && c.good() && cloth.v.isZero(0.0)) c.fault("V1", "a vector for AOPT = 3");
     cloth.beta = c.real("BETA") * std::numbers::pi / 180.0;
+    if (c.file().mirrors()) cloth.beta = -cloth.beta;  // about normals that are mirrored too
     c.harmless("D1 D2 D3 ISREFG");  // stress counts from the reference shape anyway
 }
 

@@ -1,6 +1,7 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 #include "io/keywords/bodies/held.hpp"
+#include "io/keywords/bodies/rigid_parts.hpp"
 #include "io/keywords/keywords.hpp"
 
 namespace corpuscle::io::keywords {
@@ -98,10 +99,9 @@ void mat_rigid(Cards& cards, Draft& draft) {
         } else {
             const int moves = c.integer("CON1", within(0, 7));
             const int turns = c.integer("CON2", within(0, 7));
-            if (axes == 1) {
-                rigid.fixed_moves = HELD.at(static_cast<std::size_t>(moves));
-                rigid.fixed_turns = HELD.at(static_cast<std::size_t>(turns));
-            }
+            if (axes == 1)
+                hold_along_axes(c.file(), HELD.at(static_cast<std::size_t>(moves)),
+                                HELD.at(static_cast<std::size_t>(turns)), rigid);
         }
     }
     Card c = cards.next("A1 A2 A3 V1 V2 V3");

@@ -41,11 +41,11 @@ void define_coordinate_system(Cards& cards, Draft& draft) {
         {
             Card c = cards.next("CID XO YO ZO XL YL ZL CIDL");  // CIDL: places in other axes
             c.new_id("CID", draft.coordinates, draft.coordinate.size());
-            origin = c.vector("XO", "YO", "ZO");
-            on_x = c.vector("XL", "YL", "ZL");
+            origin = c.point("XO", "YO", "ZO");
+            on_x = c.point("XL", "YL", "ZL");
         }
         Card c = cards.next("XP YP ZP");
-        add(c, draft, "XP", on_x - origin, c.vector("XP", "YP", "ZP") - origin);
+        add(c, draft, "XP", on_x - origin, c.point("XP", "YP", "ZP") - origin);
     }
 }
 
@@ -54,8 +54,8 @@ void define_coordinate_vector(Cards& cards, Draft& draft) {
         if (cards.has("TITLE")) cards.title();
         Card c = cards.next("CID XX YX ZX XV YV ZV NID");  // NID: turns with a node
         c.new_id("CID", draft.coordinates, draft.coordinate.size());
-        const Vec3 x = c.vector("XX", "YX", "ZX");
-        add(c, draft, "XV", x, c.vector("XV", "YV", "ZV"));
+        const Vec3 x = c.direction("XX", "YX", "ZX");
+        add(c, draft, "XV", x, c.direction("XV", "YV", "ZV"));
     }
 }
 

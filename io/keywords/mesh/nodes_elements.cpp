@@ -17,6 +17,7 @@ void node(Cards& cards, Draft& draft) {
     draft.nodes.reserve(n);
     model.node_id.reserve(n);
     model.x.reserve(n);
+    draft.node_files.emplace_back(static_cast<Index>(model.x.size()), cards.block().inclusion);
     while (cards.rows()) {
         Card c = cards.next(layout);
         const auto row = static_cast<Index>(model.x.size());
@@ -80,6 +81,7 @@ void element_shell(Cards& cards, Draft& draft) {
         shell.nodes[3] = fourth < 0 ? shell.nodes[2] : fourth;
         if (c.good() && !is_sound(shell.nodes))
             c.fault("N1", "no node twice, but for N4 = N3 of a triangle");
+        shell.nodes = c.file().facet(shell.nodes);
         shells.push_back(shell);
         if (cards.has("THICKNESS") || cards.has("BETA")) own_thickness(cards, draft, shell.part);
     }

@@ -24,8 +24,15 @@ Scaling id_card(Cards& cards, const Draft& draft) {
     return scaling;
 }
 
-/// X_0 + S (X - X_0), X_0 the reference place of NIDO.
-void scale(ReferenceGeometry& reference, const Scaling& by, const Points& x) {
+/// X_0 + S (X - X_0), along the axes of the file that says S.
+Vec3 scaled(const Vec3& at, const Vec3& origin, const Scaling& by, const FilePlace& file) {
+    const Vec3 from = file.written(origin);
+    return file.point(from + by.factor.cwiseProduct(file.written(at) - from));
+}
+
+/// X_0 is the reference place of NIDO.
+void scale(ReferenceGeometry& reference, const Scaling& by, const FilePlace& file,
+           const Points& x) {
     if (reference.nodes.empty() || by.factor == Vec3::Ones()) return;
     Vec3 origin = reference.nodes.front().second;
     if (by.about >= 0) {
@@ -33,7 +40,7 @@ void scale(ReferenceGeometry& reference, const Scaling& by, const Points& x) {
         for (const auto& [row, at] : reference.nodes)
             if (row == by.about) origin = at;
     }
-    for (auto& [row, at] : reference.nodes) at = origin + by.factor.cwiseProduct(at - origin);
+    for (auto& [row, at] : reference.nodes) at = scaled(at, origin, by, file);
 }
 
 }  // namespace
@@ -51,7 +58,7 @@ void airbag_reference_geometry(Cards& cards, Draft& draft) {
     while (cards.rows()) {
         Card c = cards.next(place);
         const Index row = c.row(std::size_t{0}, draft.nodes);
-        const Vec3 at(c.real(std::size_t{1}), c.real(std::size_t{2}), c.real(std::size_t{3}));
+        const Vec3 at = c.point("X", "Y", "Z");
         if (row >= 0 && !seen.add(row, row, c.place()))
             c.fault("NID", fmt::format("each node once, but {} has it too",
                                        cards.faults().where(seen.find(row)->place)));
@@ -59,7 +66,7 @@ void airbag_reference_geometry(Cards& cards, Draft& draft) {
             reference.nodes.emplace_back(row, at);
     }
     if (reference.nodes.empty() && cards.good()) cards.fault("has no nodes, expected some");
-    scale(reference, scaling, draft.model.x);
+    scale(reference, scaling, cards.file(), draft.model.x);
     draft.model.references.push_back(std::move(reference));
 }
 
@@ -79,6 +86,10 @@ ShellReference shell_row(Cards& cards, const Draft& draft, Registry& seen) {
         }
         const Index node = c.row(i + 2, draft.nodes);
         if (node >= 0) reference.corners[i] = draft.model.x[static_cast<std::size_t>(node)];
+    }
+    if (c.file().mirrors()) {  // as the shell's own
+        std::swap(reference.corners[0], reference.corners[1]);
+        std::swap(reference.corners[2], reference.corners[3]);
     }
     if (reference.shell < 0 || part < 0) return reference;
     if (draft.model.shells[static_cast<std::size_t>(reference.shell)].part != part)
@@ -102,7 +113,7 @@ void airbag_shell_reference_geometry(Cards& cards, Draft& draft) {
     const Vec3 origin = scaling.about >= 0 ? draft.model.x[static_cast<std::size_t>(scaling.about)]
                                            : references.front().corners[0];
     for (ShellReference& reference : references) {
-        for (Vec3& at : reference.corners) at = origin + scaling.factor.cwiseProduct(at - origin);
+        for (Vec3& at : reference.corners) at = scaled(at, origin, scaling, cards.file());
         draft.model.shell_references.push_back(reference);
     }
 }

@@ -42,7 +42,7 @@ void add_named(Card& c, DraftNames& names, SetOfSets& set) {
     Registry* kind = option == "SET" ? set.name.first : &names.shell_sets;
     const bool is_short = set.name.first == &names.segment_sets && !is_taken_away;
     for (std::size_t i = 1; i <= (is_short ? MOST_SEGMENT_IDS : MOST_IDS); ++i)
-        if (c.given(i)) set.of.emplace_back(kind, c.integer(i));
+        if (c.given(i)) set.of.emplace_back(kind, c.id(i, kind->id_kind()));
 }
 
 /// Names alone: whoever reads the set tells what is wrong with its cards.
@@ -53,7 +53,7 @@ SetOfSets names_in(const Task& task, const Parameters& parameters, DraftNames& n
     Cards cards(*task.block, untold, parameters, task.match.suffixes);
     if (cards.has("TITLE")) cards.title();
     SetOfSets set;
-    set.name = {&kind_of(task, names), cards.next("SID").integer("SID")};
+    set.name = {&kind_of(task, names), cards.next("SID").id("SID", IdKind::SET)};
     const bool is_general = task.match.name.ends_with("_GENERAL");
     while (cards.rows()) {
         Card c = cards.next(is_general ? general : listed);
@@ -61,7 +61,7 @@ SetOfSets names_in(const Task& task, const Parameters& parameters, DraftNames& n
             add_named(c, names, set);
         else
             for (std::size_t i = 0; i < 8; ++i)
-                if (c.given(i)) set.of.emplace_back(set.name.first, c.integer(i));
+                if (c.given(i)) set.of.emplace_back(set.name.first, c.id(i, IdKind::SET));
     }
     return set;
 }

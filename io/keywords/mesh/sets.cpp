@@ -68,7 +68,7 @@ Rows listed(Cards& cards, const Registry& things) {
         Card c = cards.next(layout);
         for (std::size_t i = 0; i < 8; ++i) {
             if (!c.given(i)) continue;
-            const int id = c.integer(i);
+            const int id = c.id(i, things.id_kind());
             if (id == 0) continue;
             if (missing.has(id))
                 missing.add(id, c.place(), card, i + 1);
@@ -104,10 +104,11 @@ Rows generated(Cards& cards, const Registry& things) {
         Card c = cards.next(layout);
         for (std::size_t i = 0; i < 8; i += 2) {
             const int first = c.integer(i, NON_NEGATIVE), last = c.integer(i + 1, NON_NEGATIVE);
+            const int begin = c.id(i, things.id_kind()), end = c.id(i + 1, things.id_kind());
             if (c.good() && last < first)
                 c.fault(i + 1, "an id that is not below the one before it");
             else if (c.good() && last > 0)
-                append(rows, things.between(first, last));
+                append(rows, things.between(first > 0 ? begin : end - last, end));
         }
     }
     return rows;
@@ -119,8 +120,9 @@ Rows stepped(Cards& cards, const Registry& things) {
     Rows rows;
     while (cards.rows()) {
         Card c = cards.next(layout);
-        const int first = c.integer("BBEG", {1.0});
-        const int last = c.integer("BEND", {static_cast<double>(first)});
+        const double low = c.integer("BBEG", {1.0});
+        const int first = c.id("BBEG", things.id_kind());
+        const int last = c.id("BEND", things.id_kind(), {low});
         const int step = c.integer("INCR", {1.0});
         if (c.good()) append(rows, things.between(first, last, step));
     }
@@ -191,7 +193,7 @@ void set_segment(Cards& cards, Draft& draft) {
         for (std::size_t k = 0; k < 3; ++k) nodes[k] = c.row(k, draft.nodes);
         const Index fourth = c.row_or_none("N4", draft.nodes);
         nodes[3] = fourth < 0 ? nodes[2] : fourth;
-        segments.push_back(nodes);
+        segments.push_back(c.file().facet(nodes));
     }
     Collection<std::array<Index, 4>> set;
     set.add(segments);

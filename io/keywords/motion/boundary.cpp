@@ -14,7 +14,10 @@ DofMask fixed_dofs(Card& c) {
     DofMask fixed = 0;
     for (std::size_t i = 0; i < DOFS.size(); ++i)
         if (c.choice(DOFS[i], {0, 1}) == 1) fixed |= 1U << i;
-    return fixed;
+    const auto held = c.file().held(fixed);
+    if (!held)
+        c.fault("DOFX", "what is held along axes of the deck, into which its file is turned");
+    return held.value_or(0);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ Rows nodes_of_parts(const Draft& draft, const Rows& parts) {
 Vec3 translation(Card& c) {
     // membrane nodes do not turn
     c.noted("VXR VYR VZR", "nodes have no rotation here");
-    return c.vector("VX", "VY", "VZ");
+    return c.direction("VX", "VY", "VZ");
 }
 
 }  // namespace
@@ -76,8 +76,8 @@ void initial_velocity_rigid_body(Cards& cards, Draft& draft) {
         Card c = cards.next(layout);
         RigidVelocity rigid;
         rigid.part = c.row("PID", draft.parts);
-        rigid.velocity = c.vector("VX", "VY", "VZ");
-        rigid.spin = c.vector("VXR", "VYR", "VZR");
+        rigid.velocity = c.direction("VX", "VY", "VZ");
+        rigid.spin = c.spin("VXR", "VYR", "VZR");
         if (rigid.part >= 0 && !is_rigid(draft, rigid.part))
             c.fault("PID", "a part with *MAT_RIGID");
         expect_lead(c, draft, "PID", rigid.part);
@@ -100,7 +100,7 @@ Movers proxies(Card& c, const Draft& draft) {
     const bool all = c.integer("ID") == 0;
     const int type = all ? c.integer("STYP", NON_NEGATIVE) : c.choice("STYP", {1, 2, 3});
     m.spin = c.real("OMEGA");
-    m.velocity = c.vector("VX", "VY", "VZ");
+    m.velocity = c.direction("VX", "VY", "VZ");
     if (all) {
         m.nodes = all_nodes(draft);
         return m;
@@ -128,12 +128,12 @@ void generation(Cards& cards, Draft& draft) {
         std::erase_if(draft.inertia_start, [&](const RigidVelocity& start) {
             return std::find(m.parts.begin(), m.parts.end(), start.part) != m.parts.end();
         });
-    const Vec3 centre = c.vector("XC", "YC", "ZC");
+    const Vec3 centre = c.point("XC", "YC", "ZC");
     Vec3 axis = c.vector("NX", "NY", "NZ");
     if (axis.x() == -999.0) c.fault("NX", "a direction: axes by node numbers are not acted on yet");
     if (m.spin != 0.0 && c.good() && axis.isZero(0.0)) c.fault("NX", "an axis, for OMEGA is given");
     if (!axis.isZero(0.0)) axis.normalize();
-    const Vec3 turning = m.spin * axis;  // [rad/s]
+    const Vec3 turning = c.file().spin(m.spin * axis);  // [rad/s]
     for (const Index node : m.nodes)
         set_velocity(
             draft, {node},

@@ -1,15 +1,27 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include "io/keywords/keywords.hpp"
 
 namespace corpuscle::io::keywords {
 
 namespace {
 
+/// Gravity is the whole deck's: a file that is turned may not say its direction.
+void expect_unturned(Card& c, const char* field, int axis) {
+    constexpr double ROUNDING = 1e-9;
+    if (!(c.file().direction(Vec3::Unit(axis)) - Vec3::Unit(axis)).isZero(ROUNDING))
+        c.fault(field,
+                "a body load in the deck itself: the file of this one is turned away from its "
+                "direction");
+}
+
 void body_load(Cards& cards, Draft& draft, int axis) {
     Card c = cards.next("LCID SF=1 LCIDDR XC YC ZC CID");
     BodyLoad load;
     load.axis = axis;
+    expect_unturned(c, "LCID", axis);
     load.curve = c.row("LCID", draft.curves);
     load.scale = c.real("SF");
     load.parts = draft.body_load_parts;
@@ -26,6 +38,7 @@ void gravity(Cards& cards, Draft& draft, bool is_set) {
         const Index row = c.row("PID", is_set ? draft.part_sets : draft.parts);
         BodyLoad load;
         load.axis = c.choice("DOF", {1, 2, 3}) - 1;
+        expect_unturned(c, "DOF", load.axis);
         load.curve = c.row_or_none("LC", draft.curves);
         load.scale = c.real("ACCEL");
         c.harmless("LCDR");  // of dynamic relaxation
@@ -79,7 +92,7 @@ void load_segment(Cards& cards, Draft& draft) {
         std::array<Index, 4> facet{c.row("N1", draft.nodes), c.row("N2", draft.nodes),
                                    c.row("N3", draft.nodes), c.row_or_none("N4", draft.nodes)};
         if (facet[3] < 0) facet[3] = facet[2];
-        load.facets.push_back(facet);
+        load.facets.push_back(c.file().facet(facet));
         draft.model.pressure_loads.push_back(std::move(load));
     }
 }
@@ -123,6 +136,17 @@ void load_shell_set(Cards& cards, Draft& draft) {
 
 namespace {
 
+/// The load along a direction as loads along the axes.
+void push_along_axes(const Vec3& direction, const NodeLoad& load, std::vector<NodeLoad>& loads) {
+    constexpr double ROUNDING = 1e-12;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(direction[axis]) <= ROUNDING) continue;
+        loads.push_back(load);
+        loads.back().axis = axis;
+        loads.back().scale *= direction[axis];
+    }
+}
+
 /// Rows of DOF, LCID and SF, for nodes.
 void node_load(Cards& cards, Draft& draft, bool is_set) {
     static const Layout layout("NID DOF LCID SF=1 CID M1 M2 M3");
@@ -130,14 +154,14 @@ void node_load(Cards& cards, Draft& draft, bool is_set) {
         Card c = cards.next(layout);
         NodeLoad load;
         const Index row = c.row("NID", is_set ? draft.node_sets : draft.nodes);
-        load.axis = c.choice("DOF", {1, 2, 3}, {4, 5, 6, 7, 8}) - 1;
+        const int dof = c.choice("DOF", {1, 2, 3}, {4, 5, 6, 7, 8}) - 1;
         load.curve = c.row("LCID", draft.curves);
         load.scale = c.real("SF");
         c.harmless("M1 M2 M3");  // of loads that follow three nodes
         draft.curve_uses.push_back({load.curve, c.place()});
         if (row < 0 || load.curve < 0) continue;
         load.nodes = is_set ? draft.node_set[static_cast<std::size_t>(row)] : std::vector{row};
-        draft.model.node_loads.push_back(std::move(load));
+        push_along_axes(c.file().direction(Vec3::Unit(dof)), load, draft.model.node_loads);
     }
 }
 

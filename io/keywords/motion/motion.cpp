@@ -19,11 +19,13 @@ void direction(Card& c, const Draft& draft, PrescribedMotion& motion, bool of_ri
                                   : c.choice("DOF", {1, 2, 3, 4}, {-4, -8, 9, 10, 11});
     motion.rotation = dof > 4;
     if (dof % 4 != 0) {
-        motion.axis = AXES[dof % 4 - 1];
+        const Vec3& axis = AXES[dof % 4 - 1];
+        motion.axis = motion.rotation ? c.file().spin(axis) : c.file().direction(axis);
         return c.harmless("VID");
     }
     const Index vector = c.row("VID", draft.vectors);
     if (vector >= 0) motion.axis = draft.vector[static_cast<std::size_t>(vector)].normalized();
+    if (motion.rotation && c.file().mirrors()) motion.axis = -motion.axis;
 }
 
 /// The card, but for its first field.

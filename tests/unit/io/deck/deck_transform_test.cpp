@@ -51,16 +51,17 @@ TEST_CASE("lines of a transformation act in their order", "[deck]") {
     check_at(placed("TRANSL,1,0,0\nROTATE,0,0,1,0,0,0,90\nSCALE,2,3,0\n")[1], {-4, 3, 0});
 }
 
-TEST_CASE("a rotation by points or a mirror is refused by name", "[deck]") {
-    CHECK(only_fault(NODES + "*DEFINE_TRANSFORMATION\n7\nROTATE,1,2,30\n")
-              .find("turning by points") != std::string::npos);
-    CHECK(only_fault(NODES + "*DEFINE_TRANSFORMATION\n7\nMIRROR,1,2,30,4,5,6\n")
-              .find("expected TRANSL, SCALE or ROTATE") != std::string::npos);
-    CHECK(only_fault(NODES + "*DEFINE_TRANSFORMATION\n7\nSCALE,-1\n").find("factors above 0") !=
-          std::string::npos);
-    CHECK(only_fault(NODES + "*DEFINE_TRANSFORMATION\n7\nROTATE,0,0,0,1,1,1,5\n").find("an axis") !=
-          std::string::npos);
-    CHECK(only_fault(NODES + "*NODE_TRANSFORM\n7,9\n").find("TRSID") != std::string::npos);
+TEST_CASE("rows of a transformation that say too little are refused", "[deck]") {
+    const auto fault = [](const std::string& row) {
+        return only_fault(NODES + "*DEFINE_TRANSFORMATION\n7\n" + row);
+    };
+    CHECK(contains(fault("ROTATE,0,0,0,1,1,1,5\n"), "an axis"));
+    CHECK(contains(fault("ROTATE,0,0,1,1,1,1\n"), "(A7) = blank"));
+    CHECK(contains(fault("SCALE,1e-12\n"), "a factor of 1e-09 to 1e+09"));
+    CHECK(contains(fault("SHEAR,1\n"),
+                   "(OPTION) = SHEAR, expected TRANSL, TRANSL2ND, SCALE, ROTATE, ROTATE3NA, MIRROR, "
+                   "POINT, POS6P or POS6N"));
+    CHECK(contains(only_fault(NODES + "*NODE_TRANSFORM\n7,9\n"), "TRSID"));
 }
 
 TEST_CASE("nodes from which a mass was found are not moved behind its back", "[deck]") {
