@@ -45,6 +45,11 @@ std::optional<Parameter> overridden(const Name& name, const std::string& text) {
     return value ? std::optional(p) : std::nullopt;
 }
 
+bool is_same(const Parameter& a, const Parameter& b) {
+    return a.type == b.type && a.value.number == b.value.number &&
+           (a.type != 'C' || a.text == b.text);
+}
+
 class Definitions {
 public:
     Definitions(const Block& block, Parameters& parameters, Faults& faults)
@@ -143,7 +148,8 @@ private:
                                          name.type == 'I' ? "a whole number" : "a number"));
             }
         }
-        if (const Parameter* first = parameters_.define(name.name, p, is_local_))
+        if (const Parameter* first = parameters_.define(name.name, p, is_local_);
+            first != nullptr && !is_same(*first, p))  // as of a file that is included twice
             cards_.faults().warn(
                 p.place, fmt::format("*{} {} is ignored: {} has it already", cards_.block().keyword,
                                      name.name, cards_.faults().where(first->place)));

@@ -105,3 +105,25 @@ TEST_CASE("HCONV, chambers and TSW together: a chamber cools by itself, the othe
     CHECK(last[0].temperature == Approx(first[0].temperature).epsilon(1e-12));
     CHECK(last[1].mass == Approx(first[1].mass).epsilon(1e-12));
 }
+
+TEST_CASE("a bag runs the same wherever a deck places it, and however it numbers it", "[io]") {
+    constexpr int STEPS = 25;
+    Run whole("wang_nefske_inflator_card.k"), placed("placed_bags.k");
+    whole.steps(STEPS);
+    placed.steps(STEPS);
+    REQUIRE(placed.scene.uniform_bags().size() == 3);
+    const double apart[] = {(placed.x(2) - placed.x(26)).norm(),
+                            (placed.x(1002) - placed.x(1026)).norm(),
+                            (placed.x(4002) - placed.x(4026)).norm()};
+    const auto& bags = placed.scene.uniform_bags();
+    CHECK(bags[1].card().id == 1707);
+    CHECK(bags[2].card().id == 4007);
+    // turned it is the same to rounding, in a mirror its quads are cut along the other diagonal
+    CHECK(bags[1].gas().pressure() == Approx(bags[0].gas().pressure()).epsilon(1e-9));
+    CHECK(bags[2].gas().pressure() == Approx(bags[0].gas().pressure()).epsilon(1e-3));
+    CHECK(apart[1] == Approx(apart[0]).epsilon(1e-9));
+    CHECK(apart[2] == Approx(apart[0]).epsilon(1e-2));
+    // POS6P, mirror and half a turn of node 1, which is held: (3, 0, 0), (3, -2, 0), and about the line
+    // along z through (3, -5, 0), for points 4 and 5 move with the rows before: (3, -8, 0)
+    CHECK((placed.x(4001) - Vec3(3.0, -8.0, 0.0)).norm() < 1e-12);
+}
