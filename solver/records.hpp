@@ -106,7 +106,8 @@ struct AirbagSample {
         double temperature = 0;  ///< [K]
         double mass = 0;         ///< [kg]
         double energy = 0;       ///< [J]
-        double static_pressure = 0, static_temperature = 0;  ///< [Pa], [K]
+        double static_pressure = 0;     ///< [Pa]
+        double static_temperature = 0;  ///< [K]
     };
     std::vector<Species> species;   ///< as RecordLayout::Airbag::species
     std::vector<Part> parts;        ///< as RecordLayout::Airbag::parts
