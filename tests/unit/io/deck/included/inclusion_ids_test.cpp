@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "io/deck_mesh.hpp"
 #include "tests/unit/io/deck/included/inclusion_setup.hpp"
 
 using namespace corpuscle;
@@ -107,6 +108,37 @@ TEST_CASE("offsets may be parameters that are defined behind them, and -D goes b
                              "*PARAMETER\nI off,100\n*END\n";
     CHECK(folder.read(deck).node_id[0] == 101);
     CHECK(folder.read(deck, {{{"OFF", "200"}}}).node_id[0] == 201);
+}
+
+TEST_CASE("a parameter of a file that is included twice is no warning, one of another value is",
+          "[io]") {
+    const DeckFolder folder;
+    folder.write("file.k", "*PARAMETER\nR spare,0.5\n");
+    const std::string twice = inclusion("file.k") + inclusion("file.k");
+    CHECK(folder.read(small_deck(twice)).warnings.empty());
+    const Model other = folder.read(small_deck(twice + "*PARAMETER\nR spare,0.25\n"));
+    REQUIRE(other.warnings.size() == 1);
+    CHECK(contains(other.warnings[0], "*PARAMETER SPARE is ignored"));
+}
+
+TEST_CASE("a mesh alone is that of the deck: its ids, its places, its normals", "[io]") {
+    const DeckFolder folder;
+    folder.write("file.k", small_deck("*SET_PART\n9\n1,2\n"));
+    const auto deck = folder.write(
+        "deck.k", "*KEYWORD\n" + inclusion("file.k", EACH_OFFSET, 7) +
+                      "*DEFINE_TRANSFORMATION_TITLE\nup, mirrored\n7\nTRANSL,0,0,3\nSCALE,-1,1,1\n"
+                      "*END\n");
+    const io::DeckMesh mesh = io::read_deck_mesh(deck);
+    const Model model = io::read_deck(deck);
+    CHECK(mesh.x == model.x);
+    CHECK(mesh.x[1] == Vec3(-1, 0, 3));
+    CHECK(mesh.node_id == model.node_id);
+    CHECK(mesh.last_part_set == 5009);
+    for (std::size_t s = 0; s < model.shells.size(); ++s) {
+        CHECK(mesh.shells[s] == model.shells[s].nodes);
+        CHECK(mesh.shell_id[s] == model.shells[s].id);
+        CHECK(mesh.part_id[s] == model.parts[static_cast<std::size_t>(model.shells[s].part)].id);
+    }
 }
 
 TEST_CASE("units, titles and a file DYNA.INC: refused, or told", "[io]") {
