@@ -24,7 +24,7 @@ public:
     static constexpr std::size_t POINTS = Element<Lanes>::POINTS;
     static constexpr std::size_t STRIDE = 3 * LANES * CORNERS;  ///< corner forces of a pack
     static constexpr bool HAS_PAST = Remembering<Law>;
-    static constexpr bool IS_BOUNDED = KnowsBound<Element<Lanes>> && !StiffensBeyond<Law>;
+    static constexpr bool IS_SHARP = DAMPED && KnowsBound<Element<Lanes>> && !StiffensBeyond<Law>;
 
     template <class Make>
     BlockOf(const BlockInput& in, const Law& law, const Make& make)
@@ -40,6 +40,7 @@ public:
         stiffness.resize(size());
         damping_time_.resize(packs_.size() * LANES, 0.0);
         if constexpr (Remembering<Law>) memory_.resize(packs_.size());
+        if (IS_SHARP && in.law.damping >= CALM) mobility_.resize(packs_.size());
         for (std::size_t e = 0; e < packs_.size() * LANES; ++e)
             place(in, e, make(in.shapes[std::min(e, size() - 1)], in.thickness));
         if (liner_ || in.law.restoration.any()) history_.resize(packs_.size());
@@ -61,7 +62,7 @@ public:
             if constexpr (DAMPED) damp(p, motion, v, damping);
 
             Lanes now = pack.rate * stiffening(strain);
-            if (any(now > rate)) now = sharpened(p, motion, load, now);
+            if (!mobility_.empty() && any(now > rate)) now = sharpened(p, motion, load, now);
             pack_of = select(now > rate, Lanes{} + static_cast<double>(p), pack_of);
             rate = greater(now, rate);
         }
@@ -121,9 +122,8 @@ public:
     double damping_time(std::size_t element) const override { return damping_time_[element]; }
 
     void take_masses() override {
-        if constexpr (IS_BOUNDED) {
-            mobility_.resize(packs_.size());
-            for (std::size_t p = 0; p < packs_.size(); ++p)
+        if constexpr (IS_SHARP) {
+            for (std::size_t p = 0; p < mobility_.size(); ++p)
                 mobility_[p] = corner_mobility(packs_[p].shape, per_mass<CORNERS>(mass, p));
         }
     }
@@ -253,7 +253,7 @@ private:
 
     /// The lesser of (2/dt)² as stretch alone bounds it and as the element does.
     Lanes sharpened(std::size_t p, const auto& motion, const auto& load, const Lanes& by_stretch) {
-        if constexpr (!IS_BOUNDED) {
+        if constexpr (!IS_SHARP) {
             return by_stretch;
         } else {
             const Lanes square =
@@ -279,7 +279,7 @@ private:
     std::optional<WaitingLiner> liner_;
     PlaneModuli moduli_;  ///< of law and liner
     std::vector<Pack<Element>> packs_;
-    std::vector<CornerMobility<Lanes>> mobility_;  ///< empty: no bound
+    std::vector<CornerMobility<Lanes>> mobility_;  ///< empty: stretch alone bounds the step
     std::vector<double> damping_time_;             ///< β, for every lane                     [s]
     std::vector<typename MemoryOf<Law, POINTS>::PerPack> memory_;  ///< empty: nothing to remember
     std::vector<std::array<PointHistory, POINTS>> history_;  ///< empty: neither TSRFAC nor LNRC

@@ -10,6 +10,10 @@
 
 namespace corpuscle::fabric {
 
+/// Share of critical damping from which on a step so near its limit does not pump cloth up that
+/// turns slack and taut: with 0.003 energy grows 14-fold in 10 000 steps, with 0.01 by 1.3.
+inline constexpr double CALM = 0.01;
+
 /// What gradients move of the corners' masses, A_ab = Σ b_a b_b/m over an element's corners; b_1,
 /// b_2: along the yarns, b_q: of the hourglass vector, 0 of a triangle.
 template <class Real>

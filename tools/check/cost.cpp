@@ -31,7 +31,7 @@ constexpr double OPENING = 0.1;
 
 /// Cloth that is stretched and sheared wants smaller steps than at the start: steps of the folded and
 /// the flat driver bag over end time / first step.
-constexpr double MORE_STEPS = 1.25;
+constexpr double MORE_STEPS = 1.2;
 
 /// Share of a run that one thread does alone, or that is lost to waiting (Amdahl).
 constexpr double SERIAL = 0.1;

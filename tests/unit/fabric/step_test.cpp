@@ -163,13 +163,15 @@ TEST_CASE("a stretched or sheared mesh is stable just below the step that it the
 
 TEST_CASE("stretching shortens the step, folding does not", "[fabric][step]") {
     const Mesh mesh = GENERATE(from_range(std::begin(MESHES), std::end(MESHES)));
-    Sheet sheet = jittered(fabric_card(), mesh, 5);
+    FabricCard card = fabric_card();
+    card.damping = GENERATE(0.0, 0.02);
+    Sheet sheet = jittered(card, mesh, 5);
     Membranes membranes = sheet.membranes();
     const double rest = membranes.stable_step().dt;
     force(membranes, moved(sheet.x, [](const Vec3& p) { return Vec3(1.1 * p); }));
     const double least = rest / std::sqrt(1 + 3 * 0.105), most = rest / std::sqrt(1 + 2 * 0.105);
-    CHECK(membranes.stable_step().dt > (1 - 1e-9) * least);
-    CHECK(membranes.stable_step().dt < (1 + 1e-9) * most);
+    CHECK(membranes.stable_step().dt >= (1 - 1e-9) * least);
+    CHECK(membranes.stable_step().dt <= (1 + 1e-9) * (card.damping > 0.0 ? most : least));
     const Points folded =
         moved(sheet.x, [](const Vec3& p) { return Vec3(0.5 * p.x(), 0, 0.3 * p.y()); });
     Membranes other = sheet.membranes();

@@ -53,9 +53,9 @@ TEST_CASE("a law of one's own is as good as one of the library's", "[fabric][own
         CHECK((f_a[n] - f_b[n]).norm() <= 1e-12 * f_a[n].norm());
     CHECK(a.strain_energy() > 0.0);
     CHECK(b.strain_energy() == Approx(a.strain_energy()).epsilon(1e-12));
-    // Of its stiffness only the moduli are known: stretch counts as if it were stiff all round
+    // Of damped cloth the library's law knows a sharper bound
     CHECK(b.stable_step().dt <= a.stable_step().dt * (1 + 1e-12));
-    CHECK(b.stable_step().dt > 0.9 * a.stable_step().dt);
+    CHECK(b.stable_step().dt > (damping > 0.0 ? 0.9 : 1 - 1e-12) * a.stable_step().dt);
 }
 
 TEST_CASE("a law of one's own that cannot be is refused with every fault", "[fabric][own]") {
