@@ -58,9 +58,10 @@ TEST_CASE("rows of a transformation that say too little are refused", "[deck]") 
     CHECK(contains(fault("ROTATE,0,0,0,1,1,1,5\n"), "an axis"));
     CHECK(contains(fault("ROTATE,0,0,1,1,1,1\n"), "(A7) = blank"));
     CHECK(contains(fault("SCALE,1e-12\n"), "a factor of 1e-09 to 1e+09"));
-    CHECK(contains(fault("SHEAR,1\n"),
-                   "(OPTION) = SHEAR, expected TRANSL, TRANSL2ND, SCALE, ROTATE, ROTATE3NA, MIRROR, "
-                   "POINT, POS6P or POS6N"));
+    CHECK(
+        contains(fault("SHEAR,1\n"),
+                 "(OPTION) = SHEAR, expected TRANSL, TRANSL2ND, SCALE, ROTATE, ROTATE3NA, MIRROR, "
+                 "POINT, POS6P or POS6N"));
     CHECK(contains(only_fault(NODES + "*NODE_TRANSFORM\n7,9\n"), "TRSID"));
 }
 
