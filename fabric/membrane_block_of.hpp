@@ -252,7 +252,8 @@ private:
     }
 
     /// The lesser of (2/dt)² as stretch alone bounds it and as the element does.
-    Lanes sharpened(std::size_t p, const auto& motion, const auto& load, const Lanes& by_stretch) {
+    [[gnu::noinline]] Lanes sharpened(std::size_t p, const auto& motion, const auto& load,
+                                      const Lanes& by_stretch) const {
         if constexpr (!IS_SHARP) {
             return by_stretch;
         } else {
