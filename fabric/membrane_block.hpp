@@ -74,7 +74,7 @@ public:
     Index part = -1;
     int corners = 0;
     bool is_damped = false;
-    double rest_rate = 0.0;   ///< (2/dt)² of all elements at their reference shapes [1/s^2]
+    double rest_rate = 0.0;     ///< (2/dt)² of all elements at their reference shapes [1/s^2]
     double strain_left = 0.0;   ///< r: what is left of the start's strain (TSRFAC)     [-]
     std::vector<Index> shells;  ///< rows, in order
     std::vector<double> mass;   ///< that each corner brings to its node, size × corners  [kg]

@@ -101,12 +101,12 @@ struct AirbagSample {
     };
     /// *DEFINE_CPM_CHAMBER: quantities as those of the bag.
     struct Chamber {
-        double volume = 0;       ///< [m^3]
-        double pressure = 0;     ///< absolute                                              [Pa]
-        double temperature = 0;  ///< [K]
-        double mass = 0;         ///< [kg]
-        double energy = 0;       ///< [J]
-        double static_pressure = 0;     ///< [Pa]
+        double volume = 0;           ///< [m^3]
+        double pressure = 0;         ///< absolute                                              [Pa]
+        double temperature = 0;      ///< [K]
+        double mass = 0;             ///< [kg]
+        double energy = 0;           ///< [J]
+        double static_pressure = 0;  ///< [Pa]
         double static_temperature = 0;  ///< [K]
     };
     std::vector<Species> species;   ///< as RecordLayout::Airbag::species

@@ -58,7 +58,7 @@ concept StiffensBeyond = requires(const Law& law, const Strain<Lanes>& e) {
     law.stiffening(e);
 };
 
-/// Products of three rates of strain, 11, 22 and the angle's, by the masses that they move.
+/// R = B M⁻¹ Bᵀ of three rates of strain, 11, 22 and the angle's.                      [1/(kg m²)]
 template <class Real>
 struct RateProducts {
     Real r11, r12, r13, r22, r23, r33;
@@ -81,8 +81,11 @@ Real greatest_root(const Real& a, const Real& b, const Real& c) {
     return (1.0 / 3.0) * (a + length * (1.0 + 2.0 * d));
 }
 
-/// Greatest eigenvalue of D·R, that of D^½ R D^½: of B Dᵀ Bᵀ over the masses, as rates of strain
-/// are few.                                                                       [1/(s² m³)]
+/// Greatest eigenvalue of D·R, which is that of M^-½ Bᵀ D B M^-½ of an element's three rates of strain
+/// B, R = B M⁻¹ Bᵀ.                                                               [1/(s² m³)]
+///
+/// Added to bounds of what else is stiff it bounds the whole [Weyl 1912]: eigenvalues of a sum of
+/// symmetric matrices are at most the sum of their greatest ones.
 template <class Real>
 Real material_bound(const PlaneModuli& d, const RateProducts<Real>& r) {
     const Real p11 = d.warp * r.r11 + d.cross * r.r12, p12 = d.warp * r.r12 + d.cross * r.r22;
@@ -95,7 +98,7 @@ Real material_bound(const PlaneModuli& d, const RateProducts<Real>& r) {
     return greatest_root(p11 + p22 + p33, minors, det);
 }
 
-/// Greatest eigenvalue, at least 0, of what a stress does on what turns: of S·A.
+/// Greatest eigenvalue, at least 0, of what a stress does on what turns: of S·A.    [1/(s² m³)]
 template <class Real>
 Real stress_bound(const Stress<Real>& s, const CornerMobility<Real>& a) {
     const Real trace = s.warp * a.a11 + s.weft * a.a22 + 2.0 * s.shear * a.a12;
