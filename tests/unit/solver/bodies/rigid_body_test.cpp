@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "solver/simulation.hpp"
 #include "tests/support/scenes/touching_bodies.hpp"
 
 using namespace corpuscle;
@@ -180,4 +181,19 @@ TEST_CASE("a sample has velocity, momentum and energy of a body at its own time"
     simulation.close(watch);
     CHECK(G * last_dt > 1e-6);  // half a step would be seen
     CHECK(worst < 1e-11);
+}
+
+TEST_CASE("nodes of a body have its motion from the first frame on", "[solver][rigid]") {
+    fabric::RigidCard card;
+    card.density = 1000;
+    Model model = scenes::of(shapes::box(Vec3(0.1, 0.08, 0.06), 1), card, 1e-3);
+    model.rigid_velocity = {{0, {1, 2, 3}, {0, 40, 10}}};
+    model.end_time = 1e-3;
+    Simulation run(model, 1);
+    const Vec3 centre = run.bodies()[0].position();
+    Points shown;
+    run.step([&](Simulation& at_t) { shown = at_t.frame().velocity; });
+    for (std::size_t n = 0; n < model.x.size(); ++n)
+        CHECK((shown[n] - Vec3(1, 2, 3) - Vec3(0, 40, 10).cross(model.x[n] - centre)).norm() <
+              1e-12);
 }
