@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "gas/collisions/step_beside.hpp"
 #include "solver/scene/scene_state.hpp"
 
 namespace corpuscle {
@@ -43,8 +44,10 @@ StepLimit SceneState::stable_step(bool without_start) const {
     // Whoever asks for steps beyond the stable one gets them from the first on
     if (!without_start && model.step_factor <= 1.0)
         limit.tighten(cloth.strained_start.longest(), StepLimit::Who::STRAIN, 0);
+    const double by_cloth = limit.dt;
     for (const gas::BagGas& bag : airbags.particle)
-        limit.tighten(bag.stable_step(), StepLimit::Who::GAS, bag.card().id);
+        limit.tighten(gas::step_beside(bag.stable_step(), by_cloth), StepLimit::Who::GAS,
+                      bag.card().id);
     // Rigid bodies and gas at uniform pressure set no limit: a thousand steps are what a path and a
     // curve of inflow want to be seen.
     if (limit.who == StepLimit::Who::NOTHING) limit.dt = model.end_time / 1000.0;

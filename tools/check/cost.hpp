@@ -19,7 +19,7 @@ struct Cost {
 
 /// Sum over the run's time of steps, each with its cost:
 ///
-///     dt(t)   = min(cloth, gas);   cloth: the first step / 1.2, for stretched cloth wants less
+///     dt(t)   = min(cloth, gas beside it);   cloth: the first step / 1.2, for stretched cloth wants less
 ///     gas     = first gas step (N / n)^(1/3) (V / V_0)^(1/3) c_0 / c: cells of as many particles
 ///     seconds = sum of counts times costs: particles that are in, facets of bags, elements, nodes,
 ///               shells in contact, and pairs that were near at the start, which come apart as gas
