@@ -159,6 +159,8 @@ Vec3 SceneState::gas_force(Index node) const {
 }
 
 Vec3 SceneState::velocity(Index node) const {
+    if (!bodies.of_node.empty() && bodies.of_node[node] >= 0)
+        return bodies.all[bodies.of_node[node]].velocity_at_t(nodes.x[node], ledger.weight);
     return (1.0 - ledger.weight) * v.before[node] + ledger.weight * nodes.v[node];
 }
 

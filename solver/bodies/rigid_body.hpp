@@ -105,6 +105,11 @@ public:
     [[nodiscard]] Vec3 angular_momentum_at_t(double weight) const {
         return momentum_before_ + weight * (angular_momentum_ - momentum_before_);
     }
+    /// Of a place of the body at t, likewise.                                             [m/s]
+    [[nodiscard]] Vec3 velocity_at_t(const Vec3& x, double weight) const {
+        return velocity_at_t(weight) +
+               spin_of(turn_, angular_momentum_at_t(weight)).cross(x - centre_);
+    }
     /// At t, of both.                                                                       [J]
     [[nodiscard]] double kinetic_energy_at_t(double weight) const {
         return energy_of(velocity_at_t(weight), angular_momentum_at_t(weight));

@@ -54,10 +54,10 @@ SceneState::SceneState(Model of, std::uint64_t draw)
     const std::size_t count = model.x.size();
     if (model.velocity.empty()) model.velocity.assign(count, Vec3::Zero());
     nodes = {model.x, model.x, model.velocity, Points(count, Vec3::Zero()), {}};
+    v.before = v.mid = nodes.v;
 
     build_cloth();
     build_bodies();
-    v.before = v.mid = nodes.v;
     check_ties();
     if (cloth.active_shells > 0) cloth.growth = GrowthMonitor(fabric_nodes(), fabric_sizes());
     build_bags();
@@ -141,9 +141,6 @@ void SceneState::build_bodies() {
     for (std::size_t b = 0; b < bodies.all.size(); ++b)
         for (const Index n : bodies.all[b].nodes()) bodies.of_node[n] = static_cast<Index>(b);
     if (!model.rigid_joints.empty()) join_bodies();
-    for (const RigidBody& body : bodies.all)
-        for (const Index n : body.nodes())
-            nodes.v[n] = body.velocity() + body.spin().cross(nodes.x[n] - body.position());
 }
 
 /// Velocities at the start that joints do not allow are made to agree.
