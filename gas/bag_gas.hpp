@@ -99,8 +99,8 @@ public:
     /// Whether become_uniform() has taken place.
     [[nodiscard]] bool is_uniform() const { return uniform_ != nullptr; }
 
-    /// Step in which a typical particle crosses an eighth of a cell: longer ones blur waves
-    /// (gas/collisions/step_beside.hpp). INF after TSW.                                       [s]
+    /// Step in which a typical particle crosses an eighth of a cell: longer ones blur waves. INF
+    /// after TSW.                                                                               [s]
     [[nodiscard]] double stable_step() const;
 
     /// The gas of all rooms together, nodes at x.

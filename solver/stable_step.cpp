@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "gas/collisions/step_beside.hpp"
 #include "solver/scene/scene_state.hpp"
 
 namespace corpuscle {
@@ -46,8 +45,7 @@ StepLimit SceneState::stable_step(bool without_start) const {
         limit.tighten(cloth.strained_start.longest(), StepLimit::Who::STRAIN, 0);
     const double by_cloth = limit.dt;
     for (const gas::BagGas& bag : airbags.particle)
-        limit.tighten(gas::step_beside(bag.stable_step(), by_cloth), StepLimit::Who::GAS,
-                      bag.card().id);
+        limit.tighten(step_beside(bag.stable_step(), by_cloth), StepLimit::Who::GAS, bag.card().id);
     // Rigid bodies and gas at uniform pressure set no limit: a thousand steps are what a path and a
     // curve of inflow want to be seen.
     if (limit.who == StepLimit::Who::NOTHING) limit.dt = model.end_time / 1000.0;

@@ -7,7 +7,6 @@
 #include <ctime>
 #include <vector>
 
-#include "gas/collisions/step_beside.hpp"
 #include "gas/particles.hpp"
 #include "solver/base/parallel.hpp"
 #include "solver/simulation.hpp"
@@ -209,7 +208,7 @@ Cost cost_of(const Simulation& simulation) {
         double dt = by_cloth, seconds = without_gas, opened = 0.0;
         for (FillingBag& bag : bags) {
             bag.advance(t, bin);
-            dt = std::min(dt, gas::step_beside(bag.step(), by_cloth));
+            dt = std::min(dt, step_beside(bag.step(), by_cloth));
             seconds += bag.seconds_of_step();
             opened = std::max(opened, bag.share_in(t));
         }

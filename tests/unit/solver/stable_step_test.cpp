@@ -1,18 +1,16 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "gas/collisions/step_beside.hpp"
+#include "solver/stable_step.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
 
-#include "solver/base/vec.hpp"
-
 using corpuscle::INF;
-using corpuscle::gas::step_beside;
+using corpuscle::step_beside;
 
 TEST_CASE("gas lets cloth have up to one and a half of its own step, and has its own beside more",
-          "[gas]") {
+          "[solver]") {
     CHECK(step_beside(8e-6, 5e-6) == 5e-6);
     CHECK(step_beside(8e-6, 11.9e-6) == 11.9e-6);
     CHECK(step_beside(8e-6, 18e-6) == Approx(8e-6));
