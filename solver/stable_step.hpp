@@ -41,8 +41,8 @@ struct StepLimit {
 ///
 /// so from g to q g, continuous in both. Particles cross 3/16 of a cell in q g: errors of Sod's tube
 /// are 7 % above those at an eighth.
-/// @param gas    INF: none
-/// @param cloth  INF: none
+/// @param gas    [s]; INF: none
+/// @param cloth  [s]; INF: none
 [[nodiscard]] inline double step_beside(double gas, double cloth) {
     const double most = 1.5 * gas;
     return cloth <= most ? cloth : std::max(gas, most / cloth * most);
