@@ -6,23 +6,23 @@
 
 namespace corpuscle::fabric {
 
-/// A stable step that stays as it is for a while: it falls at once when it must, and rises only
-/// after HELD steps, to the least of what they allowed.
+/// A stable step that falls at once and rises only after HELD steps, to the least stable step of
+/// these.
 ///
-/// Of a mode near its limit, leapfrog keeps v²/2 + ω²x²/2·(1 - (ω dt/2)²): a step that follows
-/// every breath of the stretch pumps energy into it. A crumpled film that takes compression grew a
-/// thousandfold in 10 000 steps at 0.9 of a step that followed; at 0.9 of one that is held, by less
-/// than half.
+/// Near the limit leapfrog conserves v²/2 + ω²x²/2·(1 - (ω dt/2)²) of a mode: a step that follows
+/// each oscillation of the stretch adds energy. The energy of a crumpled film with compressive
+/// stiffness grows a thousandfold in 10 000 steps at 0.9 of a step that follows, by less than half
+/// at 0.9 of a held one.
 class HeldStep {
 public:
-    static constexpr int HELD = 1000;  ///< 200 do as well as 3000 on crumpled films
+    static constexpr int HELD = 1000;  ///< 200 to 3000 are equally good on crumpled films
 
     HeldStep() = default;
     /// @param dt     the step held at first                                                   [s]
     /// @param shell  row of the shell that it is of, -1: of none
     HeldStep(double dt, Index shell) : dt_(dt), shell_(shell) {}
 
-    /// Takes what the present state allows, and which shell says so.
+    /// Takes the stable step of the present state, and the shell that sets it.
     void take(double dt, Index shell) {
         if (dt < recent_) {
             recent_ = dt;
@@ -39,7 +39,7 @@ public:
     [[nodiscard]] double dt() const { return dt_; }       ///< the step held now  [s]
     [[nodiscard]] Index shell() const { return shell_; }  ///< -1: nothing limits it
 
-    /// All of it, for a checkpoint.
+    /// State for a checkpoint.
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(dt_);

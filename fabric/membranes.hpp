@@ -18,15 +18,15 @@ namespace corpuscle::fabric {
 
 class MembraneBlock;
 
-/// All shells that can be strained: internal force, energy, stable step.
+/// All shells with strains: internal force, energy, stable step.
 ///
-/// Elements of one part, shape and law form a block; a block's loop knows no options. Corner forces
-/// are written once by their element and gathered by node in a fixed order: same bits on any number
-/// of threads.
+/// Elements of one part, shape and law form a block; the loop over a block has no options. Elements
+/// write corner forces, nodes gather them in a fixed order: results are bitwise the same on any
+/// number of threads.
 class Membranes {
 public:
-    /// @throws InputError  naming every shell whose reference shape, and every material whose
-    ///                     numbers are impossible
+    /// @throws InputError  naming every shell with an impossible reference shape, and every
+    ///                     material with impossible numbers
     explicit Membranes(const MembraneSetup& setup);
     ~Membranes();
     /// What was moved from may only be assigned to or destroyed.
@@ -39,38 +39,38 @@ public:
         double dt;    ///< [s], infinite when nothing is active
         Index shell;  ///< row of the shell that sets it, -1 when nothing does
     };
-    /// Largest stable step of any element alone, which bounds that of the mesh: from the reference
-    /// shape, law, liner and damping, shortened by the stretch that add_force has met, and held as
-    /// HeldStep says. No TSSFAC.
+    /// Least of the elements' stable steps, a lower bound of the mesh's: from reference shape, law,
+    /// liner and damping, shortened by the stretch of the last add_force, and held by HeldStep.
+    /// Without TSSFAC.
     [[nodiscard]] Step stable_step() const { return {step_.dt(), step_.shell()}; }
 
     /// f += internal force of positions x at t and, where damped, of velocities v at t - dt/2.
     /// @returns  row of the first shell whose strain or force is not finite, -1 when all are
     [[nodiscard]] Index add_force(const Points& x, const Points& v, Points& f);
 
-    /// Energy stored at the last add_force, hourglass control and bent coats included.          [J]
+    /// Energy stored at the last add_force, with hourglass control and coatings.                [J]
     [[nodiscard]] double strain_energy() const;
     /// By part row.                                                                         [J]
     [[nodiscard]] std::span<const double> part_strain_energy() const { return part_energy_; }
 
-    /// The part of the last add_force that came from DAMP: N × 3, empty when no part is damped. [N]
+    /// Damping force (DAMP) of the last add_force: N × 3, empty when no part is damped.         [N]
     [[nodiscard]] std::span<const Vec3> damping_force() const { return damping_force_; }
 
-    /// What damping takes out of the motion while the last forces kick v_0 to v_1 over dt:
-    /// -Σ f·(v_0 + v_1)/2·dt, exactly the loss of kinetic energy that it causes.                [J]
+    /// Energy dissipated by damping while the last forces kick v_0 to v_1 over dt:
+    /// -Σ f·(v_0 + v_1)/2·dt, exactly its loss of kinetic energy.                               [J]
     [[nodiscard]] double damping_energy(const Points& v_0, const Points& v_1, double dt) const;
 
-    /// What loops of loading and unloading (LCUA, LCUB, LCUAB) have lost up to the last
-    /// add_force.                                                                           [J]
+    /// Energy dissipated by hysteresis (LCUA, LCUB, LCUAB) up to the last add_force.
+    ///                                                                                      [J]
     [[nodiscard]] double lost_energy() const { return lost_energy_; }
 
-    /// TSRFAC: one step's share of the start's strains comes back, before add_force at t.
+    /// TSRFAC: restores one step's share of the initial strain, before add_force at t.
     void restore_strains(double t);
-    /// Energy that has come with them up to the last add_force.                             [J]
+    /// Energy added by TSRFAC up to the last add_force.                                     [J]
     [[nodiscard]] double restored_energy() const { return restored_energy_; }
 
-    /// Takes over what yarns and liners have been through from membranes of the same shells; those
-    /// of `is_new` (E) begin anew.
+    /// Copies the history of yarns and liners from membranes of the same shells; shells of `is_new`
+    /// (E) start without history.
     void inherit(const Membranes& from, const std::vector<std::uint8_t>& is_new);
 
     /// Everything that is not a function of the setup, for a checkpoint: archive(number) for one,
@@ -90,29 +90,29 @@ public:
         visit_past([&](std::span<std::byte> bytes) { archive(bytes); });
     }
 
-    /// What mass scaling adds.
+    /// Mass added by mass scaling.
     struct AddedMass {
         std::vector<double> node;  ///< N, to be added to the lumped mass                     [kg]
         double total = 0.0;        ///< may be negative when the step was forced on all       [kg]
     };
-    /// Which elements take mass.
+    /// Elements that get mass.
     enum class Scaling {
-        WHERE_NEEDED,  ///< DT2MS < 0: those whose own step is shorter
-        EVERYWHERE     ///< DT2MS > 0: all; mass is taken from those whose step is longer
+        WHERE_NEEDED,  ///< DT2MS < 0: those with a shorter step
+        EVERYWHERE     ///< DT2MS > 0: all; those with a longer step lose mass
     };
     /// Gives elements the mass for which the step `wish` is stable at their reference shape;
-    /// stable_step() knows of it from then on.
+    /// stable_step() includes it from then on.
     /// @param wish  greater than 0                                                              [s]
-    /// @throws InputError  where bending of a coat alone allows no such step, of whatever mass
+    /// @throws InputError  where a coating's bending allows no such step with any mass
     AddedMass scale_mass(double wish, Scaling where);
 
-    /// For pictures, warp, weft and shear of every shell's mean strain, zeros for inactive ones (E
-    /// × 3): Green strain E11, E22, 2·E12, and the true stress of cloth of unchanged volume on its
-    /// yarns, S11·|g1|², S22·|g2|², S12·|g1||g2|. [-], [Pa]
+    /// For output, E × 3, each shell's mean, zeros for inactive ones: Green strain E11, E22, 2·E12,
+    /// and the true stress along the yarns at constant volume, S11·|g1|², S22·|g2|², S12·|g1||g2|.
+    /// [-], [Pa]
     void stress_strain(const Points& x, std::span<std::array<float, 3>> stress,
                        std::span<std::array<float, 3>> strain) const;
 
-    /// Bending of coats; empty: none.
+    /// Bending of coatings; empty: none.
     [[nodiscard]] const CoatBending& coat() const { return coat_; }
     /// Elements that have strains.
     [[nodiscard]] std::size_t element_count() const { return element_count_; }

@@ -26,8 +26,8 @@
 
 namespace corpuscle::gas {
 
-/// What a bag's gas has round it whether it is particles or uniform: walls, what comes in and goes
-/// out, the load on the fabric, the balances.
+/// What particle gas and uniform gas of a bag share: walls, inflow and outflow, the load on the
+/// fabric, the balances.
 struct Envelope {
     /// Arguments and errors: those of BagGas.
     Envelope(const BagCard& bag, BagWalls bag_walls, std::span<const Curve> curves,
@@ -38,10 +38,10 @@ struct Envelope {
 
     [[nodiscard]] std::string name() const;  ///< in the user's words
     [[nodiscard]] bool loses() const { return !openings.empty() || !heat_loss.empty(); }
-    /// The gas lets go of an impulse at an orifice that moves at `moving`: IMOM = 1, the orifice's
-    /// nodes are owed what the jet takes from them. What it does on nodes that move comes from the
-    /// inflator: gas that is thrown forward brings m v·w more than at rest, and pushes back with m
-    /// v·w less.                                                                 [N s], [m/s]
+    /// Jet reaction (IMOM = 1) of an impulse at an orifice that moves at `moving`: deferred impulse
+    /// on the orifice's nodes. Its work on moving nodes is the inflator's: gas ejected forward
+    /// enters with m v·w more energy than at rest, and the reaction does m v·w less work.
+    ///                                                                          [N s], [m/s]
     void push_back(std::size_t orifice, const Vec3& at, const Vec3& impulse, const Vec3& moving);
 
     BagCard card;
@@ -68,7 +68,7 @@ struct Envelope {
     double time = 0.0;            ///< to which gas has come in                         [s]
     std::vector<std::string> warnings;
 
-    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    /// State for a checkpoint (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(inflators, air, load, samples, openings, heat_loss, monitor, balance, rooms, area,

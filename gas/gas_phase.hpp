@@ -10,7 +10,7 @@
 
 namespace corpuscle::gas {
 
-/// What a bag's gas is: particles (ParticleGas), after TSW uniform in every room (UniformGas).
+/// The gas of a bag: particles (ParticleGas), after TSW uniform in every room (UniformGas).
 ///
 /// A step calls add_load() and book_load() at t, then prepare(), collide(), inject() and fly() from
 /// t to t + dt.
@@ -18,7 +18,7 @@ class GasPhase {
 public:
     virtual ~GasPhase() = default;
 
-    /// f += pressure that no particles bring, at t.                                      [N]
+    /// f += load of gas without particles, at t.                                         [N]
     virtual void add_load(const Points& x, Points& f) = 0;
     /// That load on a node.                                                              [N]
     [[nodiscard]] virtual Vec3 load_on(Index node) const = 0;
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] virtual double energy() const = 0;                    ///< [J]
     [[nodiscard]] virtual double pressure(std::size_t room) const = 0;  ///< that no particles bring
     [[nodiscard]] virtual double pressure() const = 0;  ///< its mean over rooms by volume [Pa]
-    /// Fills in masses, energies, pressure and temperature; volume and what has flowed are there.
+    /// Fills in masses, energies, pressure and temperature; volume and flows are set already.
     virtual void describe(GasState& now) const = 0;
     /// Adds each room's gas to its chamber.
     /// @param volume  of each room                                                     [m^3]

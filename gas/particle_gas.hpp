@@ -78,7 +78,7 @@ public:
     [[nodiscard]] const Particles& particles() const { return particles_; }
     [[nodiscard]] const Mixture& mixture() const { return collider_.mixture(); }
     [[nodiscard]] std::size_t lost() const { return lost_; }
-    /// Who was lost, when and where: the first few.
+    /// The first lost particles, with time and place.
     [[nodiscard]] const std::vector<std::string>& losses() const { return losses_; }
     [[nodiscard]] std::size_t hits() const { return hits_; }
     [[nodiscard]] std::size_t flights() const { return flights_; }

@@ -25,30 +25,30 @@ namespace corpuscle::gas {
 class UniformBag {
 public:
     /// @param walls    all closing
-    /// @param curves   that the card's rows mean
+    /// @param curves   to which the card's curve rows refer
     /// @param node_id  N: the deck's, for messages
     /// @param x        N × 3, at the start                                                    [m]
-    /// @throws InputError  when the surface is not closed, or there is no gas to begin with
+    /// @throws InputError  for a surface that is not closed, or no initial gas
     UniformBag(const UniformBagCard& card, BagWalls walls, std::span<const Curve> curves,
                std::span<const int> node_id, const Points& x);
 
     /// f += load at t.                                                                      [N]
-    /// @throws PhysicsError  for a volume or an energy that no gas has
+    /// @throws PhysicsError  for an impossible volume or energy
     void add_load(double t, const Points& x, Points& f);
     /// Books the work that the load has just done over `span` [s] on nodes that moved at v_mid.
     void book_load(const Points& v_mid, double span);
-    /// Gas in and out, t -> t + dt.
+    /// Inflow and outflow, t -> t + dt.
     void flow(double t, double dt);
-    /// Gas as it is here to another bag of the same gases, with its enthalpy.           [kg]
+    /// Moves gas with its enthalpy to another bag of the same gases.                    [kg]
     void give(double mass, double dt, UniformBag& to);
 
-    /// What the gas and the atmosphere do to a node at t.                                    [N]
+    /// Force of gas and atmosphere on a node at t.                                           [N]
     [[nodiscard]] Vec3 force(Index node) const { return gauge() * area_[node]; }
-    /// Step in which a five-hundredth of the gas leaves. [s]
+    /// Time in which a five-hundredth of the gas leaves. [s]
     [[nodiscard]] double stable_step() const;
 
-    /// Of the bag at t, area with nodes at x; without what has left (mass_out()). With a VolumeLaw
-    /// volume, area and gauge pressure alone.
+    /// State of the bag at t, area with nodes at x; without outflow so far (mass_out()). With a
+    /// VolumeLaw volume, area and gauge pressure alone.
     [[nodiscard]] GasState state(const Points& x) const;
     /// Of each part: its area with nodes at x, and PSCA times pressure(); mass out and heat are 0.
     [[nodiscard]] PartState part_state(const Points& x) const;
@@ -57,13 +57,13 @@ public:
     void add_shell_load(const Points& x, std::span<double> force, std::span<double> area) const;
 
     [[nodiscard]] double energy() const { return gas_.energy(); }  ///< inside, at t        [J]
-    /// With the gas that has come in so far.                                                [J]
+    /// Energy of the inflow so far.                                                         [J]
     [[nodiscard]] double inflow_energy() const { return inflow_energy_; }
-    /// With the gas that has gone out so far.                                               [J]
+    /// Energy of the outflow so far.                                                        [J]
     [[nodiscard]] double outflow_energy() const { return outflow_energy_; }
-    /// Of the walls against the atmosphere so far.                                          [J]
+    /// Work against the atmosphere so far.                                                  [J]
     [[nodiscard]] double ambient_work() const { return ambient_work_; }
-    /// Work that VSCA, PSCA and a VolumeLaw make of nothing (or take away).                 [J]
+    /// Work created (or removed) by the factors VSCA, PSCA and by a VolumeLaw.              [J]
     [[nodiscard]] double scaling_work() const { return scaling_work_; }
 
     [[nodiscard]] double mass_in() const { return mass_in_; }    ///< come in so far  [kg]
@@ -71,19 +71,19 @@ public:
     [[nodiscard]] double rate_in() const { return rate_in_; }    ///< in the last step   [kg/s]
     [[nodiscard]] double rate_out() const { return rate_out_; }  ///< in the last step   [kg/s]
 
-    /// As it was built with.
+    /// The card of the bag.
     [[nodiscard]] const UniformBagCard& card() const { return card_; }
-    /// As it was built with, all closing.
+    /// The walls of the bag, all closing.
     [[nodiscard]] const BagWalls& walls() const { return walls_; }
     /// The closed surface of its walls.
     [[nodiscard]] const Enclosure& enclosure() const { return enclosure_; }
     [[nodiscard]] const ControlVolume& gas() const { return gas_; }  ///< none with a VolumeLaw
     /// Absolute, at t; that of a VolumeLaw is gauge.                                        [Pa]
     [[nodiscard]] double pressure() const { return card_.law ? law_pressure_ : gas_.pressure(); }
-    /// What the user should know of the bag as it was built, a sentence each.
+    /// Remarks for the user about the bag as it was built, a sentence each.
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
-    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    /// State for a checkpoint (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(gas_, area_, exit_area_, leak_area_, is_open_, mass_in_, mass_out_, rate_in_,

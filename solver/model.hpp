@@ -222,7 +222,7 @@ struct ModelAirbags {
     std::vector<std::string> mendings;  ///< what was done to close bags
 };
 
-/// Who may touch whom.
+/// Pairs of surfaces in contact.
 struct ModelContacts {
     std::vector<contact::ContactCard> contacts;  ///< the first that holds for a pair counts
     std::vector<ContactShells> contact_shells;  ///< by contact; none: all contacts mean whole parts

@@ -10,7 +10,7 @@ namespace corpuscle {
 /// What a run hands to its results: means are over the time since the last call of the same kind.
 class Recorder {
 public:
-    /// Who the entries of samples and frames are; the same all through a run.
+    /// Ids and names of the entries of samples and frames; constant in a run.
     [[nodiscard]] static RecordLayout layout(const SceneState& scene);
     /// One row of every history at t, inside an observer.
     [[nodiscard]] Sample sample(SceneState& scene);

@@ -17,7 +17,7 @@
 
 namespace corpuscle {
 
-/// Who the entries of a Sample and a Frame are; fixed for the whole run.
+/// Ids and names of the entries of a Sample and a Frame; constant in a run.
 struct RecordLayout {
     /// A bag, of particles or of uniform pressure.
     struct Airbag {

@@ -18,11 +18,11 @@
 
 namespace corpuscle {
 
-/// What a step was.
+/// One step: start, length, limiter.
 struct StepReport {
     double t,         ///< where the step began  [s]
         dt;           ///< how long it was, to t + dt  [s]
-    StepLimit limit;  ///< who set dt
+    StepLimit limit;  ///< of dt, and its cause
 };
 
 /// A scene in motion, step by step, with its energy balance and its records.
@@ -33,27 +33,27 @@ struct StepReport {
 class Simulation {
 public:
     /// @param seed  of all random numbers: same model and seed, same bits on any number of threads
-    /// @throws InputError  for what only the whole scene shows (a bag that is not closed, a shell
-    ///                     without area, ...), every fault at once
+    /// @throws InputError  with all faults of the scene as a whole (a bag that is not closed, a
+    ///                     shell without area, ...)
     explicit Simulation(Model model, std::uint64_t seed = 1) : scene_(std::move(model), seed) {}
 
-    /// Called in every step, once, when positions, forces and books are those of t; never empty.
+    /// Called once a step, when positions, forces and energy balance are at t; never empty.
     using Observer = std::function<void(Simulation&)>;
 
-    /// Advances everything from t to t + dt (step.cpp: the page to read first).
-    /// @throws PhysicsError  with the time, where what comes out is not physics (solver/stops.cpp)
+    /// Advances the scene from t to t + dt (step.cpp).
+    /// @throws PhysicsError  with the time, where the result is not physical (solver/stops.cpp)
     StepReport step(const Observer& observe);
 
-    /// Brings forces and books to the end time, for the last observation.
+    /// Brings forces and energy balance to the end time, for the last observation.
     /// @throws PhysicsError  likewise
     void close(const Observer& observe);
 
-    /// Has t come to the end time?
+    /// Whether t has reached the end time.
     [[nodiscard]] bool is_over() const { return scene_.clock.t >= scene_.model.end_time; }
     [[nodiscard]] double time() const { return scene_.clock.t; }            ///< t            [s]
     [[nodiscard]] std::int64_t steps() const { return scene_.clock.step; }  ///< made so far
     [[nodiscard]] std::size_t particles() const { return scene_.particles(); }  ///< of all bags
-    /// Everything that moves, and how.
+    /// All moving parts, and their state.
     [[nodiscard]] const SceneState& scene() const { return scene_; }
     /// What the scene was built from.
     [[nodiscard]] const Model& model() const { return scene_.model; }
@@ -65,7 +65,7 @@ public:
     [[nodiscard]] const std::vector<gas::UniformBag>& uniform_bags() const {
         return scene_.airbags.uniform;
     }
-    /// None: no card asks for it.
+    /// Empty: the deck has no contact.
     [[nodiscard]] const std::optional<contact::SurfaceContact>& contact() const {
         return scene_.obstacles.contact;
     }
@@ -77,28 +77,28 @@ public:
     [[nodiscard]] const std::vector<RigidBody>& bodies() const { return scene_.bodies.all; }
     /// Wall time by phase.                                                                  [s]
     [[nodiscard]] const Timings& timings() const { return timings_; }
-    /// Found in the first step, or by look_at_contacts().
+    /// Pairs that are too near or cross at the start; after look_at_contacts() or the first step.
     [[nodiscard]] BadStarts bad_starts() const { return scene_.bad_starts(); }
-    /// As the first step will, at the start.
+    /// Finds the contacts at the start, without a step.
     void look_at_contacts() { scene_.find_contacts(stable_step().dt); }
     /// Shells that have strains.
     [[nodiscard]] std::size_t active_shells() const { return scene_.cloth.active_shells; }
-    /// By DT2MS.                                                                           [kg]
+    /// Mass added by DT2MS.                                                                  [kg]
     [[nodiscard]] double added_mass() const { return scene_.cloth.added_mass; }
 
-    /// The next step and who limits it.
-    /// @param without_start  as if there were no DTINIT, and no strain to let go
+    /// Length of the next step, and its limiter.
+    /// @param without_start  ignores DTINIT and initial strain
     [[nodiscard]] StepLimit stable_step(bool without_start = false) const {
         return scene_.stable_step(without_start);
     }
-    /// What the shells alone allow.
+    /// Stable step of the shells alone.
     [[nodiscard]] StepLimit shells_step() const { return scene_.shells_step(); }
 
-    /// At t, inside an observer.
+    /// Energy balance at t; inside an observer.
     [[nodiscard]] EnergyBooks books() const { return EnergyAudit::books(scene_); }
-    /// Who the entries of samples and frames are.
+    /// Ids and names of the entries of samples and frames.
     [[nodiscard]] RecordLayout layout() const { return Recorder::layout(scene_); }
-    /// Of contact and gas on a body, in the kick at t.                               [N]
+    /// Force of contact and gas on a body, in the kick at t.                         [N]
     [[nodiscard]] Vec3 force_on(const RigidBody& body) const {
         return Recorder::force_on(scene_, body);
     }
@@ -107,15 +107,15 @@ public:
     }                                                                ///< at t, inside an observer
     [[nodiscard]] Frame frame() { return recorder_.frame(scene_); }  ///< at t, inside an observer
 
-    /// What a checkpoint holds of it (solver/base/archive.hpp): a scene built from the same model
-    /// and seed goes on from there in the same bits.
+    /// State for a checkpoint (solver/base/archive.hpp). A scene of the same model and seed
+    /// continues from it bitwise identically.
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(scene_, audit_, recorder_);
     }
-    /// Whether the numbers that it goes on from are finite; a checkpoint of others is of no use.
+    /// Whether all numbers of the state are finite, as a checkpoint requires.
     [[nodiscard]] bool is_finite() const;
-    /// Tells decks and seeds apart; of models that no deck made, those of other meshes, parts, curves,
+    /// Differs between decks and seeds; for models without a deck, between meshes, parts, curves,
     /// ties or bags.
     [[nodiscard]] std::uint64_t fingerprint() const;
 

@@ -9,20 +9,20 @@
 
 namespace corpuscle {
 
-/// How long the next step may be, and who says so.
+/// Longest next step, and its limiter.
 struct StepLimit {
     /// What sets the step.
     enum class Who {
         NOTHING,  ///< no fabric and no gas: a share of the run
         SHELL,    ///< fabric, `id` is a shell's
-        STRAIN,   ///< fabric that lets go of a great strain
+        STRAIN,   ///< release of the fabric's initial strain
         GAS,      ///< gas, `id` is a bag's
         START,    ///< DTINIT, in the first step
         END       ///< the end of the run
     };
 
     double dt = INF;         ///< of the next step, INF: no limit  [s]
-    Who who = Who::NOTHING;  ///< the one that allows least
+    Who who = Who::NOTHING;  ///< the limiter
     int id = 0;              ///< shell or bag id
 
     /// Keeps the shorter of the two.
@@ -33,8 +33,8 @@ struct StepLimit {
     [[nodiscard]] std::string text() const;
 };
 
-/// Step of a gas that wants g by its collisions, beside cloth that wants f: cloth is not held up for a
-/// little blur, and what wants much more has its own way,
+/// Step of a gas with the step g of its collisions, beside cloth with the stable step f: a cloth's
+/// step slightly above g is used, a much longer one is reduced towards g,
 ///
 ///     f                      f <= q g,      q = 3/2
 ///     max(g, (q g)² / f)     else                                                                 [s]

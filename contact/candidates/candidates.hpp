@@ -18,13 +18,13 @@
 
 namespace corpuscle::contact {
 
-/// What a pair remembers.
+/// State of a pair from step to step.
 struct PairMemory {
-    std::uint64_t key;      ///< names the pair
+    std::uint64_t key;      ///< identifies the pair
     double short_by = 0.0;  ///< contact thickness less the gap it was first seen with         [m]
-    double born = 0.0;      ///< when that was                                                 [s]
+    double born = 0.0;      ///< time of that                                                  [s]
     double force = 0.0;     ///< normal, in its last step                                      [N]
-    double area = 0.0;      ///< that it stood for then                                      [m^2]
+    double area = 0.0;      ///< of the contact then                                         [m^2]
     double own_area = 0.0;  ///< of the lesser of its places then                          [m^2]
     double owed = 0.0;      ///< energy that it owes to the motion (implicit_response.hpp)      [J]
     Vec3 friction = Vec3::Zero();  ///< then, on the first place                               [N]
@@ -34,14 +34,14 @@ struct PairMemory {
     [[nodiscard]] bool is_empty() const { return short_by == 0.0 && area == 0.0; }
 };
 
-/// Pairs that are near enough to be looked at.
+/// Verlet lists of pairs that may come within reach.
 ///
-/// Patches that cannot meet are left alone. Of the others, lists are built for what is ahead: each
-/// node flies on as it moves, and may stray from that within a budget. They live until that time is
-/// over. A few nodes that are
-/// about to overspend are predicted anew, and their pairs alone are listed again; only when many
-/// are, all is. Between builds a pair is looked at only when the motion since could have brought it
-/// within reach: a sum of two numbers tells.
+/// Pairs of patches that cannot meet are rejected. For the others lists are built for a time ahead:
+/// each node is predicted to keep its velocity, and may deviate from that by a budget. Lists are
+/// valid until that time. A few nodes that are about to exceed their budget are predicted anew and
+/// their pairs alone listed again; if many are, all lists are rebuilt.
+/// Between builds a pair is tested only when the motion since could have brought it within reach: a
+/// sum of two numbers decides.
 class Candidates {
 public:
     /// @param reach  gap below which pairs matter, in contact thicknesses
@@ -235,7 +235,7 @@ private:
     bool give_gentle_gap(std::size_t i, const Points& x, double t);
     void meet_gently(const Points& x, double t, std::span<const std::uint8_t> is_on);
 
-    /// How far nodes may stray until the lists are spent.
+    /// Budget of the nodes' deviation while the lists are valid.
     struct Budget {
         double stray = 0.0;  ///< at which they are                                       [m]
         double steps = 4.0;  ///< that they are meant to live

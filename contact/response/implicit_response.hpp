@@ -21,8 +21,8 @@ namespace corpuscle::contact {
 ///
 ///     p = E_t (rest / gap - 1),   U = E_t A (rest ln(rest / gap) - (rest - gap)),
 ///
-/// with the modulus E_t through the thickness: cloth stiffens as it is pressed, and nothing
-/// presses it to nothing. A dashpot C = 2 zeta sqrt(K m), VDC = 100 zeta, K = E_t A rest / gap²,
+/// with the modulus E_t through the thickness: cloth stiffens as it is pressed, and no load
+/// closes the gap. A dashpot C = 2 zeta sqrt(K m), VDC = 100 zeta, K = E_t A rest / gap²,
 /// acts beside it on the mass m that the contact moves. For the impulse J >= 0 of the step,
 ///
 ///     J = span · (A ((1 - theta) p(gap) + theta p(gap + dt r)) - C r),
@@ -48,7 +48,7 @@ namespace corpuscle::contact {
 /// As the impulse acts at the beginning of the step, an oscillation of frequency w loses the share
 /// theta (w dt)² of its energy in a step; it is stable for (w dt)² (1 - 2 theta) < 4, w² = K/m of
 /// all contacts that act alike, taken for 8 k/m. Areas that change and pairs that appear between
-/// cloth that is pressed already change energy (contact/README.md, Limits).
+/// cloth that is pressed already change energy (docs/theory/contact.md, Limits).
 class ImplicitResponse {
 public:
     explicit ImplicitResponse(const Cloth& cloth);
@@ -63,7 +63,7 @@ public:
                Candidates& pairs, VelocityState& motion, std::vector<ImpulseBooks>& books,
                const std::function<void(bool is_last)>& hold = {});
 
-    /// How the sweeps went: what the last one of a step still changed, over all its impulses.
+    /// Convergence of the sweeps: change by a step's last sweep, over all its impulses.
     struct Convergence {
         std::size_t steps = 0;   ///< with contacts, so far
         std::size_t sweeps = 0;  ///< so far

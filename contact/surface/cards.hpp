@@ -12,7 +12,7 @@
 
 namespace corpuscle::contact {
 
-/// *CONTACT_..._SINGLE_SURFACE, _SURFACE_TO_SURFACE, _NODES_TO_SURFACE: who may touch whom, and
+/// *CONTACT_..._SINGLE_SURFACE, _SURFACE_TO_SURFACE, _NODES_TO_SURFACE: pairs of surfaces, and
 /// how.
 struct ContactCard {
     /// Which nodes and facets the card checks against each other.

@@ -38,7 +38,7 @@ struct ContactSetup {
 
 /// What contact knows of the fabric and of rigid bodies' surfaces, and what never changes.
 struct Cloth {
-    Rules rules;                                 ///< who may touch whom, from the cards
+    Rules rules;                                 ///< pairs of parts in contact, from the cards
     std::vector<Triangle> triangles;             ///< as set up, T × 3 node rows
     std::vector<Index> part;                     ///< by triangle: row of its part
     std::vector<std::vector<double>> thickness;  ///< contact thickness by card and triangle   [m]

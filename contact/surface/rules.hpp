@@ -10,7 +10,7 @@
 
 namespace corpuscle::contact {
 
-/// Who may touch whom, by which card, and from how far: the cards, worked out for pairs of parts.
+/// The cards by pairs of parts: which pairs may touch, by which card, from which distance.
 /// Where several cards hold for a pair the first one in the deck does.
 class Rules {
 public:

@@ -10,12 +10,12 @@
 
 namespace corpuscle::fabric {
 
-/// Share of critical damping from which on a step so near its limit does not pump cloth up that
-/// turns slack and taut: with 0.003 energy grows 14-fold in 10 000 steps, with 0.01 by 1.3.
+/// Least fraction of critical damping for a step this near the limit: cloth that alternates between
+/// slack and taut gains energy 14-fold in 10 000 steps with 0.003, 1.3-fold with 0.01.
 inline constexpr double CALM = 0.01;
 
-/// What gradients move of the corners' masses, A_ab = Σ b_a b_b/m over an element's corners; b_1,
-/// b_2: along the yarns, b_q: of the hourglass vector, 0 of a triangle.
+/// Gradients weighted by the corners' masses, A_ab = Σ b_a b_b/m over an element's corners; b_1,
+/// b_2: along the yarns, b_q: hourglass vector, 0 for a triangle.
 template <class Real>
 struct CornerMobility {
     Real a11{}, a12{}, a22{};  ///< [1/(kg m²)]

@@ -21,7 +21,7 @@ struct VentCard {
     double coefficient = 1.0;     ///< C23; above 1: a larger area                           [-]
     Index time_curve = -1;        ///< LCTC23: factor over time                              [-]
     Index pressure_curve = -1;    ///< LCPC23: factor over the bag's absolute pressure       [-]
-    bool is_isentropic = false;   ///< ENH_V >= 1: Wang-Nefske flow; else whoever arrives passes
+    bool is_isentropic = false;   ///< ENH_V >= 1: Wang-Nefske flow; else free passage
     double opens_at = 0.0;        ///< PPOP: gauge pressure that opens it, for good          [Pa]
     double uniform_factor = 1.0;  ///< C23UP: on C23 once the pressure is uniform (TSW)      [-]
 };

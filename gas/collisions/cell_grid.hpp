@@ -35,7 +35,7 @@ public:
 
     /// Rows by cell, as sorted last.
     [[nodiscard]] Lists cells() const { return {start_, order_}; }
-    /// The same, for who orders a cell's rows further.
+    /// The same, mutable, for further sorting of a cell's rows.
     [[nodiscard]] std::span<Index> order() { return order_; }
 
 private:

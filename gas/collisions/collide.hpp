@@ -15,17 +15,17 @@
 
 namespace corpuscle::gas {
 
-/// Heat that groups are given, or that is taken from them: E' = factor E + per_mass m. Nothing is
-/// taken from a group whose motion is all in common and whose e does not hold it.
+/// Heat given to groups, or taken from them: E' = factor E + per_mass m. None is taken from a group
+/// without relative motion whose e is too small.
 ///
-/// A factor above 1 drives accounts apart that nearly cancel, so gas is warmed per mass; one below
-/// 1 draws all of them together and leaves nobody with less than nothing, so gas is cooled by it.
+/// A factor above 1 would amplify differences of particles' energies, so heat is given per mass;
+/// one below 1 reduces them and leaves no energy below zero, so heat is taken by a factor.
 struct Heat {
     double factor = 1.0;    ///< on thermal energy                                      [-]
     double per_mass = 0.0;  ///< [J/kg]
 };
 
-/// What a model needs to know to collide all groups once.
+/// Input of one collision step of all groups.
 struct CollisionStep {
     Lists groups;
     const Mixture& mixture;
@@ -44,12 +44,11 @@ struct CollisionStep {
     }
 };
 
-/// What went other than planned.
+/// Exceptional events of a collision step.
 struct CollisionReport {
-    double thermal = 0.0;  ///< energy of all groups that heat has changed, before         [J]
-    std::size_t unrelaxed =
-        0;  ///< groups whose energy belongs to no temperature; it was left where it is
-    double refused = 0.0;  ///< heat that groups had not to give: they still hold it   [J]
+    double thermal = 0.0;       ///< energy of all groups that heat has changed, before         [J]
+    std::size_t unrelaxed = 0;  ///< groups whose energy has no temperature; left unchanged
+    double refused = 0.0;       ///< heat that could not be taken from groups               [J]
     CollisionReport& operator+=(const CollisionReport& o) {
         thermal += o.thermal;
         refused += o.refused;

@@ -8,7 +8,7 @@
 #include "gas/flight/flight.hpp"
 #include "gas/flight/rough_wall.hpp"
 
-/// What a particle that meets a facet does.
+/// Interaction of a particle with a facet.
 namespace corpuscle::gas {
 
 /// Where a path meets a facet.
@@ -17,7 +17,7 @@ struct Meeting {
     Crossing where{};
 };
 
-/// Everything that a flight reads.
+/// Input of a flight.
 struct FlightScene {
     const FacetLists& lists;
     const FacetBounds* bounds;  ///< nullptr: none, every facet of a cell is looked at
@@ -38,8 +38,8 @@ inline Vec3 velocity_at(const FlightScene& scene, const Meeting& meeting) {
     return velocity;
 }
 
-/// By how much the energy of a particle that leaves is more than to someone who rides on the facet:
-/// P·w - m w²/2, P = m v - impulse the momentum that it takes along. 0 for one that stays.      [J]
+/// Energy of a leaving particle less that in the facet's frame: P·w - m w²/2, with the momentum
+/// P = m v - impulse that it takes along. 0 for one that stays.                                 [J]
 inline double riding(const FlightScene& scene, const Meeting& meeting,
                      const Transmission::Outcome& outcome, double mass, const Vec3& v,
                      const Vec3& impulse) {

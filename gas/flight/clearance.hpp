@@ -14,11 +14,11 @@
 
 namespace corpuscle::gas {
 
-/// How far a point may move along each axis without meeting fabric: a lower bound, from a table.
+/// Displacement of a point along each axis without meeting fabric: a lower bound, from a table.
 ///
-/// Facets within `reach` of a cell lie between two parallel planes, low <= normal·x <= high. With a
-/// normal whose components add up to one (by absolute value) a height is a way, too: who moves by w
-/// along each axis, and facets that move by d, change their heights by no more than w and d.
+/// Facets within `reach` of a cell lie between two parallel planes, low <= normal·x <= high. The
+/// absolute components of the normal add up to one, so heights bound displacements: a point moved
+/// by w along each axis, and facets moved by d, change their heights by no more than w and d.
 ///
 ///     w = min(reach, max(normal·x - high, low - normal·x)) - d
 ///
@@ -32,7 +32,7 @@ public:
                const FacetPatches& patches, const Grid& within, double edge, double reach);
     [[nodiscard]] bool is_empty() const { return row_.empty(); }
 
-    /// The way that is free at a point, but for what facets have moved since build().       [m]
+    /// Clearance at a point, less the facets' displacement since build().                   [m]
     [[nodiscard]] float at(const Vec3& x) const {
         const auto p = small(x);
         const Index row = row_of(p);
@@ -41,8 +41,8 @@ public:
         const float h = slab.height(p);
         return std::min(reach_, std::max(h - slab.high, slab.low - h));
     }
-    /// Is the straight way from one point to another free of facets that have moved by no more than
-    /// `moved` along each axis? It must be no longer along any than the reach less that.
+    /// Whether the straight path between two points is free of facets that have moved by at most
+    /// `moved` along each axis. It must be no longer along any than the reach less `moved`.
     [[nodiscard]] bool is_free(const Vec3& from, const Vec3& to, float moved) const {
         const auto p = small(from);
         const Index row = row_of(p);
@@ -53,7 +53,7 @@ public:
     }
     [[nodiscard]] float reach() const { return reach_; }
 
-    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    /// State for a checkpoint (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(grid_, per_edge_, reach_, row_, slab_, free_);

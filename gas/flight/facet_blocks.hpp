@@ -31,7 +31,7 @@ public:
                 std::span<const Vec3> x_1, double around, Visit&& visit);
 
     [[nodiscard]] const contact::Patches& patches() const { return patches_; }
-    [[nodiscard]] contact::Patches& patches() { return patches_; }  ///< for who orders them
+    [[nodiscard]] contact::Patches& patches() { return patches_; }  ///< for sorting
     [[nodiscard]] const contact::BroadPhase& tree() const { return tree_; }
     /// visit(facet) for those of a patch that may overlap a box, and some others.
     template <class Visit>

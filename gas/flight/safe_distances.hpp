@@ -16,12 +16,12 @@
 
 namespace corpuscle::gas {
 
-/// Distance that each particle may fly before it can meet fabric: most need not ask.
+/// Safe distance of each particle, within which there is no fabric: most flights need no test.
 ///
-/// The distance at a particle's place (Clearance) is used up by its flight, and looked up again
+/// The distance at a particle's place (Clearance) is reduced by its flight, and looked up again
 /// when it no longer suffices. It stays with the particle (Particles::safe_distance) when rows move.
-/// What is not known is zero, so nothing here belongs in a checkpoint: who streams arrives where,
-/// to the bit, who is asked arrives.
+/// An unknown distance is zero, and no checkpoint holds any: a flight without test ends bitwise at
+/// the same place as one with the test.
 class SafeDistances {
 public:
     static constexpr std::size_t BLOCK = 32;  ///< rows; chunks of flights are a multiple
@@ -42,8 +42,8 @@ public:
         moved_ = round_up(lists.displacement(x_0, x_1));
     }
 
-    /// Which of up to BLOCK rows may meet fabric in dt, or have no finite velocity, a bit each. The
-    /// others' distances are used up.
+    /// Bits of those of up to BLOCK rows that may meet fabric in dt, or have no finite velocity.
+    /// The others' distances are reduced.
     std::uint32_t ask(const FacetLists& lists, std::size_t begin, std::size_t count, double dt,
                       Particles& gas) const {
         const std::uint32_t all = static_cast<std::uint32_t>((std::uint64_t{1} << count) - 1);

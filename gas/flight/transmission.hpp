@@ -10,10 +10,10 @@
 
 namespace corpuscle::gas {
 
-/// Transmission probabilities of facets for one step: all that flight knows of holes.
+/// Transmission probabilities of facets for one step: all data of openings that flight needs.
 ///
 /// A facet may belong to an opening (it is a hole, or leaks) and to the collar of a vent (closed
-/// fabric around a hole that takes in what the hole's own area cannot).
+/// fabric around a hole, for outflow beyond the hole's own arrivals).
 struct Transmission {
     struct Chances {
         bool is_internal = false;    ///< passing particles stay in the bag
@@ -33,8 +33,8 @@ struct Transmission {
     std::vector<double> open;      ///< by facet: share of the chance that contact leaves    [-]
     std::uint64_t seed = 0, step = 0;
 
-    /// What a checkpoint holds of it (solver/base/archive.hpp): collisions, which come before the
-    /// next flight, ask who hides nothing.
+    /// State for a checkpoint (solver/base/archive.hpp): collisions, before the next flight, need
+    /// the facets that block no line of sight.
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(all, open, step);
@@ -43,12 +43,12 @@ struct Transmission {
     enum class Fate : std::uint8_t { BACK, THROUGH, OUT };
     struct Outcome {
         Fate fate = Fate::BACK;
-        Index opening = -1;  ///< whose outcome it is; for BACK: who wants to know
+        Index opening = -1;  ///< the opening; for BACK: the one that counts the hit
         bool by_collar = false;
         double push = 1.0;  ///< share of the impulse of a bounce that the facet gets
     };
 
-    /// What becomes of a particle at a facet: a function of (seed, step, particle, hit) alone.
+    /// Outcome of a particle at a facet: a function of (seed, step, particle, hit) alone.
     [[nodiscard]] Outcome outcome(Index facet, std::int32_t species, std::int32_t particle,
                                   int hit) const {
         const Index row = of_facet[facet], collar = collar_of[facet];

@@ -25,19 +25,18 @@ namespace corpuscle::gas {
 ///     f = M / (M + m)
 ///
 /// (J = f m (v - v'), from v' = -v in the frame of the centre of mass). Without recoil a heavy
-/// particle on light cloth gives work J²/2M that nobody pays.
+/// particle on light cloth does work J²/2M without a source.
 ///
-/// A particle that hits k times in a step flies between its hits as walls of infinite mass that
-/// keep their velocities have thrown it. What it lacks of that velocity, d, and what the cloth at
-/// the place of a hit has got by the particle's hits before it, w = sum S_q w_q, are met by the
-/// hit as they are:
+/// A particle that hits k times in a step flies between its hits as reflected by walls of infinite
+/// mass. A hit then takes account of the particle's deviation from that velocity, d, and of the
+/// velocity w = sum S_q w_q that the particle's earlier hits have given to the cloth at its place:
 ///
 ///     J' = f max(0, J·n + 2 m (d - w)·n) n,   d' = d + (J - J') / m,   w_q' = w_q + S_q J' / m_q,
 ///
-/// n = J / |J|. All hits together take sum m_q w_q² / 2 where the cloth was at rest: what their
-/// impulses bring it, given at once. max: a wall that the particle does not meet does not pull. It
-/// has flown on from each hit at y to x with what it is given at x, so the wall also gets the
-/// moment (y - x) × (J - J').
+/// n = J / |J|. All hits together take sum m_q w_q² / 2 where the cloth was at rest, the energy of
+/// their impulses on it. max: a wall that the particle does not meet does not pull. The correction
+/// acts at the end x of the flight, not at the hit y, so the wall also gets the moment
+/// (y - x) × (J - J').
 class Recoil {
 public:
     /// @param held  by wall point: 1 where supports, motions or bodies carry it
@@ -47,9 +46,9 @@ public:
     void set_points(std::size_t count) { mass_.resize(count); }
     void weigh(std::size_t point, double node_mass) { mass_[point] = node_mass; }
 
-    /// Sets right what one particle's hits in one step gave, in their order, and its velocity v
-    /// after them; energy m (v² - v'²) / 2 and both momenta stay booked to rounding.
-    /// Nothing where m is below LIGHT of what each of the sides' nodes weighs, or before weigh().
+    /// Corrects the impulses of one particle's hits in one step, in their order, and its velocity v
+    /// after them; energy m (v² - v'²) / 2 and both momenta are balanced to rounding.
+    /// Nothing where m is below LIGHT of the mass of each of the sides' nodes, or before weigh().
     /// @param sides  of the hits
     /// @param x      where the particle is after them                                       [m]
     void set_right(const WettedSurface& surface, const PointSmoother& smoother, std::span<Hit> hits,

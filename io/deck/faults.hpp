@@ -51,7 +51,7 @@ public:
     [[nodiscard]] bool block_is_good() const { return in_block_ == 0; }
     void end_block(Place keyword_at, const std::string& keyword);
 
-    /// Who wants to know what becomes of fields; nullptr: nobody.
+    /// Receiver of the treatment of each field; nullptr: none.
     void keep_log(FieldLog* log) { log_ = log; }
     [[nodiscard]] FieldLog* log() const { return log_; }
 

@@ -9,7 +9,7 @@
 
 namespace corpuscle::io::keywords {
 
-/// A keyword of the deck, and who reads it.
+/// A keyword of the deck, and its reader.
 struct Task {
     const Block* block = nullptr;
     Match match;

@@ -21,7 +21,7 @@
 
 namespace corpuscle::io {
 
-/// Who ran what: the root attributes of the results.
+/// Root attributes of the results: program, deck, seed.
 struct RunInfo {
     std::string program,        ///< "corpuscle"
         version;                ///< of the program
@@ -50,7 +50,7 @@ struct FinishedRun {
 
 /// FOLDER/results.h5 and FOLDER/results.xdmf, as io/FORMAT.md promises them.
 ///
-/// At any instant results.h5 is a whole HDF5 file that nobody is writing to: each version is
+/// At any instant results.h5 is a complete HDF5 file without a writer: each version is
 /// written beside it and renamed. So it opens, whenever the run is killed, and may be looked at
 /// meanwhile. To keep versions small, mesh and frames lie in FOLDER/results.parts while the run
 /// lasts, each written once, behind external links; finish() gathers all in the one file. Libhdf5

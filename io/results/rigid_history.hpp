@@ -40,7 +40,7 @@ class RigidHistory {
 public:
     RigidHistory() = default;
     /// @param interval  between rows                                                   [s]
-    /// @param tracks    who is followed; none: nothing is ever kept
+    /// @param tracks    bodies to record; empty: nothing is recorded
     RigidHistory(double interval, const std::vector<RigidTrack>& tracks);
 
     /// Once in every step, at t; `at_end`: the last time.

@@ -14,7 +14,7 @@
 #include "solver/base/error.hpp"
 
 /// @file
-/// State as bytes, for checkpoints. Whoever has state lists it once, for both ways:
+/// State as bytes, for checkpoints. A class lists its state once, for writing and reading:
 ///
 ///     template <class Archive>
 ///     void visit_state(Archive& archive) { archive(x_, v_, store_); }

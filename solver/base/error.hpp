@@ -28,7 +28,7 @@ struct InputError : std::runtime_error {
     explicit InputError(Fault one) : InputError(std::vector<Fault>{std::move(one)}) {}
 
     std::vector<std::string> faults;  ///< one message each
-    std::vector<Fault> typed;         ///< the same, for those who know other words for them
+    std::vector<Fault> typed;         ///< the same, for translation into deck words
 
 private:
     static std::vector<std::string> texts(const std::vector<Fault>& all) {

@@ -38,10 +38,10 @@ struct Cut {
         : chunk(items), is_light(false), where(call) {}
 };
 
-/// Who does which chunks of a loop.
+/// Distribution of a loop's chunks over threads.
 enum class Shares : std::uint8_t {
     EVEN,   ///< each thread its own: chunks of like cost
-    HELPED  ///< whoever is done with his own helps others
+    HELPED  ///< threads that have finished their share help others
 };
 
 /// Chunks of a light loop cost alike.
@@ -49,7 +49,7 @@ enum class Shares : std::uint8_t {
     return cut.is_light ? Shares::EVEN : Shares::HELPED;
 }
 
-/// Who watches the loops of this run; nobody within a loop that threads share already.
+/// Observer of the loops of this run; none within a loop that threads share already.
 [[nodiscard]] inline LoopObserver* observer_here() {
     return Call::is_under_way() ? nullptr : LoopObserver::running;
 }

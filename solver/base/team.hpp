@@ -20,13 +20,13 @@
 
 namespace corpuscle::parallel {
 
-/// The threads that go through loops together. One calls, the others wait for its call: at first in
-/// a loop of their own, for calls follow each other within microseconds, then asleep, so that a
-/// core is free where there is nothing to do. Who has waited so in vain is the less patient the next
-/// time: where other programs want the cores, threads that spin only keep each other from working.
+/// Threads that run loops together. One calls, the others wait for its call: at first spinning,
+/// because calls follow each other within microseconds, then asleep, which frees the core. A thread
+/// that has spun in vain spins less the next time: where other programs use the cores, spinning
+/// threads only delay each other.
 ///
-/// A call, and each meeting within it, begins a phase. Every member tells in a cache line of its
-/// own that it is done with one; the caller, who has seen all of them, lets the next one begin.
+/// A call, and each barrier within it, begins a phase. Every member marks the end of its phase in a
+/// cache line of its own; the caller waits for all of them and begins the next phase.
 class Team {
 public:
     /// Throws SystemError where the system gives no more threads.
@@ -38,14 +38,14 @@ public:
             throw SystemError("cannot start " + std::to_string(size) + " threads: " + error.what());
         }
     }
-    /// Nothing is under way.
+    /// No call may be in progress.
     ~Team() { end(); }
     Team(const Team&) = delete;
     Team& operator=(const Team&) = delete;
 
     [[nodiscard]] int size() const { return size_; }  ///< threads, the caller among them
 
-    /// work(member) for 0..size()-1, on a thread each; 0 is the one that calls. What it throws ends
+    /// work(member) for 0..size()-1, on a thread each; member 0 is the caller. An exception ends
     /// the program.
     template <class Work>
     void call(Work&& work) {
@@ -59,7 +59,7 @@ public:
         wait_for_others();
     }
 
-    /// Of all members, within a call: none goes on before all are there.
+    /// Barrier of all members, within a call.
     void meet(int member) {
         if (member == 0) {
             wait_for_others();
@@ -70,15 +70,15 @@ public:
         }
     }
 
-    /// Chunks of a phase's loop, of which every member has an even share, one after the other: what
-    /// one loop leaves in a core's cache is there for the next. body(chunk)
+    /// Runs body(chunk) for a loop's chunks. Every member has the same contiguous share in each
+    /// loop, so data stay in its core's cache from loop to loop.
     template <class Body>
     void go_through_share(int member, std::size_t chunks, Body&& body) {
         for (std::size_t c = begin_of(member, chunks); c < begin_of(member + 1, chunks); ++c)
             body(c);
     }
 
-    /// Likewise, and whoever is done with his own goes on with what others have not begun.
+    /// Likewise; a member that has finished its share takes chunks that others have not begun.
     template <class Body>
     void go_through_shares(int member, std::size_t chunks, Body&& body) {
         go_through_lists(
@@ -87,8 +87,8 @@ public:
             [&](int whose, std::size_t k) { body(begin_of(whose, chunks) + k); });
     }
 
-    /// Likewise of lists that the members have: body(whose, k) for k in 0..count(whose). One is
-    /// begun in its order, by others once they are through with their own.
+    /// Likewise for lists of the members: body(whose, k) for k in 0..count(whose). A list is run in
+    /// its order; members that have finished their own help with others.
     template <class Count, class Body>
     void go_through_lists(int member, Count&& count, Body&& body) {
         const std::uint64_t phase = seat(member).phase;
@@ -105,9 +105,9 @@ private:
     static constexpr int MOST_SPINS = 4096, LEAST_SPINS = 64;
 
     struct alignas(LINE) Seat {
-        std::atomic<std::uint32_t> done{0};  ///< the last phase that it is done with
-        std::uint32_t phase = 0;             ///< in which it is; its own
-        int patience = MOST_SPINS;           ///< its own
+        std::atomic<std::uint32_t> done{0};  ///< last phase that it has finished
+        std::uint32_t phase = 0;             ///< its current phase
+        int patience = MOST_SPINS;           ///< spins before it sleeps
         alignas(LINE) std::atomic<std::uint64_t> taken{
             0};  ///< of its share: phase, chunks begun in it
 
@@ -124,11 +124,11 @@ private:
         }
     };
 
-    /// Spins until is_over().
-    /// @returns  whether it came so far
+    /// Spins until is_over(), or until patience ends.
+    /// @returns  is_over()
     template <class Over>
     [[nodiscard]] bool spin(Seat& waits, Over&& is_over) const {
-        if (size_ > processors()) return is_over();  // they would be in each other's way
+        if (size_ > processors()) return is_over();  // spinning would delay the other threads
         for (int i = waits.patience; i > 0; --i, pause())
             if (is_over()) {
                 waits.patience = std::min(2 * waits.patience, MOST_SPINS);
@@ -197,14 +197,14 @@ private:
     std::vector<std::thread> members_;
 };
 
-/// Who calls the team of this process, and whether this thread is at work for a call.
+/// Access to the team of this process: one call at a time, no nested calls.
 class Call {
 public:
-    /// Whether this thread goes through a call already: loops within one are its own.
+    /// Whether this thread is in a call already: it runs nested loops alone.
     [[nodiscard]] static bool is_under_way() { return is_at_work; }
 
     /// work(team, member) on all threads() of them.
-    /// @returns  false, and nothing is done: the team is at another thread's work
+    /// @returns  false, without work done, while another thread has the team
     template <class Work>
     [[nodiscard]] static bool make(Work&& work) {
         Held& held = of_process();
@@ -234,8 +234,8 @@ private:
         std::atomic_flag& flag_;
     };
     struct Held {
-        /// A forked process has none of the threads: it begins with a team of its own, and what it
-        /// has of the other's is left as it is.
+        /// A forked process has none of the threads: it starts a team of its own and leaves the
+        /// copied one untouched.
         Held() {
             pthread_atfork(nullptr, nullptr, [] {
                 static_cast<void>(of_process().team.release());

@@ -8,18 +8,18 @@
 
 namespace corpuscle {
 
-/// Steps of cloth that begins strained: short at first, and longer from one to the next.
+/// First steps of cloth with initial strain: short, each longer than the last.
 ///
-/// A stable step is not yet an exact one. From x_0 to x_1 the forces f = -dW/dx do the work
+/// A stable step still has an energy error. From x_0 to x_1 the forces f = -dW/dx do the work
 /// (f_0 + f_1)·(x_1 - x_0)/2, but the strain energy changes by W_1 - W_0:
 ///
 ///     e = W_1 - W_0 + (f_0 + f_1)·(x_1 - x_0)/2 = -W''' (x_1 - x_0)³/12 + ...
 ///
-/// Nothing for linear elements; of cloth that swings about its rest, gained and lost in turns. Folds
-/// that are pressed to half of their length let go of it within some ten stable steps, and have lost
-/// some for good when they come to rest: 2 % in steps of 0.7 of the stable one. From rest, steps of
-/// FIRST that grow by RISE carry them through it at less strain a step. They grow once, and never
-/// shrink for the strain's sake: steps that follow the breath of cloth pump energy into it.
+/// Zero for linear elements; alternating in cloth that oscillates about its rest. Folds compressed
+/// to half of their length release their energy within some ten stable steps and lose part of it:
+/// 2 % in steps of 0.7 of the stable one. Steps that start at FIRST and grow by RISE release it at
+/// less strain a step. They grow once and never shrink with strain again: steps that follow the
+/// oscillation of cloth add energy to it.
 class StrainedStart {
 public:
     /// Strain of an edge up to which cloth begins unstrained: the first step's error is at most

@@ -138,7 +138,7 @@ struct SceneState {
     /// Shares the shells' mass of each damped part out among their corners.
     void find_damped_mass();
 
-    /// The next step and who limits it.
+    /// Length of the next step, and its limiter.
     /// @param without_start  as if there were no DTINIT, and no strain to let go
     [[nodiscard]] StepLimit stable_step(bool without_start = false) const;
     /// What the shells alone allow.

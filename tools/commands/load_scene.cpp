@@ -21,7 +21,7 @@ namespace {
 
 /// Refuses particles that this machine's memory does not hold, before it is taken.
 void expect_room_for_particles(const Model& model) {
-    constexpr double BYTES = 100.0;  ///< of a particle, with its share of lists (gas/README.md)
+    constexpr double BYTES = 100.0;  ///< of a particle, with its share of lists (io/KEYWORDS.md)
     const double memory =
         static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
     double wanted = 0.0;

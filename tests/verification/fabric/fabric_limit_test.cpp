@@ -200,7 +200,7 @@ void check_folded(unsigned first, unsigned last) {
 }
 
 /// The same at 0.9 of the program's own bound: energy of cloth drifts up while it turns slack and
-/// taut (README), and one linear cloth of a thousand has doubled it by step 9 399.
+/// taut (fabric/README.md), and one linear cloth of a thousand has doubled it by step 9 399.
 void check_folded_below(unsigned first, unsigned last) {
     Tally below;
     for (unsigned seed = first; seed <= last; ++seed) {
