@@ -231,6 +231,9 @@ private:
     void sort_memories();
     void forget_parted_pairs();
     [[nodiscard]] Index find_memory(std::uint64_t key) const;
+    [[nodiscard]] bool owes(std::uint64_t key) const {
+        return std::binary_search(merging_.owing.begin(), merging_.owing.end(), key);
+    }
     void give_gentle_gaps(const std::vector<std::uint64_t>& keys, const Points& x, double t);
     bool give_gentle_gap(std::size_t i, const Points& x, double t);
     void meet_gently(const Points& x, double t, std::span<const std::uint8_t> is_on);
@@ -262,7 +265,8 @@ private:
         std::vector<std::size_t> kept;  ///< rows of those in order that say something
         parallel::Gathered<std::size_t> found;
         std::vector<PairMemory> merged;
-        std::vector<std::uint64_t> keys;  ///< of all, at the last build
+        std::vector<std::uint64_t> keys;   ///< of all, at the last build
+        std::vector<std::uint64_t> owing;  ///< of those that owe energy
     };
 
     const Cloth& cloth_;

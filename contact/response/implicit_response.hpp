@@ -36,14 +36,16 @@ namespace corpuscle::contact {
 /// little; friction is the same row along the surface, |J_t| <= mu J. The scheme asks nothing of
 /// the time step.
 ///
-/// Restitution: a pair that closes in a step by more than a quarter of its rest gap owes what it
-/// takes from the motion beyond what law and dashpot account for,
+/// Restitution: a pair that closes in a step by more than a quarter of its rest gap, and faster than
+/// a quarter of sqrt(E_t A_own rest / m), owes what it takes from the motion beyond what law and
+/// dashpot account for,
 ///
 ///     taken = -J (r_0 + r)/2 - (U(gap + dt r) - U(gap)),
 ///
 /// r_0 the rate before the kick, J without the dashpot's part, times the share that a dashpot leaves.
 /// Once the pair closes no faster than at half the speed that this could give it, it gives at least
-/// the impulse that pays, J (r_0 + r)/2 = owed. Pairs whose rest gap grows owe nothing.
+/// the impulse that pays, J (r_0 + r)/2 = owed. Pairs whose rest gap grows owe nothing; one that owes
+/// owes more by each step in which it closes so far, however slowly.
 ///
 /// As the impulse acts at the beginning of the step, an oscillation of frequency w loses the share
 /// theta (w dt)² of its energy in a step; it is stable for (w dt)² (1 - 2 theta) < 4, w² = K/m of

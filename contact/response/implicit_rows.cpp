@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t NEW_ROWS_A_CHUNK = 64;   ///< rows
 constexpr std::size_t NEW_CONTACT_CHUNKS = 1;  ///< chunks of contacts at once
 
-/// A pair that closes in a step by more than this share of its rest gap hits: the step does not
-/// resolve its oscillation.
+/// A pair hits that closes in a step by more than this share of its rest gap, so that the step does
+/// not resolve its oscillation, and so fast that it would be pressed by as much.
 constexpr double HIT = 0.25;
 
 constexpr double ALIKE = 8.0;  ///< taken for (w dt)² of all that act alike, over k span dt / m
@@ -169,7 +169,9 @@ void ImplicitResponse::warm(const Contact& before, Row& row) {
 double ImplicitResponse::owed_after(double after, const Row& row) {
     const Contact& c = *row.contact;
     if (row.mass == INF || c.rest_rate > 0.0) return 0.0;
-    const bool is_hit = -row.rate * row.dt > HIT * row.rest;
+    const double speed = std::sqrt(c.modulus * c.own_area * row.rest / row.mass);
+    const bool is_fast = c.owed > 0.0 || -row.rate > HIT * speed;
+    const bool is_hit = is_fast && -row.rate * row.dt > HIT * row.rest;
     if (!is_hit && row.owed == 0.0) return c.owed;
     const double mean = 0.5 * (row.rate + after), end = row.gap + row.dt * after;
     const double damping = row.heft * row.dt - row.mass;  // span C
