@@ -80,6 +80,8 @@ ParticleGas::ParticleGas(Envelope& bag, std::span<const Curve> curves, const Poi
       roughness_(bag.card, bag.walls, curves,
                  ROUGHNESS_MEMORY * bag.card.second * bag.card.smoothing),
       at_opening_(bag.openings.all().size()) {
+    if (!bag.air.empty())
+        for (const Opening& opening : bag.openings.all()) holes_of_air_ += opening.is_internal;
     const Inflators& inflators = bag.inflators;
     particles_.reserve(std::min(inflators.particles() + inflators.resident(), MOST_RESERVED));
     if (inflators.resident() > 0) fill_with_air(x, seed);
@@ -192,7 +194,8 @@ void ParticleGas::let_in(const Entry& entry, double t, double dt, const Points& 
 }
 
 void ParticleGas::fly(double t, double dt, const Points& x_0, const Points& x_1) {
-    if (bag_.loses() && (cells_.steps() != looked_at_ || cells_.steps() == 0))
+    if (bag_.loses() &&
+        (cells_.steps() != looked_at_ || cells_.steps() == 0 || holes_of_air_ > 0.0))
         look_inside(dt, x_0, x_1);
     if (!bag_.openings.empty()) {
         look_at_openings();
@@ -216,6 +219,7 @@ void ParticleGas::fly(double t, double dt, const Points& x_0, const Points& x_1)
     if (!flight_.lost.empty()) book_lost(t);
     if (!particles_.room.empty()) pass_on();
     if (!bag_.openings.empty()) let_out(dt);
+    if (holes_of_air_ > 0.0) pass_air(t, dt);
     if (!bag_.heat_loss.empty()) cool(t, dt);
     std::sort(gone_.begin(), gone_.end());
     particles_.erase(gone_);

@@ -104,6 +104,7 @@ private:
     void look_at_openings();
     void pass_on();
     void let_out(double dt);
+    void pass_air(double t, double dt);
     void cool(double t, double dt);
     void book_lost(double t);
     [[noreturn]] void stop_for(std::size_t particle, const char* when) const;
@@ -120,6 +121,7 @@ private:
     FlightResult flight_;
     std::vector<std::size_t> gone_;   ///< rows that left in this step
     std::vector<Inside> at_opening_;  ///< in this step
+    double holes_of_air_ = 0.0;       ///< internal openings that initial air passes
     std::uint64_t looked_at_ = 0;     ///< collision step of the rooms' mean states
     Points air_force_;                ///< N × 3, of initial air                        [N]
     std::size_t unrelaxed_ = 0, lost_ = 0, hits_ = 0, flights_ = 0;

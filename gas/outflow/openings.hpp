@@ -102,6 +102,10 @@ public:
     /// Flow through an internal opening from gas of one state to where there is p_out, no particles
     /// on either side.                                                                  [kg/s]
     [[nodiscard]] double flow_between(std::size_t row, double t, const Inside& from, double p_out);
+    /// Flow of the air that is no particles through an internal opening, its share of the flow
+    /// from a room to one of lower pressure; 0 where that is not lower beyond chance.       [kg/s]
+    [[nodiscard]] double air_between(std::size_t row, double t, const Inside& from,
+                                     const Inside& to);
     void book(std::size_t row, double mass);  ///< that has left without particles         [kg]
 
     /// What the last flight let out.

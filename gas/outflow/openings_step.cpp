@@ -74,6 +74,15 @@ double Openings::flow_between(std::size_t row, double t, const Inside& from, dou
            leak_speed(leak.law, from.pressure, p_out, density, from.gamma);
 }
 
+double Openings::air_between(std::size_t row, double t, const Inside& from, const Inside& to) {
+    Inside driving = from;
+    driving.pressure = beyond_chance(from.pressure, to.pressure, std::hypot(from.error, to.error));
+    if (!(driving.pressure > to.pressure)) return 0.0;
+    double density = from.air_density;
+    for (const double of_species : from.density) density += of_species;
+    return from.air_density / density * flow_between(row, t, driving, to.pressure);
+}
+
 void Openings::close(Index row) {
     Opening& opening = openings_[row];
     opening.flow = opening.air_flow = opening.intake = 0.0;
@@ -138,7 +147,7 @@ void Openings::set_plain(Index row, double share, std::span<const Vec3> x, const
 void Openings::set_isentropic(Index row, double area, double dt, const Inside& inside) {
     Opening& opening = openings_[row];
     Transmission::Chances& chances = transmission_.all[row];
-    if (opening.is_internal) return;  // the same gas on both sides, after TSW
+    if (opening.is_internal) return;  // after TSW: flow_between()
     const double flow =
         area * orifice_flow(beyond_chance(inside.pressure, p_atm_, inside.error), p_atm_,
                             inside.temperature, inside.gamma, gas_constant_ / inside.molar_mass);

@@ -42,6 +42,12 @@ public:
         return brought;
     }
 
+    /// Air flows in from another room, with the energy that it brings.                 [kg], [J]
+    void receive(double mass, double energy) {
+        moles_ += mass / species_.molar_mass();
+        add(energy);
+    }
+
     /// Takes up heat (or gives it, or work, when negative).                              [J]
     void add(double energy) {
         energy_ += energy;

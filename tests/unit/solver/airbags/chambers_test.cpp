@@ -209,6 +209,64 @@ TEST_CASE("a hole between chambers lets gas through as a nozzle does, until pres
     CHECK(residual < 1e-9 * simulation.bags()[0].inflow_energy());
 }
 
+TEST_CASE("initial air passes an internal opening before the switch as the uniform gas does after",
+          "[solver][chambers]") {
+    const bool is_vent = GENERATE(true, false);
+    Model model = two_chambers();
+    model.bags[0].inflow.clear();
+    model.bags[0].orifices.clear();
+    model.bags[0].air = gas::InitialAirCard{scenes::air(), 3e5, 300.0};
+    model.bags[0].p_atm = 1e5;
+    for (Shell& shell : model.shells)
+        if (shell.part == 1) {  // a triangle of the small chamber's end
+            shell.part = 4;
+            break;
+        }
+    model.parts.push_back(model.parts[1]);
+    model.parts[4].id = 5;
+    model.bags[0].external_parts.push_back(4);
+    model.bags[0].chambers[1].parts.push_back(4);
+    gas::VentCard out, hole;
+    out.parts = {4};
+    out.is_isentropic = true;
+    hole.parts = {3};
+    hole.coefficient = 0.7;
+    model.bags[0].vents = {out};
+    if (is_vent) {
+        model.bags[0].vents.push_back(hole);
+    } else {
+        fabric::FabricCard cloth;
+        cloth.density = 1000.0;
+        cloth.E_warp = cloth.E_weft = 1e8;
+        cloth.G = 4e7;
+        cloth.leak_area = 0.7;
+        cloth.leak_velocity = 1.0;
+        cloth.leak_option = 3;
+        model.materials.push_back({2, "", cloth});
+        model.parts[3].material = 1;
+    }
+    model.end_time = 30e-3;
+    Model switched = model;
+    switched.bags[0].switch_at = 1e-9;
+    Simulation before(model), after(switched);
+    double residual = 0.0, other = 0.0;
+    for (const double look : {1e-3, 3e-3, 8e-3}) {
+        run_until(before, look, residual);
+        run_until(after, look, other);
+        const auto found = chambers(before), wanted = chambers(after);
+        for (const std::size_t c : {0, 1}) {
+            CHECK(found[c].mass == Approx(wanted[c].mass).epsilon(1e-3));
+            CHECK(found[c].energy == Approx(wanted[c].energy).epsilon(1e-3));
+        }
+        CHECK(found[0].pressure < 2.9e5);
+    }
+    run_until(before, 1.0, residual);
+    const auto end = chambers(before);
+    CHECK(end[0].pressure == Approx(1e5).epsilon(1e-3));
+    CHECK(end[1].pressure == Approx(1e5).epsilon(1e-3));
+    CHECK(residual < 1e-12 * end[0].energy);
+}
+
 TEST_CASE("chambers that are not closed, overlap or leave some of the bag out are refused",
           "[solver][chambers]") {
     Model model = two_chambers();
