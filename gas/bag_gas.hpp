@@ -120,7 +120,7 @@ public:
     [[nodiscard]] double ambient_work() const;
 
     /// Mean pressure on each part over the time `since` the last call: unsmoothed impulse of hits,
-    /// and the initial air's pressure.
+    /// and the initial air's pressure; of a part without area 0.
     [[nodiscard]] PartState part_state(const Points& x, double since);
     /// Mean mass flow in since the last call.                                              [kg/s]
     [[nodiscard]] double mass_rate_in(double since);

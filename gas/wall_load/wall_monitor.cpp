@@ -77,7 +77,7 @@ void WallMonitor::part_means(const BagWalls& walls, std::span<const Vec3> x, dou
     }
     for (std::size_t p = 0; p < parts.area.size(); ++p) {
         const double particles = since > 0.0 ? part_impulse_[p] / since : 0.0;
-        parts.pressure[p] = (air[p] + particles) / parts.area[p];
+        parts.pressure[p] = parts.area[p] > 0.0 ? (air[p] + particles) / parts.area[p] : 0.0;
         part_impulse_[p] = 0.0;
     }
     std::fill(part_air_.begin(), part_air_.end(), 0.0);

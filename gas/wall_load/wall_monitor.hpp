@@ -25,7 +25,7 @@ public:
     /// Adds up the pressure that no particles bring, by room, over `span`.        [Pa], [s]
     void record(std::span<const double> room_pressure, double span);
 
-    /// Mean pressure and area of each part since the last call.
+    /// Mean pressure and area of each part since the last call; of a part without area 0.
     /// @param since          0: as `room_pressure` is now                              [s]
     void part_means(const BagWalls& walls, std::span<const Vec3> x, double since,
                     std::span<const double> room_pressure, PartState& parts);

@@ -4,6 +4,7 @@
 // What comes into a bag of particles, and its going over to uniform pressure.
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cmath>
 
 #include "gas/enclosure/enclosure.hpp"
@@ -226,5 +227,38 @@ TEST_CASE("inflow and air as particles share NP by moles, and go over to uniform
         CHECK(bag.species.at(0).mass == Approx(air * 0.028).epsilon(1e-3));
         CHECK(bag.species.at(1).mass == Approx(1e-4).epsilon(1e-3));
         CHECK(std::abs(at_end.books().residual) < 1e-9 * at_end.books().inflow);
+    });
+}
+
+TEST_CASE("a part without shells, or without area, feels no pressure and does not stop the bag",
+          "[solver][gas]") {
+    Model model = scenes::of(shapes::box({0.1, 0.1, 0.1}, 1), scenes::null_material(), 1e-3);
+    model.parts.resize(3, model.parts[0]);
+    model.parts[1].id = 2, model.parts[2].id = 3;
+    // A seam of no width along an edge: two triangles of part 3 in one line, where a third node
+    // parts the edge.
+    const std::array<Index, 3> first{model.shells[0].nodes[0], model.shells[0].nodes[1],
+                                     model.shells[0].nodes[2]};
+    const auto middle = static_cast<Index>(model.x.size());
+    model.x.push_back(0.5 * (model.x[first[0]] + model.x[first[1]]));
+    model.velocity.push_back(Vec3::Zero());
+    model.node_id.push_back(static_cast<int>(model.x.size()));
+    model.shells[0].nodes = {first[0], middle, first[2], first[2]};
+    const auto id = static_cast<int>(model.shells.size());
+    model.shells.push_back({id + 1, 0, {middle, first[1], first[2], first[2]}});
+    model.shells.push_back({id + 2, 2, {first[0], first[1], middle, middle}});
+    scenes::fix_all_nodes(model);
+    scenes::fill(model, scenes::air(), 1e-3, 1e-3, 300.0, {0.05, 0.05, 0.05}, 500);
+    model.end_time = 1e-3;
+    Simulation simulation(model);
+    while (!simulation.is_over()) simulation.step(no_change);
+    simulation.close([](Simulation& at_end) {
+        const auto parts = at_end.sample().airbags[0].parts;
+        CHECK(parts[0].pressure > 0.0);
+        CHECK(parts[0].area == Approx(0.06));
+        for (const std::size_t p : {1, 2}) {
+            CHECK(parts[p].area == 0.0);
+            CHECK(parts[p].pressure == 0.0);
+        }
     });
 }
