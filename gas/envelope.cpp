@@ -110,7 +110,7 @@ Envelope::Envelope(const BagCard& bag, BagWalls bag_walls, std::span<const Curve
                                 passing_facets(card, walls), x)),
       openings(card, walls, curves, inflators.species(), particle_mass, *surface, samples, x, seed),
       heat_loss(card, walls, *surface, samples, curves),
-      monitor(surface, walls),
+      monitor(surface, walls, !card.friction.empty()),
       area(x.size(), Vec3::Zero()) {
     surface->volumes(x, volumes);
     if (!(enclosure.volume(x) > 0.0))

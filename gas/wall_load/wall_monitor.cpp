@@ -15,8 +15,10 @@ constexpr std::size_t HIT_PATCHES_A_CHUNK = 8;
 
 }  // namespace
 
-WallMonitor::WallMonitor(std::shared_ptr<const WettedSurface> surface, const BagWalls& walls)
+WallMonitor::WallMonitor(std::shared_ptr<const WettedSurface> surface, const BagWalls& walls,
+                         bool is_rough)
     : surface_(std::move(surface)),
+      is_rough_(is_rough),
       part_(walls.part),
       impulse_(surface_->sides(), 0.0),
       part_impulse_(walls.part_ids.size(), 0.0),
@@ -29,7 +31,7 @@ void WallMonitor::record(const WallHits& hits, std::span<const Vec3> x_1) {
         for (const auto& [hit, side, settles] : hits.of(patch)) {
             const auto& [a, b, c] = surface_->triangles()[hit->facet];
             impulse_[side] +=
-                surface_->closes(static_cast<std::size_t>(hit->facet))
+                surface_->closes(static_cast<std::size_t>(hit->facet)) && !is_rough_
                     ? hit->impulse.norm()
                     : hit->impulse.dot(vector_area(x_1[a], x_1[b], x_1[c]).normalized());
         }

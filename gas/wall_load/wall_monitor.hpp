@@ -17,10 +17,11 @@ namespace corpuscle::gas {
 /// deliver it, unsmoothed, and the pressure that no particles bring.
 class WallMonitor {
 public:
-    WallMonitor(std::shared_ptr<const WettedSurface> surface, const BagWalls& walls);
+    /// @param is_rough  hits push along the fabric, too
+    WallMonitor(std::shared_ptr<const WettedSurface> surface, const BagWalls& walls, bool is_rough);
 
-    /// Adds up what a flight's hits give to triangles: outward on the closing ones, along the normal
-    /// inside.
+    /// Adds up what a flight's hits give to triangles along their normals, outward on the closing
+    /// ones.
     void record(const WallHits& hits, std::span<const Vec3> x_1);
     /// Adds up the pressure that no particles bring, by room, over `span`.        [Pa], [s]
     void record(std::span<const double> room_pressure, double span);
@@ -46,6 +47,7 @@ private:
     void share_out();
 
     std::shared_ptr<const WettedSurface> surface_;
+    bool is_rough_;
     std::vector<Index> part_;                              ///< of each triangle
     std::vector<double> impulse_;                          ///< of each side, not yet in:     [N s]
     std::vector<double> part_impulse_, triangle_impulse_;  ///< since the last look   [N s]

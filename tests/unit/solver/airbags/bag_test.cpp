@@ -262,3 +262,31 @@ TEST_CASE("a part without shells, or without area, feels no pressure and does no
         }
     });
 }
+
+TEST_CASE("rough walls feel the gas's pressure, nothing of what hits give along the fabric",
+          "[solver][gas]") {
+    Model model = scenes::of(shapes::box({0.1, 0.1, 0.1}, 2), scenes::null_material(), 1e-3);
+    scenes::fix_all_nodes(model);
+    scenes::fill(model, scenes::air(), 1e-3, 0.5e-3, 300.0, {0.05, 0.05, 0.05}, 4000);
+    model.bags[0].friction = {{{}, 1.0, -1}};
+    model.end_time = 4e-3;
+    Simulation simulation(model);
+    bool is_full = false;  // sampled once: mean pressures count from there
+    while (!simulation.is_over())
+        simulation.step([&](Simulation& at_t) {
+            if (!is_full && at_t.time() > 1e-3) {
+                is_full = true;
+                at_t.sample();
+                at_t.frame();
+            }
+        });
+    simulation.close([&](Simulation& at_end) {
+        const AirbagSample bag = at_end.sample().airbags[0];
+        CHECK(bag.parts.at(0).pressure == Approx(bag.pressure).epsilon(0.02));
+        const Frame frame = at_end.frame();
+        double mean = 0.0;
+        for (const float pressure : frame.shell_pressure)
+            mean += pressure / static_cast<double>(frame.shell_pressure.size());
+        CHECK(mean == Approx(bag.pressure).epsilon(0.02));
+    });
+}
