@@ -125,10 +125,8 @@ PartState BagGas::part_state(const Points& x, double since) {
     return parts;
 }
 
-void BagGas::add_shell_load(const Points& x, double since, std::span<double> force,
-                            std::span<double> area) {
-    bag_->monitor.add_shell_means(bag_->walls, bag_->card.p_atm, x, since, room_pressures(), force,
-                                  area);
+void BagGas::add_shell_load(const Points& x, double since, ShellLoad& load) {
+    bag_->monitor.add_shell_means(bag_->walls, bag_->card.p_atm, x, since, room_pressures(), load);
 }
 
 double BagGas::expected_share_in(double end_time) const {

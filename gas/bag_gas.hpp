@@ -125,10 +125,8 @@ public:
     /// Mean mass flow in since the last call.                                              [kg/s]
     [[nodiscard]] double mass_rate_in(double since);
     [[nodiscard]] double mass_rate_out(double since);  ///< the same, out               [kg/s]
-    /// Adds to each shell's `force` the mean gauge pressure since the last call times its area,
-    /// and the area to `area`.                                                E [N], E [m^2]
-    void add_shell_load(const Points& x, double since, std::span<double> force,
-                        std::span<double> area);
+    /// Adds to the load on each shell the mean gauge pressure since the last call times its area.
+    void add_shell_load(const Points& x, double since, ShellLoad& load);
 
     /// The card of the bag.
     [[nodiscard]] const BagCard& card() const;

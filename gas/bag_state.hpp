@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "gas/thermo/species.hpp"
@@ -61,6 +62,24 @@ struct ChamberSum {
         all.static_temperature = content.temperature(std::max(0.0, all.energy - bulk));
         return all;
     }
+};
+
+/// Load on shells while it is added up, bag by bag: on a shell of two bags the difference of what
+/// both do.
+struct ShellLoad {
+    /// Of no bag as yet.
+    explicit ShellLoad(std::size_t shells) : force(shells, 0.0), facing(shells, 0) {}
+
+    /// Sign with which a bag's outward load on a triangle of a shell counts.
+    /// @param is_turned  outward is against the order of the shell's nodes
+    [[nodiscard]] double sign(Index shell, bool is_turned) {
+        const std::int8_t own = is_turned ? -1 : 1;
+        if (facing[shell] == 0) facing[shell] = own;
+        return own == facing[shell] ? 1.0 : -1.0;
+    }
+
+    std::vector<double> force;        ///< E: outward of the first bag that has the shell      [N]
+    std::vector<std::int8_t> facing;  ///< E: that way along the order of nodes, 0: of no bag
 };
 
 /// What the gas did to each part of a bag, in the order of BagWalls::part_rows.

@@ -4,6 +4,30 @@
 
 namespace corpuscle::gas {
 
+/// Integral over time of what is told at the end of each step.
+struct TimeIntegral {
+    double sum = 0.0;    ///< since it was last taken
+    double until = 0.0;  ///< time up to which it goes                                          [s]
+
+    /// `value` over the time up to t.
+    void add(double t, double value) {
+        sum += value * (t - until);
+        until = t;
+    }
+    /// Mean over the time `since` it was last taken; of no time `now`. Begins anew.
+    [[nodiscard]] double take_mean(double since, double now) {
+        const double mean = since > 0.0 ? sum / since : now;
+        sum = 0.0;
+        return mean;
+    }
+
+    /// What a checkpoint holds of it (solver/base/archive.hpp).
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(sum, until);
+    }
+};
+
 /// Mass and energy that have crossed a bag's boundary so far.
 struct GasBalance {
     double load_work = 0.0;      ///< of what hits brought, on the fabric             [J]

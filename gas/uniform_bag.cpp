@@ -134,6 +134,7 @@ void UniformBag::add_load(double t, const Points& x, Points& f) {
                                           name_of(card_), volume(x), gas_.energy()));
     enclosure_.node_areas(x, area_);
     measure_exits(x);
+    gauge_since_frame_.add(t, gauge());
     for (const Index n : enclosure_.nodes()) f[n] += gauge() * area_[n];
 }
 
@@ -260,13 +261,13 @@ PartState UniformBag::part_state(const Points& x) const {
     return state;
 }
 
-void UniformBag::add_shell_load(const Points& x, std::span<double> force,
-                                std::span<double> area) const {
+void UniformBag::add_shell_load(const Points& x, double since, ShellLoad& load) {
+    const double mean = gauge_since_frame_.take_mean(since, gauge());
     for (std::size_t t = 0; t < walls_.triangles.size(); ++t) {
         const auto& [a, b, c] = walls_.triangles[t];
         const double size = vector_area(x[a], x[b], x[c]).norm();
-        area[walls_.shell[t]] += size;
-        force[walls_.shell[t]] += gauge() * size;
+        const bool is_turned = enclosure_.triangles()[t] != walls_.triangles[t];
+        load.force[walls_.shell[t]] += load.sign(walls_.shell[t], is_turned) * mean * size;
     }
 }
 

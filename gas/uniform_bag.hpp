@@ -10,6 +10,7 @@
 #include "gas/bag_gas.hpp"
 #include "gas/cards/uniform_card.hpp"
 #include "gas/enclosure/enclosure.hpp"
+#include "gas/gas_balance.hpp"
 #include "gas/inflow/flow_curve.hpp"
 #include "gas/thermo/control_volume.hpp"
 
@@ -52,9 +53,9 @@ public:
     [[nodiscard]] GasState state(const Points& x) const;
     /// Of each part: its area with nodes at x, and PSCA times pressure(); mass out and heat are 0.
     [[nodiscard]] PartState part_state(const Points& x) const;
-    /// Adds to each shell's `force` PSCA (p - p_atm) times its area, and the area to `area`.
-    ///                                                                               E [N], E [m^2]
-    void add_shell_load(const Points& x, std::span<double> force, std::span<double> area) const;
+    /// Adds to the load on each shell the mean of PSCA (p - p_atm) since the last call times its
+    /// area.
+    void add_shell_load(const Points& x, double since, ShellLoad& load);
 
     [[nodiscard]] double energy() const { return gas_.energy(); }  ///< inside, at t        [J]
     /// Energy of the inflow so far.                                                         [J]
@@ -87,7 +88,8 @@ public:
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(gas_, area_, exit_area_, leak_area_, is_open_, mass_in_, mass_out_, rate_in_,
-                rate_out_, inflow_energy_, outflow_energy_, ambient_work_, scaling_work_);
+                rate_out_, inflow_energy_, outflow_energy_, ambient_work_, scaling_work_,
+                gauge_since_frame_);
     }
 
 private:
@@ -124,6 +126,7 @@ private:
     bool is_open_ = false;                          ///< PPOP has been reached
     double mass_in_ = 0.0, mass_out_ = 0.0, rate_in_ = 0.0, rate_out_ = 0.0;
     double inflow_energy_ = 0.0, outflow_energy_ = 0.0, ambient_work_ = 0.0, scaling_work_ = 0.0;
+    TimeIntegral gauge_since_frame_;  ///< [Pa s]
     std::vector<std::string> warnings_;
 };
 

@@ -9,6 +9,14 @@
 namespace corpuscle {
 namespace {
 
+/// Of a shell of the model, nodes at x.                                                    [m^2]
+double shell_area(const SceneState& scene, std::size_t shell) {
+    const auto& n = scene.model.shells[shell].nodes;
+    const Points& x = scene.nodes.x;
+    return vector_area(x[n[0]], x[n[1]], x[n[2]]).norm() +
+           vector_area(x[n[0]], x[n[2]], x[n[3]]).norm();
+}
+
 /// Of shells without contact 0.
 void add_contact_pressure(SceneState& scene, std::vector<float>& pressure) {
     if (scene.obstacles.contact) {
@@ -17,26 +25,25 @@ void add_contact_pressure(SceneState& scene, std::vector<float>& pressure) {
         for (std::size_t t = 0; t < force.size(); ++t)
             on_shell[scene.obstacles.contact_shell[t]] += force[t];
         for (std::size_t s = 0; s < on_shell.size(); ++s) {
-            const auto& n = scene.model.shells[s].nodes;
-            const Points& x = scene.nodes.x;
-            const double area = vector_area(x[n[0]], x[n[1]], x[n[2]]).norm() +
-                                vector_area(x[n[0]], x[n[2]], x[n[3]]).norm();
+            const double area = shell_area(scene, s);
             pressure.push_back(area > 0.0 ? static_cast<float>(on_shell[s] / area) : 0.0F);
         }
     }
 }
 
-/// Gauge, of what the gas does on average over `since`.
+/// Gauge, of what the gas does on average over `since`; across a shell of two bags the difference,
+/// outward of the first bag.
 void add_gas_pressure(SceneState& scene, double since, std::vector<float>& pressure) {
     const std::size_t shells = scene.model.shells.size();
-    std::vector<double> force(shells, 0.0), area(shells, 0.0);
-    for (gas::BagGas& bag : scene.airbags.particle)
-        bag.add_shell_load(scene.nodes.x, since, force, area);
-    for (const gas::UniformBag& bag : scene.airbags.uniform)
-        bag.add_shell_load(scene.nodes.x, force, area);
+    gas::ShellLoad load(shells);
+    for (gas::BagGas& bag : scene.airbags.particle) bag.add_shell_load(scene.nodes.x, since, load);
+    for (gas::UniformBag& bag : scene.airbags.uniform)
+        bag.add_shell_load(scene.nodes.x, since, load);
     pressure.resize(shells);
-    for (std::size_t s = 0; s < shells; ++s)
-        pressure[s] = area[s] > 0.0 ? static_cast<float>(force[s] / area[s]) : 0.0F;
+    for (std::size_t s = 0; s < shells; ++s) {
+        const double area = load.facing[s] != 0 ? shell_area(scene, s) : 0.0;
+        pressure[s] = area > 0.0 ? static_cast<float>(load.force[s] / area) : 0.0F;
+    }
 }
 
 void add_particles(const SceneState& scene, Frame& state) {

@@ -87,7 +87,7 @@ void WallMonitor::part_means(const BagWalls& walls, std::span<const Vec3> x, dou
 
 void WallMonitor::add_shell_means(const BagWalls& walls, double p_atm, std::span<const Vec3> x,
                                   double since, std::span<const double> room_pressure,
-                                  std::span<double> force, std::span<double> area) {
+                                  ShellLoad& load) {
     share_out();
     if (since == 0.0) std::copy(room_pressure.begin(), room_pressure.end(), triangle_air_.begin());
     const double time = since > 0.0 ? since : 1.0;
@@ -95,10 +95,11 @@ void WallMonitor::add_shell_means(const BagWalls& walls, double p_atm, std::span
         const auto& [a, b, c] = walls.triangles[t];
         const double size = vector_area(x[a], x[b], x[c]).norm();
         const Index shell = walls.shell[t];
-        area[shell] += size;
-        force[shell] += across(t, triangle_air_) / time * size;
-        if (t < walls.closing) force[shell] -= p_atm * size;
-        if (since > 0.0) force[shell] += triangle_impulse_[t] / since;
+        const double sign = load.sign(shell, surface_->triangles()[t] != walls.triangles[t]);
+        double& force = load.force[shell];
+        force += sign * across(t, triangle_air_) / time * size;
+        if (t < walls.closing) force -= sign * p_atm * size;
+        if (since > 0.0) force += sign * triangle_impulse_[t] / since;
         triangle_impulse_[t] = 0.0;
     }
     std::fill(triangle_air_.begin(), triangle_air_.end(), 0.0);

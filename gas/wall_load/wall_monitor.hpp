@@ -30,11 +30,9 @@ public:
     /// @param since          0: as `room_pressure` is now                              [s]
     void part_means(const BagWalls& walls, std::span<const Vec3> x, double since,
                     std::span<const double> room_pressure, PartState& parts);
-    /// Adds to each shell's `force` the mean gauge pressure since the last call times its area,
-    /// and the area to `area`.                                                E [N], E [m^2]
+    /// Adds to the load on each shell the mean gauge pressure since the last call times its area.
     void add_shell_means(const BagWalls& walls, double p_atm, std::span<const Vec3> x, double since,
-                         std::span<const double> room_pressure, std::span<double> force,
-                         std::span<double> area);
+                         std::span<const double> room_pressure, ShellLoad& load);
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
