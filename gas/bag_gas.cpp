@@ -40,7 +40,7 @@ void BagGas::book_load(const Points& v_mid, double span) {
                              return area[nodes[i]].dot(v_mid[nodes[i]]);
                          });
     bag_->balance.ambient_work += bag_->card.p_atm * swept;
-    bag_->monitor.record(room_pressures(), span);
+    bag_->monitor.record(room_pressures(), bag_->time);
     now().book_load(v_mid, span);
 }
 

@@ -49,7 +49,8 @@ void WallMonitor::share_out() {
     }
 }
 
-void WallMonitor::record(std::span<const double> room_pressure, double span) {
+void WallMonitor::record(std::span<const double> room_pressure, double t) {
+    const double span = t - std::exchange(until_, t);
     for (std::size_t r = 0; r < part_air_.size(); ++r) {
         part_air_[r] += room_pressure[r] * span;
         triangle_air_[r] += room_pressure[r] * span;

@@ -23,8 +23,9 @@ public:
     /// Adds up what a flight's hits give to triangles along their normals, outward on the closing
     /// ones.
     void record(const WallHits& hits, std::span<const Vec3> x_1);
-    /// Adds up the pressure that no particles bring, by room, over `span`.        [Pa], [s]
-    void record(std::span<const double> room_pressure, double span);
+    /// Adds up the pressure that no particles bring, by room at t, over the time since the last
+    /// call.                                                                        [Pa], [s]
+    void record(std::span<const double> room_pressure, double t);
 
     /// Mean pressure and area of each part since the last call; of a part without area 0.
     /// @param since          0: as `room_pressure` is now                              [s]
@@ -37,7 +38,7 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(impulse_, part_impulse_, triangle_impulse_, part_air_, triangle_air_);
+        archive(impulse_, part_impulse_, triangle_impulse_, part_air_, triangle_air_, until_);
     }
 
 private:
@@ -50,6 +51,7 @@ private:
     std::vector<double> impulse_;                          ///< of each side, not yet in:     [N s]
     std::vector<double> part_impulse_, triangle_impulse_;  ///< since the last look   [N s]
     std::vector<double> part_air_, triangle_air_;          ///< by room, integral of pressure [Pa s]
+    double until_ = 0.0;                                   ///< to which these go             [s]
 };
 
 }  // namespace corpuscle::gas

@@ -126,3 +126,26 @@ TEST_CASE("frames show the mean pressure of uniform gas since the frame before",
     while (!simulation.is_over()) simulation.step(look);
     CHECK(frames > 3);
 }
+
+TEST_CASE("parts feel the mean pressure over the time between samples, across TSW, too",
+          "[solver][gas]") {
+    Model model = two_boxes(false);
+    model.bags = {of_particles(0, P_ATM)};
+    const bool is_particles = GENERATE(false, true);
+    model.bags[0].air->is_particles = is_particles;
+    model.bags[0].particles = 20000;
+    model.bags[0].switch_at = 2e-3;
+    model.end_time = 20e-3;  // steps of a thousandth of it from there on, before shorter ones
+    Simulation simulation(model);
+    double next = 0.0;
+    const auto look = [&](Simulation& now) {
+        if (now.time() < next && now.time() < model.end_time) return;
+        next = now.time() + 1e-4;
+        const AirbagSample bag = now.sample().airbags[0];
+        if (now.time() == 0.0 || (is_particles && now.time() < 1.9e-3)) return;
+        const bool is_mixed = is_particles && now.time() < 2.13e-3;
+        CHECK(bag.parts[0].pressure == Approx(bag.pressure).epsilon(is_mixed ? 0.04 : 1e-9));
+    };
+    while (!simulation.is_over()) simulation.step(look);
+    simulation.close(look);
+}
