@@ -45,7 +45,7 @@ public:
     /// @param node_id  N: the deck's, for messages
     /// @param held     N: 1 for nodes moved by supports, prescribed motions or rigid bodies
     /// @param x        N × 3, at the start                                              [m]
-    /// @param seed     of the run
+    /// @param seed     of its random numbers: bags of one seed draw the same
     /// @param body     N: row of a node's rigid body that can rotate, or -1; empty: none
     /// @throws InputError  for walls that are not closed, orifices outside, impossible gases
     BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curves,

@@ -216,6 +216,12 @@ void take_turned(std::size_t turned, const std::string& bag, Model& model,
         model.mendings.push_back(fmt::format("{}: {} facets turned", bag, turned));
 }
 
+/// Of a bag's random numbers: no two bags of a run share any; the first has the run's own seed.
+std::uint64_t seed_of_bag(std::uint64_t seed, std::size_t bag) {
+    constexpr std::uint64_t FAR = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio
+    return seed + FAR * static_cast<std::uint64_t>(bag);
+}
+
 }  // namespace
 
 void SceneState::build_bags() {
@@ -230,9 +236,10 @@ void SceneState::build_bags() {
             faults.insert(faults.end(), error.typed.begin(), error.typed.end());
         }
     };
-    for (const gas::BagCard& card : model.bags)
-        build(airbags.particle, card, bag_walls(model, card, cloth.reference), model.curves,
-              model.node_id, held_nodes(), model.x, seed, turning_bodies());
+    for (std::size_t b = 0; b < model.bags.size(); ++b)
+        build(airbags.particle, model.bags[b], bag_walls(model, model.bags[b], cloth.reference),
+              model.curves, model.node_id, held_nodes(), model.x, seed_of_bag(seed, b),
+              turning_bodies());
     for (const gas::UniformBagCard& card : model.uniform_bags)
         build(airbags.uniform, card, bag_walls(model, card), model.curves, model.node_id, model.x);
     for (const gas::ExchangeCard& card : model.exchanges)
