@@ -93,8 +93,8 @@ void ParticleGas::fill_with_air(const Points& x, std::uint64_t seed) {
     add_resident_air({bag_.inflators.resident(), static_cast<std::int32_t>(row),
                       static_cast<std::int32_t>(bag_.inflators.particles()),
                       bag_.particle_mass[row], bag_.card.air->temperature},
-                     bag_.inflators.species()[row], bag_.enclosure, x, seed, bag_.name(),
-                     particles_);
+                     bag_.inflators.species()[row], bag_.enclosure, *bag_.surface, x, seed,
+                     bag_.name(), particles_);
     if (const std::size_t asked = bag_.card.air->particles;
         asked > 0 && asked != bag_.inflators.resident())
         bag_.warnings.push_back(

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "gas/enclosure/enclosure.hpp"
+#include "gas/enclosure/wetted_surface.hpp"
 #include "gas/particles.hpp"
 #include "gas/thermo/species.hpp"
 
@@ -19,14 +20,15 @@ struct ResidentAir {
     double temperature = NaN;   ///< [K]
 };
 
-/// Adds them: evenly spread over the volume inside, on whatever side of inner parts they fall,
-/// with velocities after Maxwell and Boltzmann. Their momentum is zero and their energy is
-/// count · mass · u(T), 3/2 R T / M of it translation, both to rounding.
+/// Adds them: evenly spread over the volume inside, in every room as many as its share of the
+/// volume, rounded up or down by chance, with velocities after Maxwell and Boltzmann. In each room
+/// of two or more their momentum is zero and their energy is count · mass · u(T), 3/2 R T / M of
+/// it translation, both to rounding.
 ///
-/// What each gets is a function of (seed, id).
+/// What each gets is a function of (seed, id) and of the rooms.
 /// Errors: InputError, naming `bag`, when the bag holds next to no volume for its size.
 void add_resident_air(const ResidentAir& air, const Species& gas, const Enclosure& bag,
-                      std::span<const Vec3> x, std::uint64_t seed, const std::string& name,
-                      Particles& particles);
+                      const WettedSurface& surface, std::span<const Vec3> x, std::uint64_t seed,
+                      const std::string& name, Particles& particles);
 
 }  // namespace corpuscle::gas

@@ -39,7 +39,9 @@ constexpr ResidentAir SOME{20000, 3, 500, 1e-8, 350.0};
 
 Particles fill(const shapes::Shape& shape) {
     Particles particles;
-    add_resident_air(SOME, AMBIENT_AIR, enclosure(shape), shape.x, 7, "bag", particles);
+    const Enclosure bag = enclosure(shape);
+    const WettedSurface surface(bag.triangles(), bag.triangles().size(), shape.x);
+    add_resident_air(SOME, AMBIENT_AIR, bag, surface, shape.x, 7, "bag", particles);
     return particles;
 }
 
@@ -105,5 +107,41 @@ TEST_CASE("resident air does not depend on threads", "[gas]") {
     for (std::size_t i = 0; i < one.size(); ++i) {
         REQUIRE(one.x[i] == three.x[i]);
         REQUIRE(one.v[i] == three.v[i]);
+    }
+}
+
+TEST_CASE("every closed room has its share of resident air, at rest, with exact energy", "[gas]") {
+    // A box, and one within whose wall parts the gas: walls of the inner one are internal.
+    shapes::Shape shape = shapes::box({0.1, 0.1, 0.1}, 2);
+    const auto closing = shape.triangles.size();
+    const Enclosure bag = enclosure(shape);
+    std::vector<Triangle> all = bag.triangles();
+    const shapes::Shape inner = shapes::box({0.07, 0.07, 0.07}, 1);
+    const auto nodes = static_cast<Index>(shape.x.size());
+    for (const Vec3& at : inner.x) shape.x.push_back(at + Vec3(0.01, 0.01, 0.01));
+    for (const auto& [a, b, c] : inner.triangles) all.push_back({a + nodes, b + nodes, c + nodes});
+    const WettedSurface surface(all, closing, shape.x);
+    REQUIRE(surface.rooms() == 2);
+    std::vector<double> volume;
+    surface.volumes(shape.x, volume);
+    Particles particles;
+    add_resident_air(SOME, AMBIENT_AIR, bag, surface, shape.x, 7, "bag", particles);
+    REQUIRE(particles.size() == SOME.count);
+    const std::vector<Index> room = surface.rooms_of(particles.x, shape.x);
+    for (const Index r : {0, 1}) {
+        double count = 0.0, square = 0.0;
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t i = 0; i < room.size(); ++i) {
+            if (room[i] != r) continue;
+            count += 1.0;
+            sum += particles.v[i];
+            square += particles.v[i].squaredNorm();
+        }
+        const double share =
+            static_cast<double>(SOME.count) * volume[static_cast<std::size_t>(r)] / 1e-3;
+        CHECK(std::abs(count - share) < 1.0);
+        CHECK(sum.norm() < 1e-9 * std::sqrt(count * square));
+        CHECK(square ==
+              Approx(count * 3.0 * GAS_CONSTANT * SOME.temperature / 0.029).epsilon(1e-12));
     }
 }
