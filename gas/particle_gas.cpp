@@ -194,12 +194,13 @@ void ParticleGas::let_in(const Entry& entry, double t, double dt, const Points& 
 }
 
 void ParticleGas::fly(double t, double dt, const Points& x_0, const Points& x_1) {
-    if (bag_.loses() &&
-        (cells_.steps() != looked_at_ || cells_.steps() == 0 || holes_of_air_ > 0.0))
+    if (bag_.loses() && (cells_.steps() != looked_at_ || cells_.steps() == 0 ||
+                         holes_of_air_ > 0.0 || (bag_.card.air && bag_.card.air->flows_in)))
         look_inside(dt, x_0, x_1);
     if (!bag_.openings.empty()) {
         look_at_openings();
         bag_.openings.set_transmission(t, dt, x_0, at_opening_);
+        bag_.openings.keep_to_balance(dt, bag_.volumes);
     }
     try {
         gas::fly(lists_, x_0, x_1, dt, bag_.particle_mass, born_, particles_, flight_,

@@ -37,6 +37,7 @@ void UniformGas::let_out(double t, double dt, const Points& x) {
     for (std::size_t r = 0; r < rooms_.size(); ++r) bag_.rooms[r] = inside_of(r);
     for (std::size_t o = 0; o < bag_.openings.all().size(); ++o)
         bag_.openings.set_chances(o, t, dt, x, bag_.rooms[bag_.openings.all()[o].room]);
+    bag_.openings.keep_to_balance(dt, bag_.volumes);
     for (std::size_t r = 0; r < rooms_.size(); ++r) let_out_of_room(r, dt);
     if (rooms_.size() > 1) pass_between_rooms(t, dt);
     if (bag_.heat_loss.empty()) return;

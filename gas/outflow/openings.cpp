@@ -45,6 +45,7 @@ Openings::Openings(const BagCard& card, const BagWalls& walls, std::span<const C
       p_atm_(card.p_atm),
       T_atm_(card.T_atm),
       gas_constant_(card.gas_constant),
+      imbalance_(surface.rooms()),
       part_mass_out_(walls.part_ids.size(), 0.0) {
     if (vents_.empty() && leaks_.empty()) return;
     if (card.air && card.air->flows_in)

@@ -99,6 +99,10 @@ public:
     /// The same for one opening.
     void set_chances(std::size_t row, double t, double dt, std::span<const Vec3> x,
                      const Inside& inside);
+    /// Cuts flows of air and of ambient air down to what brings a room to the pressure outside in
+    /// dt; after set_chances() of its openings.
+    /// @param volume  of rooms                                                      [m^3]
+    void keep_to_balance(double dt, std::span<const double> volume);
     /// Flow through an internal opening from gas of one state to where there is p_out, no particles
     /// on either side.                                                                  [kg/s]
     [[nodiscard]] double flow_between(std::size_t row, double t, const Inside& from, double p_out);
@@ -162,6 +166,7 @@ private:
     [[nodiscard]] double leak_share(const Opening& opening, double t) const;
     [[nodiscard]] double leak_area(const Opening& opening, const Inside& inside) const;
     void measure(Opening& opening, std::span<const Vec3> x) const;
+    void compare(const Opening& opening, const Inside& inside);
     void close(Index row);
     void set_plain(Index row, double share, std::span<const Vec3> x, const Inside& inside);
     void set_isentropic(Index row, double area, double dt, const Inside& inside);
@@ -183,6 +188,13 @@ private:
     std::vector<int> part_ids_;
     double p_atm_, T_atm_, gas_constant_;
     std::optional<Species> ambient_;  ///< comes in where the bag's pressure is lower
+
+    /// By which a room's gas is denser, or thinner, than at the pressure outside, as far as its
+    /// openings see.                                                              [kg/m^3]
+    struct Imbalance {
+        double excess = 0.0, lack = 0.0;
+    };
+    std::vector<Imbalance> imbalance_;  ///< by room
 
     std::vector<Opening> openings_;
     Transmission transmission_;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "solver/base/error.hpp"
 
@@ -75,6 +76,26 @@ const Openings::Passed& Openings::count(const FlightResult& flight, double dt,
         opening.collar_arriving += fresh * (came_to_collar_[o] / dt - opening.collar_arriving);
     }
     return passed_;
+}
+
+void Openings::keep_to_balance(double dt, std::span<const double> volume) {
+    // Holes that let gas out against the pressure outside carry less than the enthalpy.
+    const auto is_driven = [](const Opening& opening) { return opening.air_heat == 1.0; };
+    for (std::size_t room = 0; room < volume.size(); ++room) {
+        const auto [excess, lack] = std::exchange(imbalance_[room], {});
+        double out = 0.0, in = 0.0;  // [kg]
+        for (const Opening& opening : openings_) {
+            if (opening.room != static_cast<Index>(room)) continue;
+            if (is_driven(opening)) out += dt * (opening.flow + opening.air_flow);
+            in += dt * opening.intake;
+        }
+        const double most_out = excess * volume[room], most_in = lack * volume[room];
+        for (Opening& opening : openings_) {
+            if (opening.room != static_cast<Index>(room)) continue;
+            if (out > most_out && is_driven(opening)) opening.air_flow *= most_out / out;
+            if (in > most_in) opening.intake *= most_in / in;
+        }
+    }
 }
 
 Openings::Air Openings::air_leaving(std::size_t room, double dt) const {

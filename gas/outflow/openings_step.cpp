@@ -42,6 +42,7 @@ void Openings::set_chances(std::size_t o, double t, double dt, std::span<const V
     close(row);
     measure(opening, x);
     if (!inside.holds_gas()) return;
+    compare(opening, inside);
     if (opening.leak >= 0) {
         const double area =
             opening.law == Opening::Law::ISENTROPIC ? leak_area(opening, inside) : 0.0;
@@ -103,6 +104,17 @@ void Openings::measure(Opening& opening, std::span<const Vec3> x) const {
         free += transmission_.open[f] * area;
     }
     opening.free = opening.area > 0.0 ? free / opening.area : 0.0;
+}
+
+/// With the pressure outside. Holes that pass a share of those that arrive let gas out against it.
+void Openings::compare(const Opening& opening, const Inside& inside) {
+    if (opening.is_internal) return;
+    auto& [excess, lack] = imbalance_[opening.room];
+    const double over = inside.pressure - p_atm_;
+    if (opening.law != Opening::Law::PLAIN || inside.is_uniform)
+        excess = std::max(
+            excess, over * inside.molar_mass / (inside.gamma * gas_constant_ * inside.temperature));
+    if (ambient_) lack = std::max(lack, -over / ((inside.gamma - 1.0) * ambient_->h(T_atm_)));
 }
 
 double Openings::curve_or(Index curve, double at, double otherwise) const {
