@@ -47,8 +47,11 @@ void Roughness::receive(const FlightResult& flight, double dt, double air,
     for (Rough& part : rough_) part.impulse = part.area = 0.0;
     for (const auto& hits : flight.hits)
         for (const Hit& hit : hits)
-            if (const Index r = rough_of_[part_[hit.facet]]; r >= 0)
-                rough_[r].impulse += hit.impulse.norm();
+            if (const Index r = rough_of_[part_[hit.facet]]; r >= 0) {
+                const auto& [a, b, c] = triangles_[hit.facet];
+                rough_[r].impulse +=
+                    std::abs(hit.impulse.dot(vector_area(x[a], x[b], x[c]).normalized()));
+            }
     for (std::size_t f = 0; f < triangles_.size(); ++f) {
         const auto& [a, b, c] = triangles_[f];
         if (const Index r = rough_of_[part_[f]]; r >= 0)

@@ -15,7 +15,8 @@ namespace corpuscle::gas {
 
 /// How rough each facet of a bag is: FRIC and PFRIC, as numbers or over the part's pressure.
 ///
-/// A part's pressure is what hits bring to it, averaged over `time`, and that of initial air.
+/// A part's pressure is what hits bring to it along its normal, averaged over `time`, and that of
+/// initial air.
 class Roughness {
 public:
     /// @param time  over which pressures are averaged                                     [s]
