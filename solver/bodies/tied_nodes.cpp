@@ -115,7 +115,7 @@ TiedEdges::TiedEdges(const std::vector<TiedNode>& ties) {
         if (ends[0] == ends[1]) kept_.emplace(node, ends[0]);
     for (auto& [node, other] : kept_) other = last_of(node, kept_);
     for (const auto& [node, ends_as_told, w] : ties) {
-        const std::array<Index, 2> ends{kept(ends_as_told[0]), kept(ends_as_told[1])};
+        const std::array<Index, 2> ends{node_for(ends_as_told[0]), node_for(ends_as_told[1])};
         if (ends[0] == ends[1]) continue;
         const bool turned = ends[0] > ends[1];
         open[std::minmax(ends[0], ends[1])].push_back({turned ? 1.0 - w : w, node});

@@ -59,8 +59,14 @@ public:
     /// The triangle, or its pieces in its own sense of turning; none where two corners are one.
     template <class Add>
     void cut(const Triangle& whole, Add&& add) const {
-        const Triangle t{kept(whole[0]), kept(whole[1]), kept(whole[2])};
+        const Triangle t{node_for(whole[0]), node_for(whole[1]), node_for(whole[2])};
         if (t == whole || (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])) cut_edges(t, add);
+    }
+
+    /// The one node that stands for all that are tied in the place of this one; by itself: itself.
+    [[nodiscard]] Index node_for(Index node) const {
+        const auto at = kept_.find(node);
+        return at == kept_.end() ? node : at->second;
     }
 
     /// Whether cut() leaves every triangle whole.
@@ -78,11 +84,6 @@ private:
             return;
         }
         add(t);
-    }
-
-    [[nodiscard]] Index kept(Index node) const {
-        const auto at = kept_.find(node);
-        return at == kept_.end() ? node : at->second;
     }
 
     std::map<std::pair<Index, Index>, Index> node_on_;  ///< ends, lower row first

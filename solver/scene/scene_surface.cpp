@@ -16,32 +16,42 @@ Edge edge(Index a, Index b) {
     return {std::min(a, b), std::max(a, b)};
 }
 
+using Corners = std::array<Index, 4>;
+
+/// Of a shell, tied nodes of one place being one.
+Corners tied_corners(const Shell& shell, const TiedEdges& ties) {
+    Corners corners = shell.nodes;
+    for (Index& node : corners) node = ties.node_for(node);
+    return corners;
+}
+
 /// Sides of all shells and diagonals 1-3 of quads, and which shells have them.
 class Lines {
 public:
-    explicit Lines(const Model& model) : shells_(model.shells) {
-        for (std::size_t s = 0; s < shells_.size(); ++s) {
-            const auto& n = shells_[s].nodes;
-            const std::size_t corners = shells_[s].is_triangle() ? 3 : 4;
-            const auto shell = static_cast<Index>(s);
-            for (std::size_t k = 0; k < corners; ++k)
-                all_.emplace_back(edge(n[k], n[(k + 1) % corners]), shell);
-            if (corners == 4) all_.emplace_back(edge(n[0], n[2]), shell);
+    Lines(const Model& model, const TiedEdges& ties) {
+        for (const Shell& whole : model.shells) {
+            const Corners n = tied_corners(whole, ties);
+            const std::size_t count = whole.is_triangle() ? 3 : 4;
+            const auto shell = static_cast<Index>(shells_.size());
+            for (std::size_t k = 0; k < count; ++k)
+                all_.emplace_back(edge(n[k], n[(k + 1) % count]), shell);
+            if (count == 4) all_.emplace_back(edge(n[0], n[2]), shell);
+            shells_.push_back(n);
         }
         std::sort(all_.begin(), all_.end());
     }
 
     /// Has a shell of other nodes than these this line?
-    [[nodiscard]] bool has(const Edge& line, const std::array<Index, 4>& nodes) const {
+    [[nodiscard]] bool has(const Edge& line, const Corners& nodes) const {
         auto at = std::lower_bound(all_.begin(), all_.end(), std::pair{line, Index{-1}});
         for (; at != all_.end() && at->first == line; ++at)
-            if (!std::is_permutation(nodes.begin(), nodes.end(), shells_[at->second].nodes.begin()))
+            if (!std::is_permutation(nodes.begin(), nodes.end(), shells_[at->second].begin()))
                 return true;
         return false;
     }
 
 private:
-    const std::vector<Shell>& shells_;
+    std::vector<Corners> shells_;
     std::vector<std::pair<Edge, Index>> all_;
 };
 
@@ -49,7 +59,7 @@ private:
 
 SceneTriangles triangles_of(const Model& model, const std::vector<bool>& wanted) {
     const TiedEdges edges(model.tied_nodes);
-    const Lines lines(model);
+    const Lines lines(model, edges);
     SceneTriangles cut;
     const auto add = [&](const Triangle& whole, std::size_t shell) {
         edges.cut(whole, [&](const Triangle& piece) {
@@ -61,9 +71,10 @@ SceneTriangles triangles_of(const Model& model, const std::vector<bool>& wanted)
         const Shell& shell = model.shells[s];
         if (!wanted[shell.part]) continue;
         const auto& n = shell.nodes;
+        const Corners at = tied_corners(shell, edges);
         if (shell.is_triangle()) {
             add({n[0], n[1], n[2]}, s);
-        } else if (!lines.has(edge(n[0], n[2]), n) || lines.has(edge(n[1], n[3]), n)) {
+        } else if (!lines.has(edge(at[0], at[2]), at) || lines.has(edge(at[1], at[3]), at)) {
             add({n[0], n[1], n[2]}, s);
             add({n[0], n[2], n[3]}, s);
         } else {
