@@ -15,6 +15,7 @@ struct BagWalls {
     std::vector<Index> shell;            ///< a shell row a triangle
     std::vector<Index> part;             ///< a row in part_ids a triangle
     std::size_t closing = 0;             ///< how many close the bag
+    std::size_t empty_pairs = 0;         ///< left out: closing facets that enclose nothing
     std::vector<int> part_ids;           ///< the deck's numbers of the parts that wall it
     std::vector<Index> part_rows;        ///< the same parts, as rows of the model
     std::vector<LeakCard> leaks;         ///< of the fabrics that leak

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "solver/scene/bag_walls.hpp"
 
+#include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -70,6 +72,50 @@ std::optional<gas::LeakCard> leak_of(const Model& model, Index part) {
                          cloth->leak_growth};
 }
 
+std::array<Index, 3> sorted_nodes(Triangle facet) {
+    std::sort(facet.begin(), facet.end());
+    return facet;
+}
+
+/// By closing facet: is it one of two that have all three nodes in common, at an edge where other
+/// facets of the bag meet too? Such a pair encloses nothing at any time.
+std::vector<bool> empty_pairs(const gas::BagWalls& walls) {
+    std::map<std::array<Index, 3>, int> alike;
+    std::map<std::pair<Index, Index>, int> at_edge;
+    for (std::size_t f = 0; f < walls.closing; ++f) {
+        const auto n = sorted_nodes(walls.triangles[f]);
+        ++alike[n];
+        for (const auto& edge :
+             {std::pair(n[0], n[1]), std::pair(n[1], n[2]), std::pair(n[0], n[2])})
+            ++at_edge[edge];
+    }
+    std::vector<bool> is_empty(walls.triangles.size(), false);
+    for (std::size_t f = 0; f < walls.closing; ++f) {
+        const auto n = sorted_nodes(walls.triangles[f]);
+        is_empty[f] = alike[n] == 2 && std::max({at_edge[{n[0], n[1]}], at_edge[{n[1], n[2]}],
+                                                 at_edge[{n[0], n[2]}]}) > 2;
+    }
+    return is_empty;
+}
+
+/// The corner of a flat bag whose panels share its three nodes is no wall of the gas.
+void leave_out_empty_pairs(const Model& model, gas::BagWalls& walls) {
+    if (!model.closes_bags) return;
+    const std::vector<bool> is_empty = empty_pairs(walls);
+    const auto count = static_cast<std::size_t>(std::count(is_empty.begin(), is_empty.end(), true));
+    if (count == walls.closing) return;  // nothing would be left
+    std::size_t kept = 0;
+    for (std::size_t f = 0; f < walls.triangles.size(); ++f) {
+        if (is_empty[f]) continue;
+        walls.triangles[kept] = walls.triangles[f];
+        walls.shell[kept++] = walls.shell[f];
+    }
+    walls.triangles.resize(kept);
+    walls.shell.resize(kept);
+    walls.closing -= count;
+    walls.empty_pairs = count / 2;
+}
+
 }  // namespace
 
 const fabric::FabricCard* leakage_of(const Model& model, Index part) {
@@ -93,6 +139,7 @@ gas::BagWalls bag_walls(const Model& model, const gas::BagCard& card,
     walls.triangles.insert(walls.triangles.end(), internal.triangles.begin(),
                            internal.triangles.end());
     walls.shell.insert(walls.shell.end(), internal.shell.begin(), internal.shell.end());
+    leave_out_empty_pairs(model, walls);
 
     std::vector<Index> row(count, -1);
     for (const auto* parts : {&card.external_parts, &card.internal_parts})
@@ -124,6 +171,7 @@ gas::BagWalls bag_walls(const Model& model, const gas::UniformBagCard& card) {
         walls.shell.push_back(all.shell[t]);
     }
     walls.closing = walls.triangles.size();
+    leave_out_empty_pairs(model, walls);
     number_parts(model, walls);
     return walls;
 }

@@ -222,6 +222,17 @@ std::uint64_t seed_of_bag(std::uint64_t seed, std::size_t bag) {
     return seed + FAR * static_cast<std::uint64_t>(bag);
 }
 
+/// Facets that are no wall of the gas are a mending.
+gas::BagWalls with_pairs_told(gas::BagWalls walls, const std::string& bag, Model& model) {
+    if (walls.empty_pairs > 0)
+        model.mendings.push_back(
+            fmt::format("{}: {} pair{} of facets with all nodes in common enclose{} nothing and "
+                        "{} no wall of its gas",
+                        bag, walls.empty_pairs, walls.empty_pairs == 1 ? "" : "s",
+                        walls.empty_pairs == 1 ? "s" : "", walls.empty_pairs == 1 ? "is" : "are"));
+    return walls;
+}
+
 }  // namespace
 
 void SceneState::build_bags() {
@@ -236,12 +247,16 @@ void SceneState::build_bags() {
             faults.insert(faults.end(), error.typed.begin(), error.typed.end());
         }
     };
-    for (std::size_t b = 0; b < model.bags.size(); ++b)
-        build(airbags.particle, model.bags[b], bag_walls(model, model.bags[b], cloth.reference),
+    for (std::size_t b = 0; b < model.bags.size(); ++b) {
+        const gas::BagCard& card = model.bags[b];
+        build(airbags.particle, card,
+              with_pairs_told(bag_walls(model, card, cloth.reference), name_of(card), model),
               model.curves, model.node_id, held_nodes(), model.x, seed_of_bag(seed, b),
               turning_bodies());
+    }
     for (const gas::UniformBagCard& card : model.uniform_bags)
-        build(airbags.uniform, card, bag_walls(model, card), model.curves, model.node_id, model.x);
+        build(airbags.uniform, card, with_pairs_told(bag_walls(model, card), name_of(card), model),
+              model.curves, model.node_id, model.x);
     for (const gas::ExchangeCard& card : model.exchanges)
         airbags.exchanges.emplace_back(card, model.curves);
     if (!faults.empty()) throw InputError(std::move(faults));

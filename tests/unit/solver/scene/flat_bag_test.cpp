@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <map>
 
+#include "solver/scene/bag_walls.hpp"
 #include "solver/simulation.hpp"
 #include "tests/support/scenes/scenes.hpp"
 
@@ -57,7 +59,7 @@ Model flat_bag(Seam seam, Cells kind) {
                 }
             }
     gas::UniformBagCard card;
-    card.keyword = "*AIRBAG_LOAD_CURVE";
+    card.keyword = "*AIRBAG_SIMPLE_AIRBAG_MODEL";
     card.id = 1;
     for (std::size_t s = 0; s < model.shells.size(); ++s)
         card.shells.push_back(static_cast<Index>(s));
@@ -86,4 +88,27 @@ TEST_CASE("a flat bag of quads runs with a tied seam as with shared nodes", "[so
     const double last = volume_after(shared);
     CHECK(last > 1.001 * first);
     CHECK(volume_after(tied) == Approx(last).epsilon(1e-9));
+}
+
+TEST_CASE("corner triangles that two panels share are no wall of the gas", "[solver][closing]") {
+    const Seam seam = GENERATE(Seam::SHARED, Seam::TIED);
+    const Model whole = flat_bag(seam, Cells::TRIANGLES);
+    const gas::BagWalls walls = bag_walls(whole, whole.uniform_bags[0]);
+    CHECK(walls.empty_pairs == 2);  // at (0, 0) and (1, 1)
+    CHECK(walls.closing == whole.shells.size() - 4);
+    CHECK(walls.shell.size() == walls.closing);
+    CHECK(walls.part.size() == walls.closing);
+
+    Simulation scene(whole);
+    REQUIRE(scene.model().mendings.size() == 1);
+    CHECK_THAT(scene.model().mendings[0],
+               Catch::Contains("2 pairs of facets with all nodes in common enclose nothing"));
+    const double first = scene.uniform_bags()[0].gas().volume();
+    CHECK(volume_after(scene) > 1.001 * first);
+}
+
+TEST_CASE("as it is, a bag with corner triangles of both panels is refused", "[solver][closing]") {
+    Model model = flat_bag(Seam::SHARED, Cells::TRIANGLES);
+    model.closes_bags = false;
+    CHECK_THROWS_WITH(Simulation(std::move(model)), Catch::Contains("not a simple surface"));
 }
