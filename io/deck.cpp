@@ -30,12 +30,18 @@ namespace {
 
 using keywords::Task;
 
+/// Of a *PARAMETER of any type; NaN where its characters are none.
+double parameter_number(const Parameter& parameter) {
+    if (parameter.type != 'C') return parameter.value.number;
+    return parse_real(trim(parameter.text)).value_or(NaN);
+}
+
 /// DIALECT, by -D or by *PARAMETER: 2007 for the cards of the course notes.
 Dialect dialect(Parameters& parameters, Faults& faults) {
     const Place deck{0, 1};
     double year = 0.0;
     if (const Parameter* p = parameters.find("DIALECT", 0))
-        year = p->value.number;
+        year = parameter_number(*p);
     else if (const auto text = parameters.take_override("DIALECT"))
         year = parse_real(*text).value_or(NaN);
     if (year == 2007.0) return Dialect::NOTES_2007;
@@ -60,7 +66,7 @@ double mean_free_path(const std::optional<gas::CollisionModel>& model, Parameter
                       Faults& faults) {
     double path = NaN;
     if (const Parameter* p = parameters.find("MEAN_FREE_PATH", 0))
-        path = p->value.number;
+        path = parameter_number(*p);
     else if (const auto text = parameters.take_override("MEAN_FREE_PATH"))
         path = parse_real(*text).value_or(-1.0);
     else

@@ -96,6 +96,9 @@ TEST_CASE("AIRBAG_PARTICLE: the 2007 dialect, by -D or by *PARAMETER", "[io]") {
     CHECK_FALSE(folder.read(bag.deck(), notes).bags.at(0).show_particles);
     CHECK_FALSE(
         folder.read("*PARAMETER\nI DIALECT, 2007\n" + bag.deck()).bags.at(0).show_particles);
+    CHECK(folder.read("*PARAMETER\nC DIALECT, 2007\n" + bag.deck()).bags.at(0).is_of_2007);
+    CHECK(any_contains(folder.faults("*PARAMETER\nC DIALECT, new\n" + bag.deck()),
+                       "DIALECT, expected 2007"));
     CHECK(folder.read(bag.deck()).bags.at(0).show_particles);
     CHECK(folder.read(bag.deck(), notes).bags.at(0).is_of_2007);
     CHECK(any_contains(folder.read(bag.deck(), notes).notes, "2007 course notes"));
