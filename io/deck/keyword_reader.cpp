@@ -223,6 +223,13 @@ private:
         return error ? path : real;
     }
 
+    /// Without its dots where that names the same file: behind a linked folder ".." is another one.
+    static fs::path plain(const fs::path& path) {
+        std::error_code error;
+        const fs::path short_one = path.lexically_normal();
+        return fs::equivalent(path, short_one, error) ? short_one : path;
+    }
+
     fs::path look_for(const std::string& name, const fs::path& including) const {
         std::vector<fs::path> places = {including.parent_path(),
                                         canonical(including).parent_path(),  // behind a link
@@ -230,7 +237,7 @@ private:
         places.insert(places.end(), paths_.begin(), paths_.end());
         std::error_code error;
         for (const fs::path& place : places)
-            if (fs::is_regular_file(place / name, error)) return (place / name).lexically_normal();
+            if (fs::is_regular_file(place / name, error)) return plain(place / name);
         return (including.parent_path() / name).lexically_normal();
     }
 

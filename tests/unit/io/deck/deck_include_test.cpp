@@ -39,6 +39,18 @@ TEST_CASE("a deck behind a link finds its includes where it lies, and beside the
     CHECK(io::read_deck(link).title == "from near");
 }
 
+TEST_CASE("two dots behind a linked folder lead to the folder around its target", "[io]") {
+    const DeckFolder folder;
+    folder.write("other.k", "*TITLE\nbeside the link\n");
+    folder.write("far/other.k", "*TITLE\naround the target\n");
+    const auto target = folder.write("far/away/mesh.k", SMALL_MESH).parent_path();
+    const auto link = target.parent_path().parent_path() / "link";
+    std::filesystem::create_directory_symlink(target, link);
+    CHECK(folder.read(small_deck("*INCLUDE\nlink/../other.k\n")).title == "around the target");
+    std::filesystem::remove(link.parent_path() / "other.k");
+    CHECK(folder.read(small_deck("*INCLUDE\nlink/../other.k\n")).title == "around the target");
+}
+
 TEST_CASE("a cycle of includes is found, and named", "[io]") {
     const DeckFolder folder;
     folder.write("a.k", "*INCLUDE\nb.k\n");
