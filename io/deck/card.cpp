@@ -71,12 +71,19 @@ std::size_t width_of(const Layout::Field& field, Columns columns) {
     return columns == Columns::I10 ? std::max<std::size_t>(width, 10) : width;
 }
 
-/// A comma anywhere makes a line free format; one in the title behind an id does not.
+/// The first comma that parts fields, or the end: those inside <expressions> do not.
+std::size_t end_of_field(std::string_view line) {
+    std::size_t end = 0;
+    for (int depth = 0; end < line.size() && (depth > 0 || line[end] != ','); ++end)
+        depth += line[end] == '<' ? 1 : line[end] == '>' ? -1 : 0;
+    return end;
+}
+
+/// A comma between fields makes a line free format; one in the title behind an id does not.
 bool is_free_format(std::string_view line, std::span<const Layout::Field> fields, Columns columns) {
-    const std::size_t comma = line.find(',');
+    const std::size_t comma = end_of_field(line);
     const bool has_title = fields.size() > 1 && fields.back().width > WIDEST_NUMBER;
-    return comma != std::string_view::npos &&
-           !(has_title && comma >= width_of(fields.front(), columns));
+    return comma < line.size() && !(has_title && comma >= width_of(fields.front(), columns));
 }
 
 }  // namespace
@@ -96,15 +103,12 @@ std::string_view numbers_at_start(std::string_view text) {
 
 }  // namespace
 
-/// Commas inside <expressions> do not part fields.
 void Card::cut(std::string_view line, Columns columns, bool plus) {
     if (plus) line.remove_prefix(1);
     const auto fields = layout_.fields();
     if (is_free_format(line, fields, columns)) {
         for (std::size_t i = 0; i < fields.size() && !line.empty(); ++i) {
-            std::size_t end = 0;
-            for (int depth = 0; end < line.size() && (depth > 0 || line[end] != ','); ++end)
-                depth += line[end] == '<' ? 1 : line[end] == '>' ? -1 : 0;
+            std::size_t end = end_of_field(line);
             if (fields[i].width > WIDEST_NUMBER) end = line.size();
             field_[i] = trim(line.substr(0, end));
             line.remove_prefix(std::min(line.size(), end + 1));

@@ -161,6 +161,16 @@ TEST_CASE("a deck may end without *END and without a last line break", "[io]") {
     CHECK(folder.read(SMALL_MESH + "*TITLE\nno end").title == "no end");
 }
 
+TEST_CASE("a comma in an expression leaves a card its columns", "[io]") {
+    const Model model =
+        read_small("*SET_NODE\n4\n1,2\n*LOAD_NODE_SET\n         4         3         7<max(2,5)>\n");
+    REQUIRE(model.node_loads.size() == 1);
+    CHECK(model.node_loads[0].scale == 5.0);
+    CHECK(read_small("*SET_NODE\n4\n1,2\n*LOAD_NODE_SET\n4,3,7,<max(2,5)>\n")
+              .node_loads.at(0)
+              .scale == 5.0);
+}
+
 TEST_CASE("remarks behind column 80 are no fields", "[io]") {
     const DeckFolder folder;
     const std::string card = "       0.5";
