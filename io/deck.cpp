@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "gas/cards/collision_model.hpp"
@@ -18,6 +19,7 @@
 #include "io/model/draft.hpp"
 #include "io/model/file_places.hpp"
 #include "io/model/loose_ends.hpp"
+#include "io/model/numbering.hpp"
 #include "io/model/rigid_start.hpp"
 #include "io/model/solid_skin.hpp"
 #include "io/text/text.hpp"
@@ -156,28 +158,25 @@ void settle_units(const std::string& said, Model& model, Faults& faults) {
                     guess, unit_systems()));
 }
 
-/// What the block has made, if it is of a kind that faults name by their ids.
-template <class Things>
-void remember(const char* kind, const Things& things, std::size_t before, const Block& block,
-              DeckPlaces& places) {
-    for (std::size_t i = before; i < things.size(); ++i)
-        places.add(kind, things[i].id, block.place, block.keyword);
+/// By Numbered::Kind, how many the model has.
+std::array<std::size_t, 4> counts_of_numbered(const Model& model) {
+    return {model.bags.size(), model.uniform_bags.size(), model.contacts.size(),
+            model.walls.size()};
 }
 
-void read_block(Task& task, const Parameters& parameters, Faults& faults, Draft& draft,
-                DeckPlaces& places) {
-    const Model& model = draft.model;
-    const std::size_t bags = model.bags.size(), uniform_bags = model.uniform_bags.size(),
-                      contacts = model.contacts.size();
+void read_block(Task& task, const Parameters& parameters, Faults& faults, Draft& draft) {
+    const auto before = counts_of_numbered(draft.model);
     faults.begin_block();
     if (faults.log() != nullptr) faults.log()->begin(task.match.name);
     Cards cards(*task.block, faults, parameters, std::move(task.match.suffixes));
     task.match.keyword->read(cards, draft);
     cards.finish();
     faults.end_block(task.block->place, task.block->keyword);
-    remember("bag", model.bags, bags, *task.block, places);
-    remember("bag", model.uniform_bags, uniform_bags, *task.block, places);
-    remember("contact", model.contacts, contacts, *task.block, places);
+    const auto after = counts_of_numbered(draft.model);
+    for (std::size_t kind = 0; kind < after.size(); ++kind)
+        for (std::size_t row = before[kind]; row < after[kind]; ++row)
+            draft.numbered.push_back(
+                {static_cast<Numbered::Kind>(kind), row, task.block->place, task.block->keyword});
 }
 
 /// What no single keyword can see.
@@ -223,16 +222,22 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options, D
     const auto ground = std::find_if(tasks.begin(), scene, [](const Task& task) {
         return task.match.keyword->phase > keywords::Phase::TRANSFORMATION;
     });
-    for (auto task = tasks.begin(); task != ground; ++task)
-        read_block(*task, parameters, faults, draft, learnt);
+    const auto relations = std::find_if(scene, tasks.end(), [](const Task& task) {
+        return task.match.keyword->phase == keywords::Phase::RELATION;
+    });
+    const auto read = [&](auto from, auto to) {
+        for (auto task = from; task != to; ++task) read_block(*task, parameters, faults, draft);
+    };
+    read(tasks.begin(), ground);
     place_files(text, parameters, faults, draft);
-    for (auto task = ground; task != scene; ++task)
-        read_block(*task, parameters, faults, draft, learnt);
+    read(ground, scene);
     check_parts(draft, faults);
     if (!faults.any()) make_skins(draft);  // sets and all that follows know them as shells
     if (!faults.any()) make_beam_bodies(draft, faults);
-    for (auto task = scene; task != tasks.end(); ++task)
-        read_block(*task, parameters, faults, draft, learnt);
+    read(scene, relations);
+    number_things(draft, learnt);
+    keywords::note_bags(draft);
+    read(relations, tasks.end());
     if (!text.files.empty()) check_whole(draft, text, faults);
     if (!faults.any()) settle_loose_ends(draft, faults);
 

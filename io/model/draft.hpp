@@ -67,6 +67,15 @@ struct SetBox {
     [[nodiscard]] bool contains(const Vec3& x) const { return box.contains(file.written(x)); }
 };
 
+/// A thing that a keyword has made, whose number the deck may leave open.
+struct Numbered {
+    enum class Kind : std::uint8_t { PARTICLE_BAG, UNIFORM_BAG, CONTACT, WALL };
+    Kind kind = Kind::PARTICLE_BAG;
+    std::size_t row = 0;  ///< in the model's list of its kind
+    Place place;          ///< of the keyword
+    std::string keyword;  ///< without its star
+};
+
 /// Which meaning of the cards the deck wants: today's, or that of the 2007 course notes.
 enum class Dialect { TODAY, NOTES_2007 };
 
@@ -139,6 +148,7 @@ struct Draft : DraftNames, DraftSets, DraftAirbags {
     std::vector<std::pair<Index, Index>> local_constraints;  ///< rigid material, its axes: rows
     Points vector;                                           ///< head - tail
 
+    std::vector<Numbered> numbered;  ///< in the order of the deck; id 0: open until number_things()
     std::vector<Place> motion_places;  ///< of the cards of Model::motions
     std::vector<CurveUse> curve_uses;
 

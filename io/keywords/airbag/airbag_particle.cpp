@@ -29,7 +29,6 @@ public:
 
     gas::BagCard read() {
         bag_.kind = "*AIRBAG_PARTICLE";
-        bag_.id = static_cast<int>(draft_.model.bags.size() + draft_.model.uniform_bags.size()) + 1;
         bag_.smoothing = draft_.force_decay;
         if (cards_.has("MPP")) cards_.next("SX SY SZ").harmless("SX SY SZ");
         if (cards_.has("ID") || cards_.has("TITLE")) name();
@@ -54,7 +53,7 @@ public:
 private:
     void name() {
         Card c = cards_.next("ID TITLE:70");
-        if (const int id = c.id("ID", IdKind::OTHER, NON_NEGATIVE); id > 0) bag_.id = id;
+        bag_.id = c.id("ID", IdKind::OTHER, NON_NEGATIVE);
         bag_.title = c.text("TITLE");
     }
 
@@ -231,16 +230,9 @@ void airbag_particle(Cards& cards, Draft& draft) {
     bag.is_of_2007 = draft.dialect == Dialect::NOTES_2007;
     bag.collision = draft.collision;
     bag.mean_free_path = draft.mean_free_path;
-    draft.model.notes.push_back(
-        fmt::format("*AIRBAG_PARTICLE {} is read with {}", bag.id,
-                    bag.is_of_2007 ? "the meaning of the 2007 course notes (DIALECT = 2007)"
-                                   : "today's meaning (-D DIALECT=2007 for that of 2007)"));
-    if (bag.collision)
-        draft.model.notes.push_back(fmt::format("*AIRBAG_PARTICLE {}: particles collide by {}",
-                                                bag.id, gas::name_of(*bag.collision)));
     check_inflators(cards, bag);
     check_leaks(cards, draft, bag);
-    const auto is_same = [&](const auto& other) { return other.id == bag.id; };
+    const auto is_same = [&](const auto& other) { return bag.id != 0 && other.id == bag.id; };
     if (std::any_of(draft.model.bags.begin(), draft.model.bags.end(), is_same) ||
         std::any_of(draft.model.uniform_bags.begin(), draft.model.uniform_bags.end(), is_same))
         cards.fault(fmt::format("has id {}, as another airbag has", bag.id));
@@ -250,6 +242,18 @@ void airbag_particle(Cards& cards, Draft& draft) {
             fmt::format("has units {}, but another airbag has {}", unit, draft.model.unit_system));
     draft.model.unit_system = unit;
     draft.model.bags.push_back(bag);
+}
+
+void note_bags(Draft& draft) {
+    for (const gas::BagCard& bag : draft.model.bags) {
+        draft.model.notes.push_back(
+            fmt::format("*AIRBAG_PARTICLE {} is read with {}", bag.id,
+                        bag.is_of_2007 ? "the meaning of the 2007 course notes (DIALECT = 2007)"
+                                       : "today's meaning (-D DIALECT=2007 for that of 2007)"));
+        if (bag.collision)
+            draft.model.notes.push_back(fmt::format("*AIRBAG_PARTICLE {}: particles collide by {}",
+                                                    bag.id, gas::name_of(*bag.collision)));
+    }
 }
 
 }  // namespace corpuscle::io::keywords

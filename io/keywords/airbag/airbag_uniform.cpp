@@ -119,10 +119,9 @@ void skip_jets(Cards& cards, int most) {
 UniformBagCard control_volume(Cards& cards, const Draft& draft, const char* keyword) {
     UniformBagCard bag;
     bag.keyword = keyword;
-    bag.id = static_cast<int>(draft.model.bags.size() + draft.model.uniform_bags.size()) + 1;
     if (cards.has("ID")) {
         Card c = cards.next("ID TITLE:70");
-        if (const int id = c.id("ID", IdKind::OTHER, NON_NEGATIVE); id > 0) bag.id = id;
+        bag.id = c.id("ID", IdKind::OTHER, NON_NEGATIVE);
         bag.title = c.text("TITLE");
     }
     Card c = cards.next("SID SIDTYP RBID VSCA=1 PSCA=1 VINI MWD SPSF");
@@ -137,7 +136,7 @@ UniformBagCard control_volume(Cards& cards, const Draft& draft, const char* keyw
 }
 
 void keep_bag(Cards& cards, Draft& draft, UniformBagCard bag) {
-    const auto is_same = [&](const auto& other) { return other.id == bag.id; };
+    const auto is_same = [&](const auto& other) { return bag.id != 0 && other.id == bag.id; };
     Model& model = draft.model;
     if (std::any_of(model.bags.begin(), model.bags.end(), is_same) ||
         std::any_of(model.uniform_bags.begin(), model.uniform_bags.end(), is_same))

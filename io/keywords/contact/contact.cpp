@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "io/keywords/contact/contact_surface.hpp"
@@ -127,23 +126,12 @@ void say_kind(Cards& cards) {
 
 namespace {
 
-/// The order in the deck, from 1, or the next number that no contact has.
-int free_id(const Draft& draft) {
-    const auto& contacts = draft.model.contacts;
-    int id = static_cast<int>(contacts.size()) + 1;
-    while (std::any_of(contacts.begin(), contacts.end(),
-                       [&](const contact::ContactCard& other) { return other.id == id; }))
-        ++id;
-    return id;
-}
-
 void read_contact(Cards& cards, Draft& draft, Kind kind) {
     contact::ContactCard contact;
     contact.kind = kind;
-    contact.id = free_id(draft);
     if (cards.has("ID") || cards.has("TITLE")) {
         Card c = cards.next("CID TITLE:70");
-        if (const int id = c.id("CID", IdKind::OTHER, NON_NEGATIVE); id > 0) contact.id = id;
+        contact.id = c.id("CID", IdKind::OTHER, NON_NEGATIVE);
         contact.title = c.text("TITLE");
     }
     if (cards.has("MPP")) {
@@ -161,7 +149,7 @@ void read_contact(Cards& cards, Draft& draft, Kind kind) {
         cards.next("LCID FCM DS LCDC DSF UNLCID").harmless_all();
     options(cards, draft, contact);
     for (const contact::ContactCard& other : draft.model.contacts)
-        if (other.id == contact.id)
+        if (contact.id != 0 && other.id == contact.id)
             cards.fault(fmt::format("has id {}, as another contact has", contact.id));
     draft.model.contacts.push_back(std::move(contact));
     draft.model.contact_shells.push_back(std::move(some));

@@ -11,11 +11,10 @@
 
 namespace corpuscle::io::keywords {
 
-void wall_name(Cards& cards, const Draft& draft, contact::WallCard& wall) {
-    wall.id = static_cast<int>(draft.model.walls.size()) + 1;
+void wall_name(Cards& cards, contact::WallCard& wall) {
     if (!cards.has("ID") && !cards.has("TITLE")) return;
     Card c = cards.next("ID TITLE:70");
-    if (const int id = c.id("ID", IdKind::PART, NON_NEGATIVE); id > 0) wall.id = id;
+    wall.id = c.id("ID", IdKind::PART, NON_NEGATIVE);
     wall.title = c.text("TITLE");
 }
 
@@ -87,7 +86,7 @@ void skip_display(Cards& cards) {
 
 void add_wall(Cards& cards, Draft& draft, contact::WallCard wall) {
     for (const contact::WallCard& other : draft.model.walls)
-        if (other.id == wall.id)
+        if (wall.id != 0 && other.id == wall.id)
             cards.fault(fmt::format("has id {}, as another wall has", wall.id));
     draft.model.walls.push_back(std::move(wall));
 }
@@ -118,7 +117,7 @@ contact::WallMotion moving(Cards& cards, const Vec3& normal) {
 
 void planar_wall(Cards& cards, Draft& draft) {
     contact::WallCard wall;
-    wall_name(cards, draft, wall);
+    wall_name(cards, wall);
     Arrow plane;
     {
         Card first = cards.next("NSID NSIDEX BOXID OFFSET BIRTH DEATH=1e20 RWKSF=1");

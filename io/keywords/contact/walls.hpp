@@ -9,8 +9,8 @@
 /// What *RIGIDWALL_PLANAR and *RIGIDWALL_GEOMETRIC have in common.
 namespace corpuscle::io::keywords {
 
-/// The number, and the card of _ID.
-void wall_name(Cards& cards, const Draft& draft, contact::WallCard& wall);
+/// The card of _ID: the number, 0 without one.
+void wall_name(Cards& cards, contact::WallCard& wall);
 
 /// NSID = 0: every node; without those of NSIDEX; of them those in BOXID at the start.
 std::vector<Index> stopped_nodes(Card& c, const Draft& draft);

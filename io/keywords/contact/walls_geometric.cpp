@@ -28,7 +28,7 @@ contact::WallMotion guided(Cards& cards, Draft& draft) {
 template <class ReadShape>
 void geometric_wall(Cards& cards, Draft& draft, ReadShape&& read_shape) {
     contact::WallCard wall;
-    wall_name(cards, draft, wall);
+    wall_name(cards, wall);
     {
         Card c = cards.next("NSID NSIDEX BOXID BIRTH DEATH=1e20");
         wall.nodes = stopped_nodes(c, draft);
