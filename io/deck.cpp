@@ -210,6 +210,7 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options, D
     model.unit_system = "consistent";
     Draft draft(model);
     draft.dialect = dialect(parameters, faults);
+    draft.until = options.until;
     draft.collision = collision(parameters, faults);
     draft.mean_free_path = mean_free_path(draft.collision, parameters, faults);
     closing(parameters, faults, model);

@@ -19,6 +19,7 @@ class FieldLog;
 struct DeckOptions {
     std::vector<std::pair<std::string, std::string>> overrides;  ///< -D NAME=VALUE, one for each
     FieldLog* log = nullptr;                                     ///< learns what becomes of fields
+    double until = 0.0;  ///< functions of time are known to ENDTIM and to this at least   [s]
 };
 
 /// The scene that an LS-DYNA keyword deck describes, with its includes.

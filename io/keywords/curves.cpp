@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -76,9 +77,37 @@ void define_curve_smooth(Cards& cards, Draft& draft) {
     draft.model.curves.push_back(std::move(curve));
 }
 
-/// *DEFINE_CURVE_FUNCTION: arithmetic of TIME, taken at 2000 equal steps of the run.
+namespace {
+
+constexpr double KNOTS = 2048.0;         ///< of a curve function, for each doubling of time
+constexpr double FIRST_KNOTS = 0x1p-14;  ///< as many lead here from 0                [s]
+
+/// Where a curve function is known next after t; the same whenever the run ends.
+double next_knot(double t) {
+    return t + (t < FIRST_KNOTS ? FIRST_KNOTS : std::scalbn(1.0, std::ilogb(t))) / KNOTS;
+}
+
+/// y of time, from 0 to the first knot that is not before the end; to the end itself where the
+/// function has no value at that knot.
+template <class Function>
+void sample_function(Function&& y, double end, Curve& curve) {
+    const auto add = [&](double t) {
+        curve.y.push_back(y(t));
+        curve.x.push_back(t);
+    };
+    add(0.0);
+    for (double t = next_knot(0.0); t < end; t = next_knot(t)) add(t);
+    try {
+        add(next_knot(curve.x.back()));
+    } catch (const ExpressionError&) {
+        add(end);
+    }
+}
+
+}  // namespace
+
+/// *DEFINE_CURVE_FUNCTION: arithmetic of TIME, straight between knots.
 void define_curve_function(Cards& cards, Draft& draft) {
-    constexpr int STEPS = 2000;
     if (cards.has("TITLE")) cards.title();
     Curve curve;
     {
@@ -88,24 +117,26 @@ void define_curve_function(Cards& cards, Draft& draft) {
     }
     std::string text;
     while (cards.rows()) text += cards.title();
-    const double end = draft.model.end_time > 0.0 ? draft.model.end_time : 1.0;
+    const double end =
+        std::max(draft.until, draft.model.end_time > 0.0 ? draft.model.end_time : 1.0);
+    const auto value_at = [&](double t) {
+        return evaluate(text,
+                        [&](std::string_view name) -> std::optional<Value> {
+                            if (upper(name) == "TIME") return Value{t, false};
+                            return cards.parameters().value(name, cards.block().place.file);
+                        })
+            .number;
+    };
     try {
-        for (int i = 0; i <= STEPS; ++i) {
-            const double t = end * i / STEPS;
-            const auto value = evaluate(text, [&](std::string_view name) -> std::optional<Value> {
-                if (upper(name) == "TIME") return Value{t, false};
-                return cards.parameters().value(name, cards.block().place.file);
-            });
-            curve.x.push_back(t);
-            curve.y.push_back(value.number);
-        }
+        sample_function(value_at, end, curve);
     } catch (const ExpressionError& error) {
         cards.fault(
             fmt::format("= {}, expected arithmetic of TIME: {}", text.substr(0, 60), error.what()));
         curve.x = {0.0, 1.0};
         curve.y = {0.0, 0.0};
     }
-    cards.warn(fmt::format("is taken as straight lines between {} equal steps of the run", STEPS));
+    cards.warn(
+        fmt::format("is taken as straight lines, {:g} of them in each doubling of TIME", KNOTS));
     draft.model.curves.push_back(std::move(curve));
 }
 

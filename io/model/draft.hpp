@@ -127,6 +127,7 @@ struct Draft : DraftNames, DraftSets, DraftAirbags {
 
     Model& model;
     Dialect dialect = Dialect::TODAY;
+    double until = 0.0;  ///< as DeckOptions                                          [s]
 
     std::vector<Section> section;
     std::vector<std::uint8_t> part_has_solids;  ///< by part row

@@ -46,13 +46,14 @@ Simulation load(const DeckArguments& arguments) {
             throw InputError(fmt::format("-D {}: expected NAME=VALUE", definition));
         options.overrides.emplace_back(definition.substr(0, equals), definition.substr(equals + 1));
     }
-    io::DeckPlaces places;
-    Model model = io::read_deck(arguments.file, options, &places);
     if (arguments.until) {
         if (!(*arguments.until > 0.0) || !std::isfinite(*arguments.until))
             throw InputError(fmt::format("--until {}: expected a time above 0", *arguments.until));
-        model.end_time = *arguments.until;
+        options.until = *arguments.until;
     }
+    io::DeckPlaces places;
+    Model model = io::read_deck(arguments.file, options, &places);
+    if (arguments.until) model.end_time = *arguments.until;
     try {
         expect_room_for_particles(model);
         close_bags(model);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -27,6 +28,31 @@ TEST_CASE("curves are offset, then scaled", "[io]") {
     CHECK(contains(faults[0],
                    "deck.k:34: *DEFINE_CURVE card 4, field 1 (A) = 0.5, expected abscissae"));
     CHECK(contains(faults[1], "deck.k:35: *DEFINE_CURVE has too few points"));
+}
+
+TEST_CASE("a curve function is the same curve whenever the run ends, as long as it lasts", "[io]") {
+    const std::string text = "*DEFINE_CURVE_FUNCTION\n3\nsin(3*TIME)*sqrt(1.5-TIME)\n";
+    const DeckFolder folder;
+    const auto curve = [&](double end, double until) {
+        std::string deck = small_deck(text);
+        deck.replace(deck.find("\n1.0\n"), 5, "\n" + std::to_string(end) + "\n");
+        io::DeckOptions options;
+        options.until = until;
+        return folder.read(deck, options).curves.at(1);
+    };
+    const Curve whole = curve(1.5, 0.0);
+    for (const auto& [end, until] : {std::pair(1.0, 0.0), {1.0, 1.3}, {0.7, 1.0}, {1e-5, 0.0}}) {
+        const double last = std::max(end, until);
+        const Curve some = curve(end, until);
+        CAPTURE(end, until, some.x.size());
+        REQUIRE(some.x.back() >= last);
+        CHECK(std::equal(some.x.begin(), some.x.end(), whole.x.begin()));
+        CHECK(std::equal(some.y.begin(), some.y.end(), whole.y.begin()));
+        CHECK(some(last) == Approx(std::sin(3 * last) * std::sqrt(1.5 - last)).margin(1e-6));
+    }
+    CHECK(whole.x.back() == 1.5);  // beyond it the function has no value
+    CHECK(contains(only_fault("*DEFINE_CURVE_FUNCTION\n3\nsqrt(0.5-TIME)\n"),
+                   "expected arithmetic of TIME"));
 }
 
 TEST_CASE("DATTYP of a curve is warned of where it is -2", "[io]") {
