@@ -28,8 +28,9 @@ std::vector<Index> nodes_of(const OrificeCard& card, const auto& facets) {
 }  // namespace
 
 Orifices::Orifices(const std::vector<OrificeCard>& cards, const std::vector<Triangle>& outward,
-                   const std::vector<Triangle>& given, const std::vector<Index>& shell,
-                   const std::array<Index, 3>& frame, std::span<const Vec3> x)
+                   const std::vector<Triangle>& given, std::size_t closing,
+                   const std::vector<Index>& shell, const std::array<Index, 3>& frame,
+                   std::span<const Vec3> x)
     : cards_(cards), on_(cards.size()), pushed_(cards.size()), frame_(frame) {
     for (std::size_t o = 0; o < cards_.size(); ++o) {
         for (std::size_t t = 0; t < outward.size(); ++t) {
@@ -37,11 +38,23 @@ Orifices::Orifices(const std::vector<OrificeCard>& cards, const std::vector<Tria
             const bool touches = cards_[o].shell >= 0
                                      ? shell[t] == cards_[o].shell
                                      : std::find(c.begin(), c.end(), cards_[o].node) != c.end();
-            if (touches) on_[o].push_back({c, given[t]});
+            if (!touches) continue;
+            const double side = t < closing ? 1.0 : side_of_jet(o, c, given[t], x);
+            on_[o].push_back({c, given[t], side});
         }
         if (cards_[o].pushes) pushed_[o] = nodes_of(cards_[o], on_[o]);
     }
     if (frame_[0] >= 0) frame_0_ = axes_of_frame(x);
+}
+
+/// Of a facet that does not close the bag, for Facet::side.
+double Orifices::side_of_jet(std::size_t orifice, const Triangle& outward, const Triangle& given,
+                             std::span<const Vec3> x) const {
+    const OrificeCard& card = cards_[orifice];
+    const auto normal = [&](const Triangle& c) { return vector_area(x[c[0]], x[c[1]], x[c[2]]); };
+    const Vec3 jet = card.shell >= 0 ? Vec3(card.normal_sign * normal(given))
+                                     : card.direction.value_or(Vec3::Zero());
+    return jet.dot(normal(outward)) > 0.0 ? -1.0 : 1.0;
 }
 
 Vec3 Orifices::place(std::size_t orifice, std::span<const Vec3> x) const {
@@ -86,20 +99,17 @@ double Orifices::depth(std::size_t orifice, const Vec3& at, const Vec3& inward,
     constexpr double STEEPEST = 0.1;  // a facet folded over says nothing
     double least = INF;
     for (const Facet& facet : on_[orifice]) {
-        const auto& [a, b, c] = facet.outward;
-        const Vec3 n = vector_area(x[a], x[b], x[c]).normalized();
-        least = std::min(least, n.dot(at - x[a]) / std::max(STEEPEST, -n.dot(inward)));
+        const Vec3 n = facet.out(x).normalized();
+        least =
+            std::min(least, n.dot(at - x[facet.outward[0]]) / std::max(STEEPEST, -n.dot(inward)));
     }
     return least;
 }
 
-/// Into the bag at right angles to an orifice's facets, unit.
+/// To where gas enters, at right angles to an orifice's facets, unit.
 Vec3 Orifices::inward(std::size_t orifice, std::span<const Vec3> x) const {
     Vec3 out = Vec3::Zero();
-    for (const Facet& facet : on_[orifice]) {
-        const auto& [a, b, c] = facet.outward;
-        out += vector_area(x[a], x[b], x[c]);
-    }
+    for (const Facet& facet : on_[orifice]) out += facet.out(x);
     return -out.normalized();
 }
 

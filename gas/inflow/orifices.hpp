@@ -22,17 +22,20 @@ struct Birth {
 /// Where gas enters: points that move with a node, or with the shell that they lie on.
 ///
 /// An orifice that is part of the bag's own fabric lies a thousandth of a facet's size inside it,
-/// so that what enters is on the right side. Any other must never be passed by fabric.
+/// so that what enters is on the right side: of facets that do not close the bag that to which the
+/// jet leads at the start. Any other must never be passed by fabric.
 class Orifices {
 public:
     /// @param outward  the bag's triangles, normals outward
     /// @param given    the same triangles as the deck orients them: VD = -1 blows along that normal
+    /// @param closing  how many of them close the bag, the first ones
     /// @param shell    a row a triangle
     /// @param frame    three node rows that directions turn with, or -1
     /// @param x        where nodes are when the directions are those of the cards
     Orifices(const std::vector<OrificeCard>& cards, const std::vector<Triangle>& outward,
-             const std::vector<Triangle>& given, const std::vector<Index>& shell,
-             const std::array<Index, 3>& frame, std::span<const Vec3> x);
+             const std::vector<Triangle>& given, std::size_t closing,
+             const std::vector<Index>& shell, const std::array<Index, 3>& frame,
+             std::span<const Vec3> x);
 
     [[nodiscard]] std::size_t size() const { return cards_.size(); }
     [[nodiscard]] Vec3 place(std::size_t orifice, std::span<const Vec3> x) const;
@@ -59,7 +62,15 @@ public:
 private:
     struct Facet {
         Triangle outward, given;
+        double side;  ///< +1: `outward` leads away from where gas enters, -1: to it
+
+        /// Away from where gas enters.                                                 [m^2]
+        [[nodiscard]] Vec3 out(std::span<const Vec3> x) const {
+            return side * vector_area(x[outward[0]], x[outward[1]], x[outward[2]]);
+        }
     };
+    [[nodiscard]] double side_of_jet(std::size_t orifice, const Triangle& outward,
+                                     const Triangle& given, std::span<const Vec3> x) const;
     std::vector<OrificeCard> cards_;
     [[nodiscard]] Mat3 axes_of_frame(std::span<const Vec3> x) const;
     [[nodiscard]] Vec3 normal(std::size_t orifice, std::span<const Vec3> x) const;

@@ -26,7 +26,7 @@ Orifices orifice_on_quad(const Points& x) {
     OrificeCard card;
     card.shell = 0;
     card.normal_sign = 1.0;
-    return {{card}, OUTWARD, given, {0, 0}, {-1, -1, -1}, x};
+    return {{card}, OUTWARD, given, OUTWARD.size(), {0, 0}, {-1, -1, -1}, x};
 }
 
 Vec3 place_on_bent_quad(double raised) {
@@ -84,4 +84,25 @@ TEST_CASE("gas enters when it is due, where its orifice is, on a wall whose node
     const Birth birth = orifices.birth(0, 0.5, x_0, x_1);
     CHECK(birth.share == 0.5);
     CHECK(birth.at.isApprox(middle, 1e-14));
+}
+
+TEST_CASE("an orifice on a plate inside the bag lies on the side to which its jet leads", "[gas]") {
+    const Points x = bent_quad(0.0);
+    const double up = GENERATE(1.0, -1.0);
+    const bool is_shell = GENERATE(true, false);
+    const bool is_turned = GENERATE(true, false);  // as the deck orients the plate
+    std::vector<Triangle> plate{{0, 1, 2}, {0, 2, 3}};
+    if (is_turned) plate = OUTWARD;
+    OrificeCard card;
+    if (is_shell) {
+        card.shell = 0;
+        card.normal_sign = is_turned ? -up : up;
+    } else {
+        card.node = 0;
+        card.direction = Vec3(0.6, 0.0, 0.8 * up);
+    }
+    const Orifices orifices({card}, plate, plate, 0, {0, 0}, {-1, -1, -1}, x);
+    CAPTURE(up, is_shell, is_turned);
+    CHECK(up * orifices.place(0, x).z() > 0.9e-3);
+    CHECK(up * orifices.place(0, x).z() < 2e-3);
 }

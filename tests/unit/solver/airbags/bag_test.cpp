@@ -104,7 +104,7 @@ TEST_CASE("directions turn with the frame of three nodes", "[gas]") {
     card.node = 0;
     card.direction = Vec3(0, 0, 2);
     const Points x_0{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    const gas::Orifices orifices({card}, {}, {}, {}, {0, 1, 2}, x_0);
+    const gas::Orifices orifices({card}, {}, {}, 0, {}, {0, 1, 2}, x_0);
     std::vector<Vec3> axes;
     orifices.axes(x_0, axes);
     CHECK((axes[0] - Vec3(0, 0, 2)).norm() < 1e-15);
