@@ -3,12 +3,14 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
 #include "gas/flight/crossing.hpp"
 #include "gas/flight/flight.hpp"
 #include "gas/flight/rough_wall.hpp"
 
-/// Interaction of a particle with a facet.
+/// A particle's way through a step: what it needs, and its bounces off facets.
 namespace corpuscle::gas {
 
 /// Where a path meets a facet.
@@ -89,5 +91,48 @@ inline Bounce bounce(const FlightScene& scene, const Meeting& meeting, double ma
                                           velocity_at(scene, meeting));
     return leads_away(scene, meeting, v, rough.away) ? rough : mirrored;
 }
+
+/// More bounces than this in one step: the particle is caught between closing facets.
+inline constexpr int MOST_HITS = 1000;
+
+/// A particle in flight, and what is written down about it.
+struct Flyer {
+    std::size_t row;                 ///< in Particles
+    std::int32_t species, id;        ///< as there
+    double mass, internal;           ///< [kg], [J]
+    Vec3 x, v;                       ///< [m], [m/s]
+    std::vector<Hit>& hits;          ///< its own are added
+    std::vector<Arrival>& arrivals;  ///< its own are added
+    int bounces = 0;                 ///< so far in this step: tells a gate's draws apart
+    int left = MOST_HITS;            ///< facets that it may still meet in this step
+};
+
+/// Of a flight. BROKEN: not finite, at the start or after a bounce.
+enum class End : std::uint8_t { FLOWN, CAUGHT, GONE, BROKEN };
+
+/// Flies a particle from the share `born` of the step to its end; or until it is caught between
+/// facets, or gone through a gate: then x is where it was at first.
+End fly_one(const FlightScene& scene, double born, Flyer& who);
+
+/// Whether place and velocity are numbers.
+inline bool is_finite(const Vec3& x, const Vec3& v) {
+    return x.squaredNorm() + v.squaredNorm() < INF;
+}
+
+/// Particles that are caught between facets when they fly the step as a whole, a row each.
+struct CaughtFlights {
+    /// Empty lists of `count`, to which their rows of `who` and `born` are added.
+    explicit CaughtFlights(std::size_t count) : hits(count), arrivals(count) {}
+
+    std::vector<Flyer> who;                      ///< at first as they come, then as they end
+    std::vector<std::vector<Hit>> hits;          ///< of each
+    std::vector<std::vector<Arrival>> arrivals;  ///< of each
+    std::vector<double> born;                    ///< share of the step at which it starts  [-]
+    std::vector<End> end;                        ///< CAUGHT: it stays so
+};
+
+/// Flies them in more and more parts of the step, until each has come to an end or has met too many
+/// facets: its share of 400 thousand, 20 thousand at least. What failed leaves no trace.
+void fly_in_parts(const FlightScene& scene, CaughtFlights& caught);
 
 }  // namespace corpuscle::gas

@@ -20,27 +20,6 @@ constexpr std::size_t PARTICLES_A_CHUNK = 64;  ///< some ten microseconds; block
 /// whatever the rounding: far above the error of tau (some 1e-13), far below anything that matters.
 constexpr double SHORT_OF = 1e-7;
 
-/// More bounces than this in one step: the particle is caught between closing facets.
-constexpr int MOST_HITS = 1000;
-
-/// A particle in flight, and what is written down about it.
-struct Flyer {
-    std::size_t row;
-    std::int32_t species, id;
-    double mass, internal;
-    Vec3 x, v;
-    std::vector<Hit>& hits;
-    std::vector<Arrival>& arrivals;
-    int bounces = 0;  ///< so far in this step: tells a gate's draws apart
-};
-
-/// BROKEN: not finite, at the start or after a bounce.
-enum class End : std::uint8_t { FLOWN, CAUGHT, GONE, BROKEN };
-
-bool is_finite(const Flyer& who) {
-    return who.x.squaredNorm() + who.v.squaredNorm() < INF;
-}
-
 /// Keeps the facet in `first` if the path crosses it earlier.
 void meet(const FlightScene& scene, const Path& path, Index facet, double after,
           const Meeting& last, Meeting& first) {
@@ -94,8 +73,8 @@ Meeting first_meeting(const FlightScene& scene, const Path& path, const Vec3& fr
     return first;
 }
 
-/// Flies a particle to the end of the step; or until it is caught between facets, or gone through a
-/// gate: then x is where it was at first.
+}  // namespace
+
 End fly_one(const FlightScene& scene, double born, Flyer& who) {
     Vec3 from = who.x;
     double now = born;
@@ -103,7 +82,7 @@ End fly_one(const FlightScene& scene, double born, Flyer& who) {
     if (!(path.at_1.squaredNorm() < INF)) return End::BROKEN;  // its place or its velocity is so
     double after = born > 0.0 ? born : -1.0;  // a full step counts every crossing, exactly
     Meeting last;
-    for (int hit = 0; hit < MOST_HITS; ++hit) {
+    for (int hit = 0; hit < MOST_HITS && who.left > 0; ++hit, --who.left) {
         const Meeting meeting = first_meeting(scene, path, from, now, after, last);
         if (meeting.facet < 0) {
             who.x = path.at_1;
@@ -141,54 +120,7 @@ End fly_one(const FlightScene& scene, double born, Flyer& who) {
     return End::CAUGHT;
 }
 
-/// Flies a particle through `parts` equal parts of the step.
-///
-/// Within a step the swept facets are flat pieces in space and time (crossing.hpp), which may stray
-/// from the facets themselves by a quarter of what their nodes move against one another: where
-/// layers are closer than that, swept pieces can cut each other and shut a particle in. In parts
-/// they stray by 1/parts² of that, and at the step's ends nothing changes for others.
-End fly_in_parts(const FlightScene& scene, int parts, double born, Points& y_0, Points& y_1,
-                 Flyer& who) {
-    const auto place = [&](int part, Points& y) {
-        const double tau = static_cast<double>(part) / parts;
-        for (const Index n : scene.lists.nodes())
-            y[n] = part == 0       ? scene.x_0[n]
-                   : part == parts ? scene.x_1[n]
-                                   : Vec3(scene.x_0[n] + tau * (scene.x_1[n] - scene.x_0[n]));
-    };
-    const int first = std::min(static_cast<int>(born * parts), parts - 1);
-    place(first, y_1);
-    End end = End::FLOWN;
-    for (int part = first; part < parts && end == End::FLOWN; ++part) {
-        y_0.swap(y_1);
-        place(part + 1, y_1);
-        const FlightScene within{scene.lists, nullptr,          scene.triangles,    y_0.data(),
-                                 y_1.data(),  scene.dt / parts, scene.transmission, scene.friction};
-        const double late = part == first ? std::max(0.0, born * parts - first) : 0.0;
-        end = fly_one(within, late, who);
-    }
-    return end;
-}
-
-/// Flies a particle that was caught, in more and more parts. What failed leaves no trace.
-End fly_caught(const FlightScene& scene, double born, Flyer& who) {
-    const auto nodes = static_cast<std::size_t>(scene.lists.nodes().back()) + 1;
-    Points y_0(nodes), y_1(nodes);
-    const std::size_t hits = who.hits.size(), arrivals = who.arrivals.size();
-    const Vec3 x = who.x, v = who.v;
-    const double internal = who.internal;
-    for (const int parts : {16, 256, 4096}) {
-        who.x = x;
-        who.v = v;
-        who.internal = internal;
-        who.bounces = 0;
-        const End end = fly_in_parts(scene, parts, born, y_0, y_1, who);
-        if (end != End::CAUGHT) return end;
-        who.hits.resize(hits);
-        who.arrivals.resize(arrivals);
-    }
-    return End::CAUGHT;
-}
+namespace {
 
 /// Of a particle that has left, hits from the one of row `first` on have nobody who answers for
 /// them.
@@ -204,6 +136,11 @@ void stream(double dt, std::size_t begin, std::size_t count, Particles& gas) {
     for (std::size_t i = 0; i < 3 * count; ++i) x[i] += dt * v[i];
 }
 
+template <class T>
+void append(const std::vector<T>& some, std::vector<T>& all) {
+    all.insert(all.end(), some.begin(), some.end());
+}
+
 /// Empties a list, and gives back memory that the last flight has hardly used: a burst's would stay.
 template <class T>
 void clear(std::vector<T>& list) {
@@ -213,6 +150,49 @@ void clear(std::vector<T>& list) {
     if (list.capacity() <= ALWAYS_KEPT + KEPT * used) return;
     list.shrink_to_fit();
     list.reserve(used + used / 4);
+}
+
+/// Share of the step at which a particle starts.
+double start(std::size_t i, std::span<const double> born, const Particles& gas) {
+    const std::size_t old = gas.size() - born.size();
+    return i < old ? 0.0 : born[i - old];
+}
+
+Flyer flyer(std::size_t i, std::span<const double> mass, const Particles& gas,
+            std::vector<Hit>& hits, std::vector<Arrival>& arrivals) {
+    return {i,        gas.species[i], gas.id[i], mass[gas.species[i]], gas.e[i], gas.x[i],
+            gas.v[i], hits,           arrivals};
+}
+
+void land(const Flyer& who, Particles& gas) {
+    gas.x[who.row] = who.x;
+    gas.v[who.row] = who.v;
+    gas.e[who.row] = who.internal;
+}
+
+/// Those that are caught, or not finite, fly in parts; their hits are in the last list.
+void fly_caught(const FlightScene& scene, std::span<const double> mass,
+                std::span<const double> born, Particles& gas, FlightResult& result) {
+    result.lost.clear();
+    std::vector<std::size_t> rows;
+    for (const auto& some : result.caught) append(some, rows);
+    if (rows.empty()) return;
+    CaughtFlights caught(rows.size());
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        caught.who.push_back(flyer(rows[k], mass, gas, caught.hits[k], caught.arrivals[k]));
+        caught.born.push_back(start(rows[k], born, gas));
+    }
+    fly_in_parts(scene, caught);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const Flyer& who = caught.who[k];
+        if (caught.end[k] == End::BROKEN)
+            throw BrokenParticle{rows[k], is_finite(gas.x[rows[k]], gas.v[rows[k]])};
+        if (caught.end[k] == End::FLOWN) land(who, gas);
+        if (caught.end[k] == End::GONE) mark_left(who, 0);
+        if (caught.end[k] == End::CAUGHT) result.lost.push_back({rows[k], gas.x[rows[k]]});
+        append(who.hits, result.hits.back());
+        append(who.arrivals, result.arrivals.back());
+    }
 }
 
 }  // namespace
@@ -231,23 +211,12 @@ void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec
     clear(result.hits[chunks]);
     clear(result.arrivals[chunks]);
     const std::size_t old = gas.size() - born.size();
-    const auto start = [&](std::size_t i) { return i < old ? 0.0 : born[i - old]; };
-    const auto flyer = [&](std::size_t i, std::size_t list) {
-        return Flyer{i,        gas.species[i], gas.id[i],         mass[gas.species[i]], gas.e[i],
-                     gas.x[i], gas.v[i],       result.hits[list], result.arrivals[list]};
-    };
-    const auto land = [&](const Flyer& who) {
-        gas.x[who.row] = who.x;
-        gas.v[who.row] = who.v;
-        gas.e[who.row] = who.internal;
-    };
-
     const auto fly_near = [&](std::size_t i, std::size_t chunk) {
-        Flyer who = flyer(i, chunk);
+        Flyer who = flyer(i, mass, gas, result.hits[chunk], result.arrivals[chunk]);
         const std::size_t hits = who.hits.size(), arrivals = who.arrivals.size();
-        switch (fly_one(scene, start(i), who)) {
+        switch (fly_one(scene, start(i, born, gas), who)) {
             case End::FLOWN:
-                land(who);
+                land(who, gas);
                 break;
             case End::GONE:
                 mark_left(who, hits);
@@ -279,22 +248,11 @@ void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec
                     if ((unclear >> k & 1U) != 0)
                         fly_near(i + k, chunk);
                     else
-                        gas.x[i + k] += (1.0 - start(i + k)) * dt * gas.v[i + k];
+                        gas.x[i + k] += (1.0 - start(i + k, born, gas)) * dt * gas.v[i + k];
             }
         },
         PARTICLES_A_CHUNK);
-    result.lost.clear();
-    for (const auto& some : result.caught)
-        for (const std::size_t i : some) {
-            Flyer who = flyer(i, chunks);
-            const std::size_t hits = who.hits.size();
-            const bool came_so = !is_finite(who);
-            const End end = came_so ? End::BROKEN : fly_caught(scene, start(i), who);
-            if (end == End::BROKEN) throw BrokenParticle{i, !came_so};
-            if (end == End::FLOWN) land(who);
-            if (end == End::GONE) mark_left(who, hits);
-            if (end == End::CAUGHT) result.lost.push_back({i, gas.x[i]});
-        }
+    fly_caught(scene, mass, born, gas, result);
 }
 
 }  // namespace corpuscle::gas

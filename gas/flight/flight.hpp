@@ -47,9 +47,10 @@ struct BrokenParticle {
 struct FlightResult {
     std::vector<std::vector<Hit>> hits;  ///< a list a chunk, to be read in order
     std::vector<Lost> lost;
-    FacetBounds bounds;                          ///< of this flight; kept for its memory
-    SafeDistances safe;                          ///< kept from flight to flight
-    std::vector<std::vector<Arrival>> arrivals;  ///< at gates, a list a chunk, to be read in order
+    FacetBounds bounds;  ///< of this flight; kept for its memory
+    SafeDistances safe;  ///< kept from flight to flight
+    std::vector<std::vector<Arrival>>
+        arrivals;  ///< at openings, a list a chunk, to be read in order
     std::vector<std::vector<std::size_t>> caught;  ///< that had to fly again, a list a chunk
 };
 
@@ -61,11 +62,12 @@ struct FlightResult {
 /// Facets move linearly; positions, normals and velocities v_w are those of the instant and the
 /// point of the hit. Any number of hits in a step; no facet is ever passed (see crossing.hpp).
 /// A particle that bounces a thousand times in a step is caught between facets, and flies the step
-/// again in smaller and smaller parts. `born[i]`: for the last born.size()
-/// particles, the share of the step at which they start. `mass[s]`: of a particle of species s.
-/// `friction`: what rough fabric takes from the velocity along it turns into the particle's
-/// internal energy. `gates`: where particles may pass; what has left stays in `gas` where it was,
-/// to be removed. @throws BrokenParticle, and the flight is void
+/// again in smaller and smaller parts; one that bounces on and on is lost (fly_in_parts()).
+/// `born[i]`: for the last born.size() particles, the share of the step at which they start.
+/// `mass[s]`: of a particle of species s. `friction`: what rough fabric takes from the velocity
+/// along it turns into the particle's internal energy. `transmission`: where particles may pass;
+/// what has left stays in `gas` where it was, to be removed.
+/// @throws BrokenParticle, and the flight is void
 void fly(const FacetLists& lists, std::span<const Vec3> x_0, std::span<const Vec3> x_1, double dt,
          std::span<const double> mass, std::span<const double> born, Particles& gas,
          FlightResult& result, const Transmission* transmission = nullptr,

@@ -244,23 +244,6 @@ TEST_CASE("a particle that is born within a step flies for the rest of it", "[ga
     CHECK(gas.x[1].x() == Approx(0.0075));
 }
 
-TEST_CASE("a particle in a gap of a tenth of a micrometre stays in it", "[gas][flight]") {
-    const shapes::Shape shape = shapes::box(Vec3(0.1, 0.1, 1e-7), 4);
-    Enclosure enclosure(shape.triangles, shape.x, ids(shape.x.size()), "bag 1");
-    Points x_1 = shape.x;
-    for (Vec3& x : x_1) x += Vec3(1e-4, 0, 2e-4);
-    Particles gas;
-    gas.add({0.03, 0.04, 4e-8}, {10, 20, 200}, 5.0, 0, 0);
-    const double before = 0.5 * gas.v[0].squaredNorm();
-    FlightResult flight;
-    fly(lists_for(shape, shape.x, x_1, 0.02), shape.x, x_1, 1e-4, std::vector<double>{1.0}, {}, gas,
-        flight);
-    CHECK(flight.lost.empty());
-    CHECK(enclosure.contains(gas.x[0], x_1));
-    CHECK(0.5 * gas.v[0].squaredNorm() == Approx(before - total(flight).energy).epsilon(1e-9));
-    CHECK(total(flight).hits > 100000);
-}
-
 TEST_CASE("an enclosure knows its volume, mends its normals and finds its holes",
           "[gas][enclosure]") {
     shapes::Shape shape = shapes::box(Vec3(1, 2, 3), 3);
