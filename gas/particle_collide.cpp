@@ -21,7 +21,9 @@ constexpr double MOST_EXCHANGED = 0.3;
 }  // namespace
 
 void ParticleGas::collide(double dt, const Points& x) {
-    if (!cells_.is_due(dt) || particles_.size() == 0) return;
+    const bool is_due = cells_.is_due(dt);
+    if (particles_.size() == 0) cells_.pass_empty();
+    if (!is_due || particles_.size() == 0) return;
     cells_.find_groups(x, bag_.openings.transmission(), collider_, particles_);
     std::vector<Heat> heat;
     std::vector<double> after;  // energy of each room's particles, with that heat         [J]

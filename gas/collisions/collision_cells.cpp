@@ -84,7 +84,7 @@ void CollisionCells::finish(const Lists& cells, std::span<const double> mass,
                             const Particles& particles) {
     if (steps_ % MEASURE_EVERY == 0) measure_speed(mass, particles);
     ++steps_;
-    since_ = 0.0;
+    since_ = empty_ = 0.0;
     const double mean = static_cast<double>(particles.size()) /
                         static_cast<double>(std::max<std::size_t>(1, occupied(cells)));
     wanted_edge_ = edge_ * std::clamp(std::cbrt(PARTICLES_PER_CELL / mean), 0.7, 1.4);

@@ -26,6 +26,8 @@ public:
 
     /// A step of dt goes by: is it the one that comes nearest to the share of a cell?
     [[nodiscard]] bool is_due(double dt);
+    /// The bag has no particles in this step: none have waited for a collision since.
+    void pass_empty() { empty_ = since_; }
     /// In cells of about the wanted size, made anew when fabric has moved too far.
     void find_groups(const Points& x, const Transmission* transmission, Collider& collider,
                      Particles& particles);
@@ -36,14 +38,15 @@ public:
     /// Step in which a particle of thermal speed crosses the share of a cell.           [s]
     [[nodiscard]] double stable_step() const;
     [[nodiscard]] double speed() const { return speed_; }  ///< thermal [m/s]
-    [[nodiscard]] double since() const { return since_; }  ///< the last step [s]
+    /// The last collision step, or the last without particles.                        [s]
+    [[nodiscard]] double since() const { return since_ - empty_; }
     [[nodiscard]] std::uint64_t steps() const { return steps_; }
     [[nodiscard]] std::size_t list_builds() const { return lists_.builds(); }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(lists_, edge_, wanted_edge_, speed_, since_, steps_);
+        archive(lists_, edge_, wanted_edge_, speed_, since_, empty_, steps_);
     }
 
 private:
@@ -56,6 +59,7 @@ private:
     double edge_ = 0.0, wanted_edge_ = 0.0;  ///< of a cell                          [m]
     double speed_ = 0.0;                     ///< of the gas as a whole              [m/s]
     double since_ = 0.0;                     ///< the last collision step            [s]
+    double empty_ = 0.0;                     ///< of which there were no particles   [s]
     std::uint64_t steps_ = 0;
 };
 
