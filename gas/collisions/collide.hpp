@@ -75,7 +75,6 @@ struct RoomGroups {
 ///
 ///     collider.find_groups(grid, fabric, particles);
 ///     const CollisionReport report = collider.collide(step, dt, heat, particles);
-///     brought_in += (heat - 1) * report.thermal;
 class Collider {
 public:
     /// @param mean_free_path  of NTC and SPHERES at the mean density of the cells that hold

@@ -15,7 +15,7 @@ namespace corpuscle::gas {
 
 /// LIN for four groups of one kind of gas at once: the same map as in collide_lin.cpp, which stays the
 /// oracle, but found from the groups' sums alone. Two passes over a group's particles, one that
-/// adds up and one that maps; the matrices of four groups side by side (lanes.hpp).
+/// adds up and one that maps; the matrices of four groups side by side (four_math.hpp).
 ///
 ///     v' = b + A v + H x,   e' = lowest + kept (e - least)
 class LinLanes {

@@ -64,7 +64,7 @@ struct Opening {
     }
 };
 
-/// Vents and porous fabric of one bag: sets the gates for flight and balances the outflow.
+/// Vents and porous fabric of one bag: sets the transmission for flight and balances the outflow.
 ///
 /// An isentropic opening follows the Wang-Nefske flow of the state of the gas at it (WallSamples):
 /// the chance to pass is the wanted flow over the flow that arrives, as measured at the opening,
