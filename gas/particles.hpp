@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "solver/base/parallel.hpp"
 #include "solver/base/vec.hpp"
 
 namespace corpuscle::gas {
@@ -59,22 +61,20 @@ struct Particles {
     /// Takes out rows, ascending; the order of the others stays.
     void erase(std::span<const std::size_t> rows) {
         if (rows.empty()) return;
-        std::size_t to = rows[0], next = 0;
-        for (std::size_t from = rows[0]; from < size(); ++from) {
-            if (next < rows.size() && rows[next] == from) {
-                ++next;
-                continue;
-            }
-            x[to] = x[from];
-            v[to] = v[from];
-            e[to] = e[from];
-            species[to] = species[from];
-            id[to] = id[from];
-            safe_distance[to] = safe_distance[from];
-            if (!room.empty()) room[to] = room[from];
-            ++to;
-        }
-        resize(to);
+        constexpr std::size_t ARRAYS = 7;
+        parallel::for_each(
+            ARRAYS,
+            [&](std::size_t k) {
+                if (k == 0) close_gaps(rows, x);
+                if (k == 1) close_gaps(rows, v);
+                if (k == 2) close_gaps(rows, e);
+                if (k == 3) close_gaps(rows, species);
+                if (k == 4) close_gaps(rows, id);
+                if (k == 5) close_gaps(rows, safe_distance);
+                if (k == 6 && !room.empty()) close_gaps(rows, room);
+            },
+            1);
+        resize(size() - rows.size());
     }
     /// Appends one particle; its room, where there are several, is the caller's to append.
     /// @param at        [m]
@@ -90,6 +90,17 @@ struct Particles {
         species.push_back(kind);
         id.push_back(born);
         safe_distance.push_back(0.0F);
+    }
+
+private:
+    /// Moves what is behind each of the rows forward; as many at the end are left over.
+    template <class Array>
+    static void close_gaps(std::span<const std::size_t> rows, Array& all) {
+        auto* to = all.data() + rows[0];
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            const std::size_t next = k + 1 < rows.size() ? rows[k + 1] : all.size();
+            to = std::copy(all.data() + rows[k] + 1, all.data() + next, to);
+        }
     }
 };
 
