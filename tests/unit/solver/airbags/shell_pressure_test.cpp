@@ -14,7 +14,7 @@ using namespace corpuscle;
 
 namespace {
 
-constexpr double P_ATM = 1e5;
+constexpr double OUTSIDE = 1e5;
 
 /// Two rigid boxes of 0.1 m, one on the other, with one wall in common: shells of parts 1 and 2 are
 /// the hulls, part 3 is the wall.
@@ -54,7 +54,7 @@ gas::BagCard of_particles(Index hull, double pressure) {
     gas::BagCard bag;
     bag.id = hull + 1;
     bag.external_parts = {hull, 2};
-    bag.p_atm = P_ATM;
+    bag.p_atm = OUTSIDE;
     bag.air = gas::InitialAirCard{scenes::air(), pressure, 300.0};
     return bag;
 }
@@ -67,8 +67,8 @@ gas::UniformBagCard of_uniform_gas(const Model& model, Index hull, double pressu
         if (model.shells[s].part == hull || model.shells[s].part == 2)
             card.shells.push_back(static_cast<Index>(s));
     card.cv = 718.0, card.cp = 1005.0;
-    card.p_atm = P_ATM;
-    card.overpressure = pressure - P_ATM;
+    card.p_atm = OUTSIDE;
+    card.overpressure = pressure - OUTSIDE;
     card.density = 1.2;
     return card;
 }
@@ -104,7 +104,7 @@ TEST_CASE("frames show what two bags do to the wall between them, outward of the
 TEST_CASE("frames show the mean pressure of uniform gas since the frame before",
           "[solver][frames]") {
     Model model = two_boxes(false);
-    model.uniform_bags = {of_uniform_gas(model, 0, P_ATM)};
+    model.uniform_bags = {of_uniform_gas(model, 0, OUTSIDE)};
     model.curves.push_back({1, {0.0, 1.0}, {1.0, 1.0}});
     model.uniform_bags[0].mass_rate = 0;
     model.uniform_bags[0].temperature.value = 600.0;
@@ -113,7 +113,7 @@ TEST_CASE("frames show the mean pressure of uniform gas since the frame before",
     double since = 0.0, last = 0.0, sum = 0.0;
     int frames = 0;
     const auto look = [&](Simulation& now) {
-        const double gauge = now.uniform_bags()[0].pressure() - P_ATM;
+        const double gauge = now.uniform_bags()[0].pressure() - OUTSIDE;
         sum += gauge * (now.time() - last);
         last = now.time();
         if (last > 0.0 && last < since + 1e-3) return;
@@ -130,7 +130,7 @@ TEST_CASE("frames show the mean pressure of uniform gas since the frame before",
 TEST_CASE("parts feel the mean pressure over the time between samples, across TSW, too",
           "[solver][gas]") {
     Model model = two_boxes(false);
-    model.bags = {of_particles(0, P_ATM)};
+    model.bags = {of_particles(0, OUTSIDE)};
     const bool is_particles = GENERATE(false, true);
     model.bags[0].air->is_particles = is_particles;
     model.bags[0].particles = 20000;
