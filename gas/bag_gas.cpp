@@ -116,12 +116,24 @@ std::vector<ChamberState> BagGas::chamber_states(const Points& x) const {
     return all;
 }
 
-PartState BagGas::part_state(const Points& x, double since) {
+PartState BagGas::part_losses() const {
     PartState parts;
     parts.mass_out.assign(bag_->openings.part_mass_out().begin(),
                           bag_->openings.part_mass_out().end());
     parts.heat.assign(bag_->heat_loss.part_heat().begin(), bag_->heat_loss.part_heat().end());
+    return parts;
+}
+
+PartState BagGas::part_state(const Points& x, double since) {
+    PartState parts = part_losses();
     bag_->monitor.part_means(bag_->walls, x, since, room_pressures(), parts);
+    return parts;
+}
+
+PartState BagGas::part_state_so_far(const Points& x, double since) const {
+    PartState parts = part_losses();
+    WallMonitor untouched = bag_->monitor;
+    untouched.part_means(bag_->walls, x, since, room_pressures(), parts);
     return parts;
 }
 
@@ -206,15 +218,6 @@ double BagGas::smoothing_given() const {
 }
 double BagGas::ambient_work() const {
     return bag_->balance.ambient_work;
-}
-
-double BagGas::mass_rate_in(double since) {
-    return bag_->balance.rate_in(since);
-}
-
-double BagGas::mass_rate_out(double since) {
-    return bag_->balance.rate_out(bag_->openings.mass_out(true) + bag_->openings.mass_out(false),
-                                  since);
 }
 
 const BagCard& BagGas::card() const {

@@ -122,9 +122,8 @@ public:
     /// Mean pressure on each part over the time `since` the last call: unsmoothed impulse of hits,
     /// and the initial air's pressure; of a part without area 0.
     [[nodiscard]] PartState part_state(const Points& x, double since);
-    /// Mean mass flow in since the last call.                                              [kg/s]
-    [[nodiscard]] double mass_rate_in(double since);
-    [[nodiscard]] double mass_rate_out(double since);  ///< the same, out               [kg/s]
+    /// The same, without becoming the last call.
+    [[nodiscard]] PartState part_state_so_far(const Points& x, double since) const;
     /// Adds to the load on each shell the mean gauge pressure since the last call times its area.
     void add_shell_load(const Points& x, double since, ShellLoad& load);
 
@@ -184,6 +183,7 @@ private:
     [[nodiscard]] GasPhase& now();
     [[nodiscard]] const GasPhase& now() const;
     [[nodiscard]] std::vector<double> room_pressures() const;
+    [[nodiscard]] PartState part_losses() const;
 
     std::unique_ptr<Envelope> bag_;
     std::unique_ptr<ParticleGas> particles_;

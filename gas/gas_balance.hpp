@@ -35,28 +35,11 @@ struct GasBalance {
     double inflow_energy = 0.0;  ///< [J]
     double lost_energy = 0.0;    ///< with what left, and as heat                     [J]
     double mass_in = 0.0;        ///< [kg]
-    double mass_in_seen = 0.0, mass_out_seen = 0.0;  ///< at the last look            [kg]
-
-    /// Mean mass flow in since the last call.                                       [kg/s]
-    [[nodiscard]] double rate_in(double since) { return rate(mass_in, mass_in_seen, since); }
-    /// The same, out.
-    /// @param mass_out  so far                                                        [kg]
-    [[nodiscard]] double rate_out(double mass_out, double since) {
-        return rate(mass_out, mass_out_seen, since);
-    }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(load_work, ambient_work, inflow_energy, lost_energy, mass_in, mass_in_seen,
-                mass_out_seen);
-    }
-
-private:
-    static double rate(double now, double& seen, double since) {
-        const double mean = since > 0.0 ? (now - seen) / since : 0.0;
-        seen = now;
-        return mean;
+        archive(load_work, ambient_work, inflow_energy, lost_energy, mass_in);
     }
 };
 

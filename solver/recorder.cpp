@@ -49,8 +49,9 @@ AirbagSample row_of(const gas::GasState& state, const gas::PartState& parts) {
 }
 
 /// @param done  share of the last load that velocities at t hold                      [-]
-AirbagSample sample_of(gas::BagGas& bag, const Points& x, double since, double done) {
-    AirbagSample row = row_of(bag.state(x), bag.part_state(x, since));
+AirbagSample sample_of(const gas::BagGas& bag, const gas::PartState& parts, const Points& x,
+                       double done) {
+    AirbagSample row = row_of(bag.state(x), parts);
     for (const gas::ChamberState& now : bag.chamber_states(x))
         row.chambers.push_back({now.volume, now.pressure, now.temperature, now.mass, now.energy,
                                 now.static_pressure, now.static_temperature});
@@ -58,8 +59,6 @@ AirbagSample sample_of(gas::BagGas& bag, const Points& x, double since, double d
     const gas::Wrench owed = bag.owed(done);
     row.owed_momentum = owed.linear;
     row.owed_angular_momentum = owed.angular;
-    row.mass_rate_in = bag.mass_rate_in(since);
-    row.mass_rate_out = bag.mass_rate_out(since);
     return row;
 }
 
@@ -195,15 +194,31 @@ Vec3 Recorder::force_on(const SceneState& scene, const RigidBody& body) {
 }
 
 Sample Recorder::sample(SceneState& scene) {
+    std::vector<gas::PartState> parts;
+    const double since = scene.clock.t - last_sample_;
+    last_sample_ = scene.clock.t;
+    for (gas::BagGas& bag : scene.airbags.particle)
+        parts.push_back(bag.part_state(scene.nodes.x, since));
+    return row_at_t(scene, parts);
+}
+
+Sample Recorder::glance(const SceneState& scene) const {
+    std::vector<gas::PartState> parts;
+    const double since = scene.clock.t - last_sample_;
+    for (const gas::BagGas& bag : scene.airbags.particle)
+        parts.push_back(bag.part_state_so_far(scene.nodes.x, since));
+    return row_at_t(scene, parts);
+}
+
+Sample Recorder::row_at_t(const SceneState& scene, std::span<const gas::PartState> parts) {
     Sample row;
     row.time = scene.clock.t;
     row.dt = scene.clock.dt_last;
     row.step = scene.clock.step;
     row.energy = EnergyAudit::books(scene);
-    const double since = scene.clock.t - last_sample_;
-    last_sample_ = scene.clock.t;
-    for (gas::BagGas& bag : scene.airbags.particle)
-        row.airbags.push_back(sample_of(bag, scene.nodes.x, since, scene.ledger.weight));
+    for (std::size_t b = 0; b < parts.size(); ++b)
+        row.airbags.push_back(
+            sample_of(scene.airbags.particle[b], parts[b], scene.nodes.x, scene.ledger.weight));
     for (const gas::UniformBag& bag : scene.airbags.uniform)
         row.airbags.push_back(sample_of(bag, scene.nodes.x));
     add_parts(scene, row);

@@ -81,8 +81,8 @@ struct AirbagSample {
     double translational_energy = 0;            ///< [J]
     Vec3 owed_momentum = Vec3::Zero();          ///< taken at walls, not given yet       [N s]
     Vec3 owed_angular_momentum = Vec3::Zero();  ///< about the origin                  [N m s]
-    double mass_rate_in = 0,                    ///< mean since the last sample         [kg/s]
-        mass_rate_out = 0;                      ///< mean since the last sample         [kg/s]
+    double mass_rate_in = 0,                    ///< of a uniform bag, in the last step [kg/s]
+        mass_rate_out = 0;                      ///< likewise                           [kg/s]
     double surface_area = 0;                    ///< of what closes the bag              [m^2]
     double static_pressure = 0;     ///< about the mean velocity of each room's gas         [Pa]
     double static_temperature = 0;  ///< likewise                                            [K]
@@ -94,7 +94,7 @@ struct AirbagSample {
     };
     /// The inside of one part.
     struct Part {
-        double pressure = 0;   ///< impulse of hits by area and time since the last sample  [Pa]
+        double pressure = 0;   ///< impulse of hits by area and time since the last row  [Pa]
         double area = 0;       ///< [m^2]
         double mass_out = 0;   ///< so far                                                  [kg]
         double heat_lost = 0;  ///< to it, so far                                            [J]

@@ -102,9 +102,10 @@ public:
     [[nodiscard]] Vec3 force_on(const RigidBody& body) const {
         return Recorder::force_on(scene_, body);
     }
-    [[nodiscard]] Sample sample() {
-        return recorder_.sample(scene_);
-    }                                                                ///< at t, inside an observer
+    /// One row of every history at t, inside an observer; means are since the last one.
+    [[nodiscard]] Sample sample() { return recorder_.sample(scene_); }
+    /// The same between two samples, of which the next one knows nothing.
+    [[nodiscard]] Sample glance() const { return recorder_.glance(scene_); }
     [[nodiscard]] Frame frame() { return recorder_.frame(scene_); }  ///< at t, inside an observer
 
     /// State for a checkpoint (solver/base/archive.hpp). A scene of the same model and seed

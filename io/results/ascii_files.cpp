@@ -103,23 +103,21 @@ void AsciiFiles::list_files(const std::filesystem::path& folder, const RecordLay
         file.heading = heading.empty() ? titled : heading;
     };
     const auto who = std::make_shared<const RecordLayout>(layout);
-    const auto now = [who](auto&& text) {
-        return [who, text](const Sample& s, const Sample&, const Sample&) { return text(*who, s); };
-    };
     add("glstat", intervals.glstat,
         [](const Sample& s, const Sample& start, const Sample&) { return glstat_state(s, start); });
-    add("abstat", intervals.abstat, now(abstat_state));
-    add("abstat_cpm", intervals.abstat_cpm, now(abstat_cpm_state));
-    add(
-        "cpm_sensor", intervals.cpm_sensor,
-        [](const Sample& s, const Sample&, const Sample&) { return cpm_sensor_state(s); },
-        cpm_sensor_heading(layout));
-    add("matsum", intervals.matsum, now(matsum_state));
     const auto since = [who](auto&& text) {
         return [who, text](const Sample& s, const Sample&, const Sample& before) {
             return text(*who, s, before);
         };
     };
+    add("abstat", intervals.abstat, since(abstat_state));
+    add("abstat_cpm", intervals.abstat_cpm, since(abstat_cpm_state));
+    add(
+        "cpm_sensor", intervals.cpm_sensor,
+        [](const Sample& s, const Sample&, const Sample&) { return cpm_sensor_state(s); },
+        cpm_sensor_heading(layout));
+    add("matsum", intervals.matsum,
+        [who](const Sample& s, const Sample&, const Sample&) { return matsum_state(*who, s); });
     add("rcforc", intervals.rcforc, since(rcforc_state));
     add("rwforc", intervals.rwforc, since(rwforc_state));
     add("rbdout", intervals.rbdout, [who](const Sample& s, const Sample& start, const Sample&) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <string_view>
@@ -71,29 +72,43 @@ constexpr std::string_view ABSTAT_HEADING =
     "\n\n      time   airbag/cv #  volume        pressure    internal energy      dm/dt in"
     "      density dm/dt out  total mass gas temp. surface area   reaction\n";
 
-std::string abstat_row(double time, int id, const AirbagSample& bag) {
+/// Mean mass flow of a bag in and out since `before`; of a bag of uniform pressure as it is.  [kg/s]
+std::array<double, 2> mass_rates(const RecordLayout::Airbag& layout, const AirbagSample& bag,
+                                 const AirbagSample& before, double span) {
+    if (!layout.has_particles) return {bag.mass_rate_in, bag.mass_rate_out};
+    if (!(span > 0.0)) return {0.0, 0.0};
+    return {(bag.mass_in - before.mass_in) / span, (bag.mass_out_vent + bag.mass_out_fabric -
+                                                    before.mass_out_vent - before.mass_out_fabric) /
+                                                       span};
+}
+
+std::string abstat_row(const RecordLayout& layout, const Sample& sample, const Sample& before,
+                       std::size_t i) {
+    const AirbagSample& bag = sample.airbags[i];
+    const auto [rate_in, rate_out] =
+        mass_rates(layout.airbags[i], bag, before.airbags[i], sample.time - before.time);
     const double density = bag.volume > 0.0 ? bag.mass / bag.volume : 0.0;
     const double reaction = 0.0;  // a bag of particles rests on its fabric and on nothing else
     return fmt::format(
-        "{}{:8d}{}{}\n", field(time, 12, 5), id,
-        fields({bag.volume, bag.pressure, bag.energy, bag.mass_rate_in, density}, 15, 4),
-        fields({bag.mass_rate_out, bag.mass, bag.temperature, bag.surface_area, reaction}, 11, 3));
+        "{}{:8d}{}{}\n", field(sample.time, 12, 5), layout.airbags[i].id,
+        fields({bag.volume, bag.pressure, bag.energy, rate_in, density}, 15, 4),
+        fields({rate_out, bag.mass, bag.temperature, bag.surface_area, reaction}, 11, 3));
 }
 
 }  // namespace
 
-std::string abstat_state(const RecordLayout& layout, const Sample& sample) {
+std::string abstat_state(const RecordLayout& layout, const Sample& sample, const Sample& before) {
     std::string text(ABSTAT_HEADING);
     for (std::size_t i = 0; i < layout.airbags.size(); ++i)
-        text += abstat_row(sample.time, layout.airbags[i].id, sample.airbags[i]);
+        text += abstat_row(layout, sample, before, i);
     return text;
 }
 
-std::string abstat_cpm_state(const RecordLayout& layout, const Sample& sample) {
+std::string abstat_cpm_state(const RecordLayout& layout, const Sample& sample,
+                             const Sample& before) {
     std::string text(ABSTAT_HEADING);
     for (std::size_t i = 0; i < layout.airbags.size(); ++i)
-        if (layout.airbags[i].has_particles)
-            text += abstat_row(sample.time, layout.airbags[i].id, sample.airbags[i]);
+        if (layout.airbags[i].has_particles) text += abstat_row(layout, sample, before, i);
     return text;
 }
 

@@ -16,9 +16,13 @@ namespace corpuscle::io {
 
 /// @param start  the first sample of the file: energies are told relative to it
 [[nodiscard]] std::string glstat_state(const Sample& sample, const Sample& start);
-[[nodiscard]] std::string abstat_state(const RecordLayout& layout, const Sample& sample);
+/// @param before  the sample of the state before: mass flows of bags of particles are means since
+///                then, 0 if it is this one
+[[nodiscard]] std::string abstat_state(const RecordLayout& layout, const Sample& sample,
+                                       const Sample& before);
 /// abstat of the bags of particles alone.
-[[nodiscard]] std::string abstat_cpm_state(const RecordLayout& layout, const Sample& sample);
+[[nodiscard]] std::string abstat_cpm_state(const RecordLayout& layout, const Sample& sample,
+                                           const Sample& before);
 /// What cpm_sensor begins with instead of a title, and a state of it.
 [[nodiscard]] std::string cpm_sensor_heading(const RecordLayout& layout);
 [[nodiscard]] std::string cpm_sensor_state(const Sample& sample);

@@ -75,8 +75,9 @@ public:
         bodies_.observe(simulation, at_end);
         const bool history = histories_.meets(t), ascii = ascii_.due(t), frame = frames_.meets(t);
         if (history || ascii || at_end) {
-            const Sample sample = simulation.sample();
-            if (history || at_end) results_.append(sample);
+            const bool is_row = history || at_end;
+            const Sample sample = is_row ? simulation.sample() : simulation.glance();
+            if (is_row) results_.append(sample);
             if (ascii || at_end) ascii_.append(sample);
             if (std::isnan(start_kinetic_)) start_kinetic_ = sample.energy.kinetic;
             residual = sample.energy.residual;
