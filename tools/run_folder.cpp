@@ -5,7 +5,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "io/results/ascii_files.hpp"
+#include "io/results/hdf5.hpp"
+#include "solver/base/error.hpp"
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::tools {
@@ -54,25 +62,118 @@ io::RunInfo run_info(const Model& model, std::string_view version, std::uint64_t
             up_of(model)};
 }
 
+namespace {
+
+template <class Names>
+bool is_among(const Names& names, const std::string& name) {
+    return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+/// Of exports, responses and the summary.
+bool is_export(const std::string& name) {
+    constexpr std::array<std::string_view, 5> NAMES = {"binout", "history.csv", "history_fast.csv",
+                                                       "responses.json", "run.json"};
+    const bool is_d3plot =
+        name.starts_with("d3plot") && name.find_first_not_of("0123456789", 6) == std::string::npos;
+    return is_d3plot || is_among(NAMES, name);
+}
+
+/// Of the run itself.
+bool is_result(const std::string& name) {
+    constexpr std::array<std::string_view, 4> NAMES = {"results.h5", "results.xdmf",
+                                                       "results.parts", "checkpoint"};
+    return is_among(NAMES, name) || is_among(io::AsciiFiles::NAMES, name);
+}
+
+std::string beginning_of(const fs::path& file) {
+    std::string text(1000, '\0');
+    std::ifstream in(file, std::ios::binary);
+    in.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(in.gcount()));
+    return text;
+}
+
+bool is_of_this_program(const fs::path& results) {
+    try {
+        return io::Hdf5Reader(results).text("/", "program") == "corpuscle";
+    } catch (const SystemError&) {
+        return false;  // damaged, or somebody else's
+    }
+}
+
+bool holds_own_results(const fs::path& folder) {
+    const std::string summary = beginning_of(folder / "run.json");
+    return fs::is_directory(folder / "results.parts") ||
+           beginning_of(folder / "checkpoint").starts_with("corpuscle checkpoint") ||
+           (summary.starts_with("{\"wall\": ") &&
+            summary.find("\"parallel\": ") != std::string::npos) ||
+           (fs::exists(folder / "results.h5") && is_of_this_program(folder / "results.h5"));
+}
+
+/// "a, b, ..." in alphabetical order, eight at most.
+std::string names_listed(std::vector<std::string> names) {
+    constexpr std::ptrdiff_t MOST = 8;
+    std::sort(names.begin(), names.end());
+    const auto end = names.begin() + std::min(MOST, std::ssize(names));
+    return fmt::format(
+        "{}{}", fmt::join(names.begin(), end, ", "),
+        std::ssize(names) > MOST ? fmt::format(" and {} more", std::ssize(names) - MOST) : "");
+}
+
+/// NAME/NAME.mme that this program wrote.
+bool is_own_test(const fs::path& folder) {
+    const fs::path about = folder / (folder.filename().string() + ".mme");
+    if (!fs::is_regular_file(about)) return false;
+    const std::string text = beginning_of(about);
+    const std::size_t at = text.find("Laboratory name"), value = text.find(':', at);
+    return at != std::string::npos && text.compare(value + 1, 10, "corpuscle ") == 0;
+}
+
+/// Its channels and its head; folders that then hold nothing.
+void remove_test(const fs::path& folder) {
+    const std::string name = folder.filename().string();
+    const fs::path channels = folder / "Channel";
+    std::vector<fs::path> files = {folder / (name + ".mme")};
+    if (fs::is_directory(channels))
+        for (const fs::directory_entry& entry : fs::directory_iterator(channels))
+            if (entry.path().stem() == name) files.push_back(entry.path());
+    for (const fs::path& file : files) fs::remove(file);
+    std::error_code holds_more;
+    for (const fs::path& emptied : {channels, folder}) fs::remove(emptied, holds_more);
+}
+
+}  // namespace
+
+void expect_own_results(const fs::path& folder) {
+    if (!fs::is_directory(folder)) return;
+    std::vector<std::string> found;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        if (const std::string name = entry.path().filename().string();
+            is_export(name) || is_result(name))
+            found.push_back(name);
+    if (found.empty() || holds_own_results(folder)) return;
+    throw InputError(fmt::format(
+        "{} holds no results of corpuscle, but {}: a run would replace them; expected another "
+        "folder, -o DIR",
+        folder.string(), names_listed(std::move(found))));
+}
+
 void remove_old_exports(const fs::path& folder) {
     if (!fs::is_directory(folder)) return;
+    std::vector<fs::path> files, tests;
     std::vector<std::string> old;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();
-        const bool is_d3plot = name.starts_with("d3plot") &&
-                               name.find_first_not_of("0123456789", 6) == std::string::npos;
-        const bool is_mme = entry.is_directory() && fs::exists(entry.path() / (name + ".mme"));
-        if (is_d3plot || is_mme || name == "binout" || name == "history.csv" ||
-            name == "history_fast.csv" || name == "responses.json" || name == "run.json")
-            old.push_back(name);
+        const bool is_test = entry.is_directory() && is_own_test(entry.path());
+        if (!is_test && (entry.is_directory() || !is_export(name))) continue;
+        (is_test ? tests : files).push_back(entry.path());
+        old.push_back(name);
     }
     if (old.empty()) return;
-    std::sort(old.begin(), old.end());
-    for (const std::string& name : old) fs::remove_all(folder / name);
-    fmt::print(
-        "{}: of an earlier run, removed: {}{}\n", folder.string(),
-        fmt::join(old.begin(), old.begin() + std::min<std::ptrdiff_t>(8, std::ssize(old)), ", "),
-        old.size() > 8 ? fmt::format(" and {} more", old.size() - 8) : "");
+    for (const fs::path& test : tests) remove_test(test);
+    for (const fs::path& file : files) fs::remove(file);
+    fmt::print("{}: of an earlier run, removed: {}\n", folder.string(),
+               names_listed(std::move(old)));
 }
 
 }  // namespace corpuscle::tools

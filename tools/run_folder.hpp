@@ -16,8 +16,14 @@ namespace corpuscle::tools {
 [[nodiscard]] io::RunInfo run_info(const Model& model, std::string_view version, std::uint64_t seed,
                                    std::uint64_t scene);
 
+/// Refuses a folder with files of the names that a run writes or removes, where nothing there is of
+/// this program: another program's results stay as they are.
+/// @throws InputError  that names them
+void expect_own_results(const std::filesystem::path& folder);
+
 /// Exports and responses of an earlier run would pass for this one's: removed, and named on the
-/// standard output.
+/// standard output. Of a test's folder (NAME/NAME.mme) what this program wrote; the rest stays. After
+/// expect_own_results().
 void remove_old_exports(const std::filesystem::path& folder);
 
 }  // namespace corpuscle::tools

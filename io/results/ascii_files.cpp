@@ -41,8 +41,7 @@ AsciiFiles::AsciiFiles(const std::filesystem::path& folder, const RecordLayout& 
                        const OutputIntervals& intervals, const std::string& title) {
     std::error_code ignored;  // what cannot be made cannot be opened below, and that says why
     std::filesystem::create_directories(folder, ignored);
-    for (const char* name : {"glstat", "abstat", "abstat_cpm", "cpm_sensor", "matsum", "rcforc",
-                             "rwforc", "rbdout", "nodout"})
+    for (const char* name : NAMES)
         std::filesystem::remove(folder / name, ignored);  // of an earlier run
     list_files(folder, layout, intervals, title);
     for (File& file : files_) file.begin();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -23,6 +24,11 @@ namespace corpuscle::io {
 ///     if (files.due(t)) files.append(simulation.sample());
 class AsciiFiles {
 public:
+    /// Names of all that there may be.
+    static constexpr std::array<const char*, 9> NAMES = {"glstat",     "abstat", "abstat_cpm",
+                                                         "cpm_sensor", "matsum", "rcforc",
+                                                         "rwforc",     "rbdout", "nodout"};
+
     /// Creates the folder and the files asked for. @throws SystemError if that fails
     AsciiFiles(const std::filesystem::path& folder, const RecordLayout& layout,
                const OutputIntervals& intervals, const std::string& title);

@@ -181,6 +181,7 @@ int run(const RunArguments& arguments) {
     for (const std::string& warning : model.warnings) fmt::print(stderr, "warning: {}\n", warning);
 
     const std::string folder = folder_of(arguments);
+    expect_own_results(folder);
     const io::FolderLock lock(folder);
     std::optional<io::Checkpoint> from;
     if (arguments.restart) {

@@ -1,7 +1,8 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 //
-// Claim: no command writes over what it reads, whatever the names.
+// Claim: no command writes over what it reads, whatever the names, and no run over what other
+// programs wrote.
 
 #include <catch2/catch.hpp>
 
@@ -70,4 +71,38 @@ TEST_CASE("a page is not written over the results that it shows", "[io]") {
     const auto [refused, told] = corpuscle_in(folder.path, "report bag.out -o bag.out/results.h5");
     CHECK(refused == 2);
     CHECK_THAT(told, Contains("expected another file: this is bag.out/results.h5"));
+}
+
+TEST_CASE("a run refuses a folder with results of another program", "[io]") {
+    const test::DeckFolder folder;
+    const auto here = folder.write("deck.k", test::small_deck()).parent_path();
+    const std::string name = GENERATE("d3plot", "d3plot01", "binout", "nodout", "history.csv",
+                                      "results.h5", "checkpoint");
+    const auto file = folder.write("theirs/" + name, "of another program");
+    const auto [status, text] = corpuscle_in(here, "run deck.k -o theirs --until 1e-3");
+    CHECK(status == 2);
+    CHECK_THAT(text, Contains("theirs holds no results of corpuscle, but " + name + ":"));
+    CHECK(bytes_of(file) == "of another program");
+    std::filesystem::remove(file);
+    CHECK(std::filesystem::is_empty(here / "theirs"));
+}
+
+TEST_CASE("a run takes away exports of its own, not the tests of others", "[export]") {
+    const test::DeckFolder folder;
+    const auto here = folder.write("deck.k", test::small_deck()).parent_path();
+    folder.write("out/notes.txt", "of the user");
+    folder.write("out/theirs/theirs.mme", "Laboratory name             :Kiel\n");
+    const std::string run = "run deck.k -o out --until 1e-3";
+    REQUIRE(corpuscle_in(here, run).first == 0);
+    folder.write("out/own/own.mme", "Laboratory name             :corpuscle 1\n");
+    folder.write("out/own/Channel/own.001", "");
+    folder.write("out/mixed/mixed.mme", "Laboratory name             :corpuscle 1\n");
+    folder.write("out/mixed/photo", "of the user");
+    const auto [status, text] = corpuscle_in(here, run);
+    CHECK(status == 0);
+    CHECK_THAT(text, Contains("removed: mixed, own, run.json"));
+    CHECK_FALSE(std::filesystem::exists(here / "out/own"));
+    CHECK_FALSE(std::filesystem::exists(here / "out/mixed/mixed.mme"));
+    for (const char* kept : {"notes.txt", "theirs/theirs.mme", "mixed/photo", "results.h5"})
+        CHECK(std::filesystem::exists(here / "out" / kept));
 }
