@@ -104,7 +104,9 @@ int study(const StudyArguments& arguments) {
     const std::vector<study::Row> rows =
         missing(study::gather(study), share, arguments.retry_failed);
     if (arguments.slurm) {
-        fmt::print("{}\n", study::submit(study, study::rows(study).size(), study::this_program()));
+        const char* options = arguments.retry_failed ? " --retry-failed" : "";
+        fmt::print("{}\n",
+                   study::submit(study, study::rows(study).size(), study::this_program(), options));
         return 0;
     }
     const bool is_all = arguments.share.empty();

@@ -55,7 +55,8 @@ std::string script(const std::string& what) {
 
 }  // namespace
 
-std::string submit(const Study& study, std::size_t runs, const std::string& program) {
+std::string submit(const Study& study, std::size_t runs, const std::string& program,
+                   const std::string& options) {
     if (!is_on_path("sbatch"))
         throw SystemError(
             "--slurm: there is no sbatch on the PATH; without --slurm the study runs on this "
@@ -66,8 +67,9 @@ std::string submit(const Study& study, std::size_t runs, const std::string& prog
     const std::string again =
         fmt::format("{} study {} -o {}", quoted(program), quoted(fs::absolute(study.file).string()),
                     quoted(folder.string()));
-    io::replace_text(folder / "slurm" / "runs.sh",
-                     script(fmt::format("{} --share \"$SLURM_ARRAY_TASK_ID/{}\"", again, jobs)));
+    io::replace_text(
+        folder / "slurm" / "runs.sh",
+        script(fmt::format("{}{} --share \"$SLURM_ARRAY_TASK_ID/{}\"", again, options, jobs)));
     io::replace_text(folder / "slurm" / "table.sh", script(fmt::format("{} --table", again)));
     const std::string array = job_of(fmt::format(
         "sbatch --parsable --job-name=corpuscle --array=0-{}%{} --cpus-per-task={} --output={} {}",

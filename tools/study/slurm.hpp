@@ -19,7 +19,9 @@ inline constexpr std::size_t MOST_JOBS = 1000;
 
 /// Hands the runs to Slurm: an array of jobs, `study.workers` of them at a time, and a job after
 /// it, however it ends, that makes the table. Returns what to tell the user.
+/// @param options  of `corpuscle study` that hold for the jobs' runs, such as " --retry-failed"
 /// @throws SystemError where there is no sbatch, or where it refuses
-[[nodiscard]] std::string submit(const Study& study, std::size_t runs, const std::string& program);
+[[nodiscard]] std::string submit(const Study& study, std::size_t runs, const std::string& program,
+                                 const std::string& options);
 
 }  // namespace corpuscle::study

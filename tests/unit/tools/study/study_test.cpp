@@ -222,14 +222,14 @@ TEST_CASE("a study for Slurm without sbatch says so, with one it is an array and
     const study::Study s = desk.study(HEAD + "workers = 3\nthreads = 2\n[factors]\nV = [1, 2]\n");
     const std::string path = std::getenv("PATH");
     ::setenv("PATH", desk.folder.path.c_str(), 1);
-    CHECK_THROWS_WITH(study::submit(s, 2, "/bin/corpuscle"), Catch::Contains("no sbatch"));
+    CHECK_THROWS_WITH(study::submit(s, 2, "/bin/corpuscle", ""), Catch::Contains("no sbatch"));
 
     const fs::path sbatch = desk.folder.path / "sbatch";
     desk.put("sbatch", "#!/bin/sh\nPATH=" + path + "\necho \"$@\" >> " +
                            (desk.folder.path / "said").string() + "\necho 41\n");
     fs::permissions(sbatch, fs::perms::owner_all);
     ::setenv("PATH", (desk.folder.path.string() + ":" + path).c_str(), 1);
-    const std::string told = study::submit(s, 2500, "/bin/corpuscle");
+    const std::string told = study::submit(s, 2500, "/bin/corpuscle", " --retry-failed");
     ::setenv("PATH", path.c_str(), 1);
     CHECK(told.find("2500 runs in Slurm's array 41 (3 at a time)") != std::string::npos);
     const std::string said = text_of(desk.folder.path / "said");
@@ -237,7 +237,8 @@ TEST_CASE("a study for Slurm without sbatch says so, with one it is an array and
     CHECK(said.find("--dependency=afterany:41") != std::string::npos);
     const std::string script = text_of(s.folder / "slurm" / "runs.sh");
     CHECK(script.find("'/bin/corpuscle' study '") != std::string::npos);
-    CHECK(script.find("--share \"$SLURM_ARRAY_TASK_ID/1000\"") != std::string::npos);
+    CHECK(script.find(" --retry-failed --share \"$SLURM_ARRAY_TASK_ID/1000\"") !=
+          std::string::npos);
 }
 
 TEST_CASE("a body that met nothing has no time to contact, and its run went well", "[study]") {
