@@ -13,6 +13,7 @@
 
 #include "io/export/d3plot_particles.hpp"
 #include "io/export/history_source.hpp"
+#include "io/results/results_content.hpp"
 
 namespace corpuscle::io {
 namespace {
@@ -49,10 +50,9 @@ public:
         write_("d3plot", std::move(file).padded());
         const Lines time = results_.read<double>("/frames/time");
         std::size_t frame = 0;
-        for (const std::string& name : results_.names("/frames")) {
-            if (name == "time") continue;
+        for (const std::string& group : frame_groups(results_)) {
             D3plotWords state;
-            this->state(state, "/frames/" + name + "/", time.at(frame));
+            this->state(state, group, time.at(frame));
             write_(fmt::format("d3plot{:02}", ++frame), std::move(state).padded());
         }
     }

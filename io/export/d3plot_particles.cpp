@@ -9,6 +9,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "io/results/results_content.hpp"
+
 namespace corpuscle::io {
 namespace {
 
@@ -39,9 +41,8 @@ Vec3 triple(const std::vector<double>& values, std::size_t i) {
 
 D3plotParticles::D3plotParticles(const Hdf5Reader& results) : results_(results) {
     std::vector<std::string> places;
-    for (const std::string& frame : results.names("/frames"))
-        if (results.has("/frames/" + frame + "/particles"))
-            places.push_back("/frames/" + frame + "/");
+    for (const std::string& frame : frame_groups(results))
+        if (results.has(frame + "particles")) places.push_back(frame);
     for (const std::string& at : places) {
         const auto bag = results.read<std::int32_t>(at + "particles/bag");
         const auto id = results.read<std::int64_t>(at + "particles/id");

@@ -151,4 +151,14 @@ void fill_root(Hdf5Writer& file, const RunInfo& info, const std::string& termina
     file.attribute("/", "termination", termination);
 }
 
+std::vector<std::string> frame_groups(const Hdf5Reader& results) {
+    std::vector<std::string> groups;
+    for (const std::string& name : results.names("/frames"))
+        if (name != "time") groups.push_back("/frames/" + name + "/");
+    std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) {
+        return a.size() < b.size();  // frame 100000 comes after 99999
+    });
+    return groups;
+}
+
 }  // namespace corpuscle::io

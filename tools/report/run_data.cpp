@@ -11,6 +11,7 @@
 #include "io/export/history_source.hpp"
 #include "io/responses/body_responses.hpp"
 #include "io/results/hdf5.hpp"
+#include "io/results/results_content.hpp"
 #include "io/text/json.hpp"
 #include "tools/report/labels.hpp"
 #include "tools/report/pack.hpp"
@@ -97,7 +98,7 @@ private:
         std::vector<std::size_t> shown;
         for (std::size_t f = 0; f < all.size(); ++f)
             if (f % every == 0 || f + 1 == all.size()) shown.push_back(f);
-        const std::vector<std::string> names = frame_names();
+        const std::vector<std::string> names = io::frame_groups(file_);
         PictureRanges ranges;
         for (const std::size_t f : shown) ranges.take(read_picture(file_, names.at(f)));
         std::vector<std::uint16_t> before;
@@ -156,13 +157,6 @@ private:
                fmt::format("{{\"pressure\":{},\"stress\":{},{}\"speed\":{}{}}}",
                            range(ranges.pressure, kPa), range(ranges.stress, stress_unit()),
                            touching, range(ranges.speed, unit(io::Quantity::VELOCITY)), heat));
-    }
-
-    [[nodiscard]] std::vector<std::string> frame_names() const {
-        std::vector<std::string> names;
-        for (const std::string& name : file_.names("/frames"))
-            if (name != "time") names.push_back("/frames/" + name + "/");
-        return names;
     }
 
     void units() {

@@ -6,6 +6,7 @@
 
 #include "contact/broad_phase/intersections.hpp"
 #include "io/results/hdf5.hpp"
+#include "io/results/results_content.hpp"
 
 namespace corpuscle::verify {
 
@@ -18,17 +19,16 @@ FrameCrossings frame_crossings(const std::filesystem::path& results) {
         if (corners[s + 2] != corners[s + 3])
             triangles.push_back({corners[s], corners[s + 2], corners[s + 3]});
     }
-    const auto frame = [&](const std::string& name) {
-        const auto x = file.read<double>("/frames/" + name + "/coordinates");
+    const auto frame = [&](const std::string& group) {
+        const auto x = file.read<double>(group + "coordinates");
         Points points;
         for (std::size_t i = 0; i < x.size(); i += 3) points.emplace_back(x[i], x[i + 1], x[i + 2]);
         return points;
     };
-    const contact::Patches patches = contact::make_patches(frame("00000"), triangles);
+    const contact::Patches patches = contact::make_patches(frame("/frames/00000/"), triangles);
     FrameCrossings all;
-    for (const std::string& name : file.names("/frames")) {
-        if (name == "time") continue;
-        const std::size_t here = contact::crossings(triangles, patches, frame(name)).size();
+    for (const std::string& group : io::frame_groups(file)) {
+        const std::size_t here = contact::crossings(triangles, patches, frame(group)).size();
         ++all.frames;
         all.crossings += here;
         all.worst = std::max(all.worst, here);

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "io/results/results_content.hpp"
 #include "io/text/text.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/curve.hpp"
@@ -57,10 +58,7 @@ double MeasuredRun::mean(const std::string& path, double from, double to) const 
 }
 
 std::vector<std::string> MeasuredRun::frames() const {
-    std::vector<std::string> all;
-    for (const std::string& name : results_->names("/frames"))
-        if (name != "time") all.push_back("/frames/" + name + "/");
-    return all;
+    return io::frame_groups(*results_);
 }
 
 double MeasuredRun::parameter(const std::string& name) const {

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "io/export/d3plot.hpp"
+#include "io/results/results_content.hpp"
 #include "tests/unit/io/results/results_scene.hpp"
 
 using namespace corpuscle;
@@ -40,6 +41,19 @@ private:
 };
 
 }  // namespace
+
+TEST_CASE("frames are in the order of their numbers, however many digits those have", "[export]") {
+    const scene::Folder folder("frame_order");
+    std::filesystem::create_directories(folder.path);
+    const auto file = folder.path / "results.h5";
+    io::Hdf5Writer writer(file);
+    for (const char* group : {"time", "100000/x", "00009/x", "99999/x", "100001/x"})
+        writer.dataset<double>(std::string("/frames/") + group, std::vector{1.0}, {1}, {"-", ""});
+    writer.close();
+    CHECK(io::frame_groups(io::Hdf5Reader(file)) ==
+          std::vector<std::string>{"/frames/00009/", "/frames/99999/", "/frames/100000/",
+                                   "/frames/100001/"});
+}
 
 TEST_CASE("a d3plot holds mesh, ids and states, value by value", "[export]") {
     const scene::Folder folder("d3plot");
