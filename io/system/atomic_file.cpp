@@ -30,6 +30,20 @@ fs::path target_of(const fs::path& file) {
     return target;
 }
 
+/// Why the texts are not in a file, the first reason; 0: they are.
+int put_texts(const fs::path& file, std::span<const std::string_view> parts) {
+    std::FILE* out = std::fopen(file.c_str(), "wb");
+    if (out == nullptr) return errno;
+    const bool is_written = std::all_of(parts.begin(), parts.end(), [&](std::string_view part) {
+        return std::fwrite(part.data(), 1, part.size(), out) == part.size();
+    });
+    const int while_writing = errno;
+    const bool is_closed = std::fclose(out) == 0;
+    if (is_written && is_closed) return 0;
+    const int why = is_written ? errno : while_writing;
+    return why != 0 ? why : EIO;
+}
+
 /// Is there something that is not replaced but written to: a pipe, a device?
 bool takes_text_itself(const fs::path& file) {
     std::error_code unknown;
@@ -58,17 +72,14 @@ void replace_text(const std::filesystem::path& file, std::string_view text) {
 void replace_text(const std::filesystem::path& file, std::span<const std::string_view> parts) {
     const bool is_replaced = !takes_text_itself(file);
     const fs::path to = is_replaced ? next_version(file) : file;
-    const auto fail = [&] {
-        throw SystemError(fmt::format("cannot write {}: {}", file.string(), std::strerror(errno)));
-    };
-    std::FILE* out = std::fopen(to.c_str(), "wb");
-    if (out == nullptr) fail();
-    const bool written = std::all_of(parts.begin(), parts.end(), [&](std::string_view part) {
-        return std::fwrite(part.data(), 1, part.size(), out) == part.size();
-    });
-    const bool closed = std::fclose(out) == 0;
-    if (!written || !closed) fail();
-    if (is_replaced) take_its_name(file);
+    const int why = put_texts(to, parts);
+    if (why == 0) {
+        if (is_replaced) take_its_name(file);
+        return;
+    }
+    std::error_code ignored;
+    if (is_replaced) fs::remove(to, ignored);
+    throw SystemError(fmt::format("cannot write {}: {}", file.string(), std::strerror(why)));
 }
 
 }  // namespace corpuscle::io

@@ -6,8 +6,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <sys/resource.h>
 #include <array>
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <fstream>
 #include <sstream>
 
@@ -70,4 +72,27 @@ TEST_CASE("a folder in the way of a text is told with its reason", "[io]") {
     const scene::Folder folder("in_the_way");
     std::filesystem::create_directories(folder.path);
     CHECK_THROWS_WITH(io::replace_text(folder.path, "text"), Catch::Contains("Is a directory"));
+}
+
+TEST_CASE("of a text that the disk does not take nothing stays, and the reason is told", "[io]") {
+    const scene::Folder folder("full_disk");
+    std::filesystem::create_directories(folder.path);
+    const auto file = folder.path / "text";
+    io::replace_text(file, "one");
+    rlimit all{};
+    REQUIRE(getrlimit(RLIMIT_FSIZE, &all) == 0);
+    const rlimit few{1000, all.rlim_max};
+    const auto before = std::signal(SIGXFSZ, SIG_IGN);
+    REQUIRE(setrlimit(RLIMIT_FSIZE, &few) == 0);
+    std::string said;
+    try {
+        io::replace_text(file, std::string(100000, 'x'));
+    } catch (const SystemError& error) {
+        said = error.what();
+    }
+    setrlimit(RLIMIT_FSIZE, &all);
+    std::signal(SIGXFSZ, before);
+    CHECK_THAT(said, Catch::Contains("text: File too large"));
+    CHECK(content(file) == "one");
+    CHECK_FALSE(std::filesystem::exists(io::next_version(file)));
 }
