@@ -31,6 +31,14 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
+/// Signals that end a run behind a checkpoint; under nohup it goes on without its terminal.
+void heed_signals() {
+    const auto interrupt = [](int) { interrupted = 1; };
+    std::signal(SIGINT, interrupt);
+    std::signal(SIGTERM, interrupt);
+    if (std::signal(SIGHUP, interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+}
+
 std::string folder_of(const RunArguments& arguments) {
     if (!arguments.folder.empty()) return arguments.folder;
     return std::filesystem::path(arguments.deck.file).filename().replace_extension("").string() +
@@ -209,8 +217,7 @@ int run(const RunArguments& arguments) {
 
     io::Progress progress(model.end_time, arguments.quiet);
     CheckpointWriter checkpoints(folder, simulation, results, ascii, recorder);
-    std::signal(SIGINT, [](int) { interrupted = 1; });
-    std::signal(SIGTERM, [](int) { interrupted = 1; });
+    heed_signals();
 
     const Summary summary;
     try {
