@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "tools/fold/pattern/sheet.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cassert>
 #include <map>
+#include <string>
+
+#include "solver/base/error.hpp"
 
 namespace corpuscle::fold {
 namespace {
@@ -73,8 +77,20 @@ double area(const Cell& cell, const Points& X) {
     return sum;
 }
 
+namespace {
+
+std::string no_cell(const std::vector<Index>& polygon, const Points& X) {
+    const Vec3 at = polygon.empty() ? Vec3(Vec3::Zero()) : X[polygon[0]];
+    return fmt::format(
+        "a line cuts a cell of the flat pattern at ({:.6g}, {:.6g}) so that a piece has {} "
+        "corners, expected 3 to 5: a finer mesh there, without inward corners",
+        at.x(), at.y(), polygon.size());
+}
+
+}  // namespace
+
 std::vector<Cell> best_cells(const std::vector<Index>& p, const Points& X) {
-    assert(p.size() >= 3 && p.size() <= 5 && "a cut cell has three to five corners");
+    if (p.size() < 3 || p.size() > 5) throw InputError(no_cell(p, X));
     std::vector<std::vector<Cell>> ways;
     if (p.size() == 3) ways = {{triangle(p[0], p[1], p[2])}};
     if (p.size() == 4) {

@@ -48,6 +48,7 @@ struct Sheet {
 [[nodiscard]] double area(const Cell& cell, const Points& X);  ///< [m^2]
 
 /// A polygon of 3 to 5 corners as triangles and quads, of all ways the one of the best quality.
+/// @throws InputError  for another number of corners
 [[nodiscard]] std::vector<Cell> best_cells(const std::vector<Index>& polygon, const Points& X);
 
 /// Drops nodes that no cell has, from sets of nodes too.

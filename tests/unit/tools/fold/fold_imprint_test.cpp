@@ -136,3 +136,10 @@ TEST_CASE("short edges are drawn together, lines and area stay", "[fold]") {
             if (name < 3) CHECK(s.X[n][name - 1] == Approx(0.0).margin(1e-12));
         }
 }
+
+TEST_CASE("a piece of more than five corners is refused", "[fold]") {
+    const Points hexagon{{2, 0, 0}, {1, 2, 0}, {-1, 2, 0}, {-2, 0, 0}, {-1, -2, 0}, {1, -2, 0}};
+    CHECK(best_cells({0, 1, 2, 3, 4}, hexagon).size() >= 2);
+    for (const std::vector<Index>& polygon : {std::vector<Index>{0, 1, 2, 3, 4, 5}, {0, 1}, {}})
+        CHECK_THROWS_AS(best_cells(polygon, hexagon), InputError);
+}
