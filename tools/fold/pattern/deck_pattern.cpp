@@ -70,16 +70,18 @@ private:
             fault(
                 "both panels lie at the same height, expected their parts as front and back in "
                 "[pattern]");
-        std::set<int> strangers;
+        std::set<int> strangers, doubles;
         for (std::size_t e = 0; e < mesh_.shells.size(); ++e) {
             const int id = mesh_.part_id[e];
             if (!front.empty() && !holds(front, id) && !holds(back, id)) strangers.insert(id);
+            if (holds(front, id) && holds(back, id)) doubles.insert(id);
             const bool is_front = front.empty() ? mean_height(mesh_.shells[e]) > 0.5 * (low + high)
                                                 : holds(front, id);
             panel_.push_back(is_front ? UPPER : LOWER);
         }
         for (const int id : strangers)
             fault("part {} is in neither front nor back of [pattern]", id);
+        for (const int id : doubles) fault("part {} is in both front and back of [pattern]", id);
     }
 
     /// Cells counter-clockwise seen from +z, none that is not flat.

@@ -191,6 +191,8 @@ TEST_CASE("decks that are no pattern are refused", "[fold]") {
     PanelDeck deck;
     CHECK(has(fault_of(deck, "front = [1]\nback = [7]\n"),
               "part 2 is in neither front nor back of [pattern]"));
+    CHECK(has(fault_of(deck, "front = [1, 2]\nback = [2]\n"),
+              "part 2 is in both front and back of [pattern]"));
     CHECK(has(fault_of(deck, "front = [1]\n"), "part numbers, for the other panel's are given"));
     CHECK(has(fault_of(deck, ""), "both panels lie at the same height"));
     CHECK(has(fault_of(deck, PARTS + "[hole]\ndiameter = 60\n"), "a deck's panels have their own"));
