@@ -150,7 +150,7 @@ int check(const DeckArguments& arguments, bool as_json) {
         fmt::print("warning: {}\n", warning);
     for (const std::string& warning : sanity.warnings) fmt::print("warning: {}\n", warning);
     for (const std::string& warning : crossings_at_start(simulation))
-        fmt::print("WARNING: {}\n", warning);
+        fmt::print("warning: {}\n", warning);
     return 0;
 }
 

@@ -77,7 +77,7 @@ void advance_to_end(Simulation& simulation, RunRecorder& recorder, CheckpointWri
         const StepReport step = simulation.step(observe);
         if (simulation.steps() == 1)
             for (const std::string& warning : crossings_at_start(simulation))
-                fmt::print(stderr, "WARNING: {}\n", warning);
+                fmt::print(stderr, "warning: {}\n", warning);
         watch.see(step);
         const double share =
             recorder.brought > 0.0 ? std::abs(recorder.residual) / recorder.brought : 0.0;

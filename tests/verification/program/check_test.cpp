@@ -57,7 +57,7 @@ TEST_CASE("check names the shells that cross and those that are too close at the
     CHECK_THAT(crossing, Contains("1 pairs of shells have crossed since the start: 1-2"));
     // the tip of shell 2 stands 20 mm through shell 1, and half its thickness
     CHECK_THAT(crossing,
-               Contains("WARNING: part 1 \"fabric\" crosses itself at the start: 1 pairs"));
+               Contains("warning: part 1 \"fabric\" crosses itself at the start: 1 pairs"));
     CHECK_THAT(crossing, Contains("up to 0.02015 deep (shells 1 and 2"));
     CHECK_THAT(crossing, Contains("nearer than the contact thickness: 1-3"));
     const std::string apart = check(folder.write("apart.k", deck(0.01)));
