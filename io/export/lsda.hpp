@@ -12,10 +12,13 @@ namespace corpuscle::io {
 
 /// Livermore Software's data archive, the file that binout is: records of length and command.
 ///
-///     header: 8 8 8 1 1 1 0 0           sizes of header, length, offset, command, type; little
-///     endian SYMBOLTABLEOFFSET (7): where the table begins CD (2): a folder;  DATA (3): type,
-///     length of the name, name, values BEGINSYMBOLTABLE (5), then CD and VARIABLE (4): name, type,
-///     offset of its DATA, count; ENDSYMBOLTABLE (6): offset of the next table, 0
+///     header: 8 8 8 1 1 1 0 0   sizes of header, length, offset, command, type; little endian
+///     SYMBOLTABLEOFFSET (7)     where the table begins
+///     CD (2)                    a folder
+///     DATA (3)                  type, length of the name, name, values
+///     BEGINSYMBOLTABLE (5)      then CD, and for each DATA a VARIABLE
+///     VARIABLE (4)              name, type, offset of its DATA, count
+///     ENDSYMBOLTABLE (6)        offset of the next table, 0
 ///
 /// A record's length counts itself and the command; that of BEGINSYMBOLTABLE all of the table.
 class LsdaWriter {

@@ -43,8 +43,8 @@ struct FinishedRun {
 };
 
 /// Of FOLDER/results.h5; none if there is none, its run did not come to its normal end, or what it
-/// wrote is not gathered in it yet. What
-/// such a run needs no more is cleared away, should a kill have come before that.
+/// wrote is not gathered in it yet. What such a run needs no more is cleared away, should a kill
+/// have come before that.
 /// @throws SystemError if the file cannot be read
 [[nodiscard]] std::optional<FinishedRun> finished_run(const std::filesystem::path& folder);
 
