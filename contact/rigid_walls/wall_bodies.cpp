@@ -83,7 +83,8 @@ void RigidWall::stop_bodies(const Points& x, double dt, const Points& v, const W
         const double yields = mobility(bump, sliding / speed);
         Vec3 wanted = bump.rubbed;
         if (yields > 0.0) wanted -= sliding / yields;
-        const double most = card_.friction == 1.0 ? INF : card_.friction * bump.taken;
+        const bool sticks = card_.friction == 1.0 && bump.taken > 0.0;
+        const double most = sticks ? INF : card_.friction * bump.taken;
         if (const double size = wanted.norm(); size > most) wanted *= most / size;
         const Vec3 more = wanted - bump.rubbed;
         bump.rubbed = wanted;

@@ -170,3 +170,17 @@ TEST_CASE("a brick on an incline sticks below the friction angle and slides abov
     CHECK(velocity.x() == Approx(G * slide * 0.2).epsilon(0.01).margin(1e-4));
     CHECK(std::abs(velocity.z()) < 1e-4);
 }
+
+TEST_CASE("a brick that glides above a wall that sticks goes on", "[solver][wall]") {
+    Model model = brick();
+    for (Vec3& x : model.x) x.z() += 1e-4;
+    model.walls[0].friction = 1.0;
+    model.rigid_velocity = {{0, Vec3::UnitX(), Vec3::Zero()}};
+    model.end_time = 0.05;
+    Simulation simulation(model);
+    const auto nothing = [](Simulation&) {};
+    while (!simulation.is_over()) simulation.step(nothing);
+    simulation.close([&](Simulation& at) {
+        CHECK((at.sample().rigid_bodies[0].velocity - Vec3::UnitX()).norm() < 1e-12);
+    });
+}
