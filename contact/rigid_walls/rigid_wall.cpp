@@ -15,7 +15,7 @@ RigidWall::RigidWall(const WallCard& card, const Curve* curve, double end_time) 
     const WallMotion& motion = card_.motion;
     if (curve != nullptr) curve_ = curve->continued_beyond(end_time - card_.birth);
     if (!curve_)
-        velocity_ = motion.speed * motion.direction;
+        velocity_ = (card_.birth > 0.0 ? 0.0 : motion.speed) * motion.direction;
     else if (motion.is_displacement)
         shift_ = next_shift_ = (*curve_)(0.0) * motion.direction;
     stops_.reserve(card_.nodes.size());
@@ -80,7 +80,7 @@ void RigidWall::find_near(const Points& x, double dt, const Points& v) {
 /// that a curve gives for it.
 void RigidWall::set_out(double t, double dt) {
     shift_ = next_shift_;
-    if (!curve_) return;
+    if (!curve_) return launch(t, dt);
     const WallMotion& motion = card_.motion;
     const double from = std::max(t - card_.birth, 0.0), to = std::max(t + dt - card_.birth, 0.0);
     double travel = 0.0;
@@ -89,6 +89,16 @@ void RigidWall::set_out(double t, double dt) {
                                         : curve_->mean(from, to) * (to - from);
     velocity_ = travel / dt * motion.direction;
     next_shift_ = shift_ + travel * motion.direction;
+}
+
+/// Gives a wall without a curve V0 at its birth, and before it the part of the step ahead in which
+/// it is born; the energy that its mass gets thereby is driving work.
+void RigidWall::launch(double t, double dt) {
+    if (!is_behind_.empty()) return;  // it has been there before
+    const double share = t >= card_.birth ? 1.0 : std::max(0.0, t + dt - card_.birth) / dt;
+    driving_work_ -= kinetic_energy();
+    velocity_ = share * card_.motion.speed * card_.motion.direction;
+    driving_work_ += kinetic_energy();
 }
 
 void RigidWall::note_nodes_behind(const Points& x) {

@@ -63,7 +63,7 @@ public:
     [[nodiscard]] double stopping_energy() const { return stopping_energy_; }
     /// Lost so far by friction.                                                                 [J]
     [[nodiscard]] double friction_energy() const { return friction_energy_; }
-    /// Done so far on nodes by a wall whose motion is given.                                    [J]
+    /// Done so far on nodes by a wall whose motion is given, and on a mass that is born later.  [J]
     [[nodiscard]] double driving_work() const { return driving_work_; }
     /// Done so far by what holds or drives bodies that it pushed.                             [J]
     [[nodiscard]] double held_work() const { return held_work_; }
@@ -111,6 +111,7 @@ private:
     };
 
     void set_out(double t, double dt);
+    void launch(double t, double dt);
     void note_nodes_behind(const Points& x);
     [[nodiscard]] bool passes(std::size_t i, const Vec3& at, double gap);
     [[nodiscard]] std::optional<Plane> plane_before(std::size_t i, const Vec3& at,

@@ -61,6 +61,27 @@ TEST_CASE("a wall goes exactly the way that its curve gives", "[contact]") {
     CHECK(looks > 15);
 }
 
+TEST_CASE("a wall at a constant speed starts at its birth, and its mass is then given energy",
+          "[contact]") {
+    const double mass = GENERATE(0.0, 3.0);
+    WallCard card = ball_card(1);
+    card.birth = 0.35e-3;
+    card.motion = {Vec3::UnitX(), -1, false, 5.0, mass};
+    RigidWall wall(card);
+    const Points x{Vec3(1.0, 0.0, 0.0)};  // far away
+    Points v{Vec3::Zero()};
+    constexpr double DT = 1e-4;
+    for (int n = 0; n < 20; ++n) {
+        const double t = n * DT;
+        wall.hold(x, {&mass, 1}, t, DT, v);
+        const double gone = 5.0 * std::max(0.0, t - card.birth);
+        CHECK(wall.displacement().x() == Approx(gone).margin(1e-15));
+        CHECK(wall.velocity().x() == Approx(n < 3 ? 0.0 : n == 3 ? 2.5 : 5.0).margin(1e-12));
+        CHECK(wall.driving_work() == Approx(wall.kinetic_energy()).margin(1e-15));
+    }
+    CHECK(wall.kinetic_energy() == 0.5 * mass * 25.0);
+}
+
 TEST_CASE("a wall of mass is slowed down by what it hits: plastic impacts", "[contact]") {
     const Vec3 n = Vec3(1, 2, -2) / 3.0;
     const bool is_plate = GENERATE(false, true);
