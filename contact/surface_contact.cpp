@@ -70,24 +70,21 @@ SurfaceContact::~SurfaceContact() = default;
 SurfaceContact::SurfaceContact(SurfaceContact&&) noexcept = default;
 SurfaceContact& SurfaceContact::operator=(SurfaceContact&&) noexcept = default;
 
-/// Which cards hold now, and how thick. Returns whether one has begun to.
+/// Which cards are on now, and how thick. Returns whether one has begun to hold for a pair of parts.
 bool SurfaceContact::State::look_at_cards(double now) {
     t = now;
-    bool is_born = false;
     for (std::size_t c = 0; c < is_on.size(); ++c) {
         const int card = static_cast<int>(c);
-        const bool was_on = is_on[c];
         is_on[c] = !cloth.triangles.empty() && cloth.rules.is_on(card, t);
-        is_born |= is_on[c] && !was_on;
         most[c] = is_on[c] ? cloth.rules.most(card, t) : 0.0;
     }
-    return is_born;
+    return cloth.rules.choose(is_on);
 }
 
 void SurfaceContact::find(const Points& x, const Points& v, double t, double dt,
                           std::span<const RigidProxy> bodies) {
     State& s = *state_;
-    const bool is_born = s.look_at_cards(t);
+    const bool is_other = s.look_at_cards(t);
     if (!s.any_on()) {
         return s.contacts.lay_out(0);
     }
@@ -96,7 +93,7 @@ void SurfaceContact::find(const Points& x, const Points& v, double t, double dt,
         s.pairs.start(x, v, t, dt, s.is_on);
     } else {
         s.pairs.follow(x, t, dt);
-        if (is_born) s.pairs.admit(x, v, t, dt, s.is_on);
+        if (is_other) s.pairs.admit(x, v, t, dt, s.is_on);
     }
     s.counts.close_starts = s.pairs.close_starts().size();
     if (s.pairs.size() > 0) {
@@ -233,6 +230,7 @@ void SurfaceContact::visit_state(StateWriter& archive) {
 }
 void SurfaceContact::visit_state(StateReader& archive) {
     archive(*state_);
+    state_->cloth.rules.choose(state_->is_on);
 }
 const ContactCounts& SurfaceContact::counts() const {
     return state_->counts;

@@ -28,7 +28,6 @@ constexpr std::size_t ROUND = 512;
 void Candidates::start(const Points& x, const Points& v, double t, double dt,
                        std::span<const std::uint8_t> is_on) {
     motion_.start(x, t);
-    was_on_.assign(is_on.size(), 0);
     admit(x, v, t, dt, is_on);
 }
 
@@ -54,17 +53,18 @@ void Candidates::bar_all_crossing(const Points& x) {
     bar_crossing_pairs(x);
 }
 
-/// Pairs of the cards that have just become valid start with the gap that they have.
+/// Pairs for which a card has just begun to hold start with the gap, or the rest gap, that they have.
 void Candidates::meet_gently(const Points& x, double t, std::span<const std::uint8_t> is_on) {
     for (std::size_t i = 0; i < list_.size(); ++i) {
-        const auto card = static_cast<std::size_t>(list_[i].card);
-        if (was_on_[card] || !is_on[card] || !give_gentle_gap(i, x, t)) continue;
+        const int card = list_[i].card;
+        const Index first = cloth_.part[verlet_.first[i]], second = cloth_.part[verlet_.second[i]];
+        const int before = cloth_.rules.before(list_[i].pair.is_edges, first, second);
+        if (card == before || !is_on[card] || !give_gentle_gap(i, x, t, before)) continue;
         close_starts_.push_back(std::minmax(verlet_.first[i], verlet_.second[i]));
     }
     std::sort(close_starts_.begin(), close_starts_.end());
     close_starts_.erase(std::unique(close_starts_.begin(), close_starts_.end()),
                         close_starts_.end());
-    was_on_.assign(is_on.begin(), is_on.end());
 }
 
 void Candidates::build(const Points& x, const Points& v, double t, double dt) {
@@ -253,14 +253,30 @@ void Candidates::give_gentle_gaps(const std::vector<std::uint64_t>& keys, const 
     }
 }
 
-bool Candidates::give_gentle_gap(std::size_t i, const Points& x, double t) {
+/// @param card_before  by which it touched until now, or NONE
+bool Candidates::give_gentle_gap(std::size_t i, const Points& x, double t, int card_before) {
     if (least_distance(i) >= thickness(i)) return false;
-    const double short_by = thickness(i) - nearest(list_[i].pair, x).apart.norm();
-    if (short_by <= 0.0) return false;
+    double rest = nearest(list_[i].pair, x).apart.norm();
+    if (card_before != Rules::NONE) rest = std::max(rest, rest_by(card_before, i, t));
+    const double short_by = thickness(i) - rest;
+    if (short_by <= 0.0) {
+        if (PairMemory* const known = memory(i); known && card_before != Rules::NONE)
+            known->short_by = 0.0;
+        return false;
+    }
     PairMemory& memory = make_memory(i);
     memory.short_by = short_by;
     memory.born = t;
     return true;
+}
+
+/// Gap below which a pair would push by another card than its own, with what it remembers.    [m]
+double Candidates::rest_by(int card, std::size_t i, double t) const {
+    const Candidate& c = list_[i];
+    const double missing = c.memory < 0 ? 0.0 : memories_[c.memory].missing(t, cloth_.growth_time);
+    return std::min({cloth_.gap(card, verlet_.first[i], verlet_.second[i]),
+                     neighbours_thickness(c.pair), cloth_.rules.most(card, t)}) -
+           missing;
 }
 
 }  // namespace corpuscle::contact

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -32,6 +33,11 @@ struct PairMemory {
     std::uint32_t area_until = 0;  ///< step from which on the area is out of date
 
     [[nodiscard]] bool is_empty() const { return short_by == 0.0 && area == 0.0; }
+    /// What its rest gap lacks at t of the contact thickness.                                  [m]
+    /// @param growth_time  in which all but 1/e of it comes                                    [s]
+    [[nodiscard]] double missing(double t, double growth_time) const {
+        return short_by * std::exp(-(t - born) / growth_time);
+    }
 };
 
 /// Verlet lists of pairs that may come within reach.
@@ -54,7 +60,9 @@ public:
     void start(const Points& x, const Points& v, double t, double dt,
                std::span<const std::uint8_t> is_on);
 
-    /// Does the same for cards that have become valid since: those that were keep what they know.
+    /// Does the same once a card has begun to hold for a pair of parts (Rules::choose()): its pairs
+    /// start with the gap that they have, or with the rest gap that they had by the card before. All
+    /// others keep what they know.
     void admit(const Points& x, const Points& v, double t, double dt,
                std::span<const std::uint8_t> is_on);
 
@@ -170,8 +178,7 @@ public:
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(patches_, motion_, budget_, list_, verlet_, memories_, sorted_, crossing_,
-                close_starts_, was_on_, barred_, builds_, renewals_, dead_, node_box_, own_,
-                search_);
+                close_starts_, barred_, builds_, renewals_, dead_, node_box_, own_, search_);
     }
 
 private:
@@ -235,7 +242,8 @@ private:
         return std::binary_search(merging_.owing.begin(), merging_.owing.end(), key);
     }
     void give_gentle_gaps(const std::vector<std::uint64_t>& keys, const Points& x, double t);
-    bool give_gentle_gap(std::size_t i, const Points& x, double t);
+    bool give_gentle_gap(std::size_t i, const Points& x, double t, int card_before = Rules::NONE);
+    [[nodiscard]] double rest_by(int card, std::size_t i, double t) const;
     void meet_gently(const Points& x, double t, std::span<const std::uint8_t> is_on);
 
     /// Budget of the nodes' deviation while the lists are valid.
@@ -289,7 +297,6 @@ private:
     std::size_t sorted_ = 0;             ///< memories that are in the order of their keys
     std::vector<std::uint8_t> is_used_;  ///< by memory
     std::vector<std::pair<Index, Index>> crossing_, close_starts_;
-    std::vector<std::uint8_t> was_on_;   ///< by card: its pairs have met
     std::vector<std::uint64_t> barred_;  ///< pairs of crossing triangles, ascending
     std::size_t builds_ = 0, renewals_ = 0;
 

@@ -118,7 +118,7 @@ void NarrowPhase::take(const Found& found, const Scene& scene, const ColumnColou
 /// A pair that began nearer than its thickness starts with the gap that it had.
 NarrowPhase::RestGap NarrowPhase::rest_gap(double thickness, double t, PairMemory* memory) const {
     if (memory == nullptr || memory->short_by == 0.0) return {thickness, 0.0};
-    const double missing = memory->short_by * std::exp(-(t - memory->born) / cloth_.growth_time);
+    const double missing = memory->missing(t, cloth_.growth_time);
     if (missing < 1e-6 * thickness) {
         memory->short_by = 0.0;
         return {thickness, 0.0};

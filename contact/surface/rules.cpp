@@ -10,9 +10,7 @@ namespace corpuscle::contact {
 Rules::Rules(std::vector<ContactCard> cards, std::span<const Curve> curves, std::size_t parts)
     : cards_(std::move(cards)),
       parts_(parts),
-      side_(2 * cards_.size(), std::vector<bool>(parts, false)),
-      nodes_(parts * parts, NONE),
-      edges_(parts * parts, NONE) {
+      side_(2 * cards_.size(), std::vector<bool>(parts, false)) {
     for (std::size_t c = 0; c < cards_.size(); ++c) {
         const ContactCard& card = cards_[c];
         curve_.push_back(card.thickness_curve < 0 ? Curve{} : curves[card.thickness_curve]);
@@ -20,8 +18,30 @@ Rules::Rules(std::vector<ContactCard> cards, std::span<const Curve> curves, std:
         for (const Index part : card.parts) side_[2 * c][part] = true;
         for (const Index part : is_single ? card.parts : card.other_parts)
             side_[2 * c + 1][part] = true;
-        enter(static_cast<int>(c));
     }
+    choose(std::vector<std::uint8_t>(cards_.size(), 0));
+}
+
+bool Rules::choose(std::span<const std::uint8_t> is_on) {
+    if (std::ranges::equal(is_on, is_on_) && !nodes_.now.empty()) return false;
+    for (Table* const table : {&nodes_, &edges_}) {
+        table->before = std::exchange(table->now, std::vector<int>(parts_ * parts_, NONE));
+        table->before.resize(table->now.size(), NONE);
+        for (int& card : table->before)
+            if (card != NONE && is_on_[static_cast<std::size_t>(card)] == 0) card = NONE;
+    }
+    is_on_.assign(is_on.begin(), is_on.end());
+    for (const std::uint8_t on : {1, 0})
+        for (std::size_t c = 0; c < cards_.size(); ++c)
+            if (is_on_[c] == on) enter(static_cast<int>(c));
+    const auto is_new = [this](int card, int before) {
+        return card != NONE && card != before && is_on_[static_cast<std::size_t>(card)] != 0;
+    };
+    const auto has_new = [&](const Table& table) {
+        return !std::equal(table.now.begin(), table.now.end(), table.before.begin(),
+                           [&](int card, int before) { return !is_new(card, before); });
+    };
+    return has_new(nodes_) || has_new(edges_);
 }
 
 void Rules::enter(int row) {
@@ -33,11 +53,11 @@ void Rules::enter(int row) {
     for (Index a = 0; a < parts; ++a)
         for (Index b = 0; b < parts; ++b) {
             if (!is_first(row, a, b)) continue;
-            claim(nodes_[at(a, b)]);
+            claim(nodes_.now[at(a, b)]);
             if (!is_two_way) continue;
-            claim(nodes_[at(b, a)]);
-            claim(edges_[at(a, b)]);
-            claim(edges_[at(b, a)]);
+            claim(nodes_.now[at(b, a)]);
+            claim(edges_.now[at(a, b)]);
+            claim(edges_.now[at(b, a)]);
         }
 }
 

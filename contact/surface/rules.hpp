@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -11,7 +12,9 @@
 namespace corpuscle::contact {
 
 /// The cards by pairs of parts: which pairs may touch, by which card, from which distance.
-/// Where several cards hold for a pair the first one in the deck does.
+///
+/// Of several cards that name a pair, the first in the deck's order holds that is on: within its
+/// birth and death. While none is on, the first of all stands for them and does nothing.
 class Rules {
 public:
     static constexpr int NONE = -1;  ///< row of no card
@@ -26,10 +29,18 @@ public:
         return cards_[static_cast<std::size_t>(row)];
     }
 
+    /// Says which cards are on from now on. None is at first.
+    /// @returns whether a card holds for a pair for which it did not hold before
+    bool choose(std::span<const std::uint8_t> is_on);
+
     /// Row of the card for nodes of part `a` against facets of part `b`, or NONE.
-    [[nodiscard]] int nodes_against(Index a, Index b) const { return nodes_[at(a, b)]; }
+    [[nodiscard]] int nodes_against(Index a, Index b) const { return nodes_.now[at(a, b)]; }
     /// Row of the card for edges of the two parts, or NONE.
-    [[nodiscard]] int edges_against(Index a, Index b) const { return edges_[at(a, b)]; }
+    [[nodiscard]] int edges_against(Index a, Index b) const { return edges_.now[at(a, b)]; }
+    /// Row of the card that held for such a pair until choose() changed it last, or NONE.
+    [[nodiscard]] int before(bool is_edges, Index a, Index b) const {
+        return (is_edges ? edges_ : nodes_).before[at(a, b)];
+    }
 
     /// Of two parts that touch by a card: 1: a is on its SURFA, -1: b is; 0: it is a single
     /// surface.
@@ -67,11 +78,16 @@ private:
     }
     void enter(int row);
 
+    struct Table {  ///< parts × parts: row of a card or NONE
+        std::vector<int> now, before;
+    };
+
     std::vector<ContactCard> cards_;
     std::vector<Curve> curve_;  ///< by card; empty: none
     std::size_t parts_;
     std::vector<std::vector<bool>> side_;  ///< cards × 2: parts on SURFA, on SURFB
-    std::vector<int> nodes_, edges_;       ///< parts × parts: row of a card or NONE
+    Table nodes_, edges_;
+    std::vector<std::uint8_t> is_on_;  ///< by card
 };
 
 }  // namespace corpuscle::contact

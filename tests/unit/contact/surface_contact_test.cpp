@@ -201,6 +201,40 @@ TEST_CASE("there is no contact before its birth and after its death", "[contact]
     CHECK(contact.stored_energy() == 0.0);
 }
 
+TEST_CASE("of several cards for the same parts the first that is on holds, and none kicks",
+          "[contact]") {
+    const double thicker = GENERATE(1.0, 1.5, 0.6);
+    const bool is_pressed = GENERATE(true, false);
+    SpringCloth cloth(pair_of_sheets(is_pressed ? 0.9 * H : 1.2 * H));
+    ContactCard card;
+    card.thickness = H;
+    card.death = 1.0;
+    ContactSetup setup = cloth.setup(card, cloth.x);
+    setup.cards.push_back(setup.cards[0]);
+    setup.cards[1].birth = GENERATE(0.0, 1.0, 1.2);
+    setup.cards[1].death = INF;
+    setup.cards[1].thickness = thicker * H;
+    SurfaceContact contact(setup);
+    const auto stored = [&](double t) {
+        contact.find(cloth.x, cloth.v, t, 1e-6);
+        Points v = cloth.v;
+        contact.respond(cloth.x, 1e-6, v);
+        return contact.stored_energy();
+    };
+    CHECK(stored(0.0) == 0.0);  // it starts with the gap that it has
+    const double by_first = stored(1.0);
+    CHECK((by_first > 0.0) == is_pressed);
+    const bool has_gap = setup.cards[1].birth > 1.1;
+    if (has_gap) CHECK(stored(1.1) == 0.0);
+    const double by_second = stored(1.2);
+    if (has_gap || thicker < 0.9)
+        CHECK(by_second == Approx(0.0).margin(1e-15));
+    else
+        CHECK(by_second == Approx(by_first).epsilon(1e-6).margin(1e-15));
+    CHECK((stored(2.0) > 0.0) ==
+          (thicker > 1.2 || (is_pressed && thicker == 1.0)));  // it has grown
+}
+
 TEST_CASE("held cloth is not moved, and the work it does is booked", "[contact]") {
     SpringCloth cloth(pair_of_sheets(2.0 * H));
     for (std::size_t i = 0; i < 36; ++i) {
