@@ -47,8 +47,7 @@ void Candidates::bar_all_crossing(const Points& x) {
         const Index a = cloth_.part[pair.first], b = cloth_.part[pair.second];
         const Index body = cloth_.body[cloth_.triangles[pair.first][0]];
         if (body >= 0 && body == cloth_.body[cloth_.triangles[pair.second][0]]) return true;
-        return cloth_.rules.nodes_against(a, b) == Rules::NONE &&
-               cloth_.rules.nodes_against(b, a) == Rules::NONE;
+        return !cloth_.rules.may_touch(a, b);
     });
     bar_crossing_pairs(x);
 }
@@ -57,8 +56,8 @@ void Candidates::bar_all_crossing(const Points& x) {
 void Candidates::meet_gently(const Points& x, double t, std::span<const std::uint8_t> is_on) {
     for (std::size_t i = 0; i < list_.size(); ++i) {
         const int card = list_[i].card;
-        const Index first = cloth_.part[verlet_.first[i]], second = cloth_.part[verlet_.second[i]];
-        const int before = cloth_.rules.before(list_[i].pair.is_edges, first, second);
+        const auto [p, q] = parts(i);
+        const int before = cloth_.rules.before(list_[i].pair.is_edges, p, q);
         if (card == before || !is_on[card] || !give_gentle_gap(i, x, t, before)) continue;
         close_starts_.push_back(std::minmax(verlet_.first[i], verlet_.second[i]));
     }
@@ -274,7 +273,7 @@ bool Candidates::give_gentle_gap(std::size_t i, const Points& x, double t, int c
 double Candidates::rest_by(int card, std::size_t i, double t) const {
     const Candidate& c = list_[i];
     const double missing = c.memory < 0 ? 0.0 : memories_[c.memory].missing(t, cloth_.growth_time);
-    return std::min({cloth_.gap(card, verlet_.first[i], verlet_.second[i]),
+    return std::min({cloth_.gap(card, parts(i), c.pair, verlet_.first[i], verlet_.second[i]),
                      neighbours_thickness(c.pair), cloth_.rules.most(card, t)}) -
            missing;
 }

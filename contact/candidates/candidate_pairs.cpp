@@ -26,10 +26,9 @@ void Candidates::meet_edges(Feature a, Feature b, Distances apart, const Outlook
     const Triangle &ta = cloth_.triangles[a.triangle], &tb = cloth_.triangles[b.triangle];
     const Index i = ta[a.side], j = ta[(a.side + 1) % 3];
     const Index r = tb[b.side], s = tb[(b.side + 1) % 3];
-    const int card = cloth_.rules.edges_against(cloth_.part[a.triangle], cloth_.part[b.triangle]);
     const std::uint64_t key =
         key_of(true, cloth_.edge[a.triangle][a.side], cloth_.edge[b.triangle][b.side]);
-    list({{i, j, r, s}, true}, card, key, {a.triangle, b.triangle, apart, ahead, out});
+    list({{i, j, r, s}, true}, key, {a.triangle, b.triangle, apart, ahead, out});
 }
 
 /// Lists a node and a triangle that is not its own, if a card has them touch.
@@ -37,18 +36,20 @@ void Candidates::meet_node(Feature n, Index triangle, Distances apart, const Out
                            Chunk& out) const {
     const Index node = cloth_.triangles[n.triangle][n.side];
     const Triangle& t = cloth_.triangles[triangle];
-    const int card = cloth_.rules.nodes_against(cloth_.part[n.triangle], cloth_.part[triangle]);
-    list({{node, t[0], t[1], t[2]}, false}, card, key_of(false, node, triangle),
+    list({{node, t[0], t[1], t[2]}, false}, key_of(false, node, triangle),
          {n.triangle, triangle, apart, ahead, out});
 }
 
 /// Lists a pair that may come within reach while the lists live.
-void Candidates::list(const Pair& pair, int card, std::uint64_t key,
-                      const TrianglePair& where) const {
+void Candidates::list(const Pair& pair, std::uint64_t key, const TrianglePair& where) const {
+    const auto parts = parts_of(key);
+    const auto [p, q] = parts;
+    const int card =
+        pair.is_edges ? cloth_.rules.edges_against(p, q) : cloth_.rules.nodes_against(p, q);
     if (card == Rules::NONE || cloth_.is_held(pair) ||
         std::binary_search(barred_.begin(), barred_.end(), key))
         return;
-    const double thickness = cloth_.gap(card, where.a, where.b);
+    const double thickness = cloth_.gap(card, parts, pair, where.a, where.b);
     const Outlook& ahead = where.ahead;
     double gap = where.apart.now, approach = 0.0;
     if (ahead.is_build) {
@@ -61,7 +62,7 @@ void Candidates::list(const Pair& pair, int card, std::uint64_t key,
     // only what is near, or owes, has anything to remember
     const bool may_know = ahead.is_build && (gap <= reach_ * thickness || owes(key));
     const Index memory = may_know ? find_memory(key) : -1;
-    const int side = cloth_.rules.side_of(card, cloth_.part[where.a], cloth_.part[where.b]);
+    const int side = cloth_.rules.side_of(card, p, q);
     VerletEntry watch{gap, rounded_up(reach_ * thickness), rounded_up(approach), where.a, where.b};
     watch.sum += motion_.age() * static_cast<double>(watch.approach) +
                  (motion_.displacement(where.a) + motion_.displacement(where.b));

@@ -20,13 +20,18 @@ constexpr double LEAST_LIFE = 2.0, GREATEST_LIFE = 100.0;  ///< of the lists, in
 constexpr double MOST_STRAYED = 0.02;  ///< part of the nodes that is predicted anew by itself
 constexpr double ADAPTATION = 1.25;  ///< by which budget and life change from one build to the next
 
-/// Half the gap that matters, by triangle: the greatest of all cards that hold for it.     [m]
+/// Half the gap that matters, by triangle: the greatest of all cards that hold for it or for what it
+/// has on a border.                                                                        [m]
 std::vector<double> margins(const Cloth& cloth, double reach) {
     std::vector<double> margin(cloth.triangles.size(), 0.0);
     for (std::size_t c = 0; c < cloth.thickness.size(); ++c)
         for (std::size_t t = 0; t < margin.size(); ++t)
             if (cloth.rules.concerns(static_cast<int>(c), cloth.part[t]))
                 margin[t] = std::max(margin[t], 0.5 * reach * cloth.thickness[c][t]);
+    for (std::size_t t = 0; t < margin.size(); ++t)
+        for (const Index n : cloth.triangles[t])
+            if (cloth.rules.is_combined(cloth.node_part[n]))
+                margin[t] = std::max(margin[t], 0.5 * reach * cloth.node_thickness[n]);
     return margin;
 }
 

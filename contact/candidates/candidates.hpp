@@ -96,6 +96,10 @@ public:
         __builtin_prefetch(&memories_[row].step);
     }
 
+    /// Parts by which the two sides of pair i touch.
+    [[nodiscard]] std::pair<Index, Index> parts(std::size_t i) const {
+        return parts_of(list_[i].key);
+    }
     /// Row of the card by which pair i touches.
     [[nodiscard]] int card(std::size_t i) const { return list_[i].card; }
 
@@ -229,7 +233,13 @@ private:
     void meet_edges(Feature a, Feature b, Distances apart, const Outlook& ahead, Chunk& out) const;
     void meet_node(Feature n, Index triangle, Distances apart, const Outlook& ahead,
                    Chunk& out) const;
-    void list(const Pair& pair, int card, std::uint64_t key, const TrianglePair& where) const;
+    [[nodiscard]] std::pair<Index, Index> parts_of(std::uint64_t key) const {
+        const auto first = static_cast<Index>(key >> 32 & 0x7FFFFFFFU),
+                   second = static_cast<Index>(key & 0xFFFFFFFFU);
+        return key >> 63 != 0 ? std::pair(cloth_.edge_part[first], cloth_.edge_part[second])
+                              : std::pair(cloth_.node_part[first], cloth_.part[second]);
+    }
+    void list(const Pair& pair, std::uint64_t key, const TrianglePair& where) const;
     [[nodiscard]] double closing_rate(const Pair& pair, const Vec3& apart, double gap,
                                       const Points& x, double time) const;
     [[nodiscard]] double neighbours_thickness(const Pair& pair) const;

@@ -49,7 +49,10 @@ PatchPairs::PatchPairs(const Cloth& cloth, std::span<const double> margin)
     };
     for (std::size_t p = 0; p < margin_.size(); ++p) {
         const auto triangles = cloth.patches[p];
-        part_.push_back(common_of(triangles, [&](Index t) { return cloth.part[t]; }));
+        const auto part_of = [&](Index t) {
+            return cloth.is_on_border(t) ? SEVERAL : cloth.part[t];
+        };
+        part_.push_back(common_of(triangles, part_of));
         body_.push_back(common_of(triangles, body_of));
     }
 }
@@ -116,10 +119,7 @@ void PatchPairs::drop_apart(const Points& x) {
 bool PatchPairs::may_touch(Index p, Index q) const {
     if (body_[p] != SEVERAL && body_[p] == body_[q]) return false;
     const Index a = part_[p], b = part_[q];
-    if (a == SEVERAL || b == SEVERAL) return true;
-    const Rules& rules = cloth_.rules;
-    return rules.nodes_against(a, b) != Rules::NONE || rules.nodes_against(b, a) != Rules::NONE ||
-           rules.edges_against(a, b) != Rules::NONE;
+    return a == SEVERAL || b == SEVERAL || cloth_.rules.may_touch(a, b);
 }
 
 /// Whether a plane lies between two patches and their rooms: corners of boxes overlap though what

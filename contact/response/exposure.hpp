@@ -15,13 +15,15 @@ namespace corpuscle::contact {
 ///
 ///     1 where the greatest n · u <= 0, 0 from 0.02 on, linear between
 ///
-/// of the pressure. A node facing a triangle's inside has 1.
+/// of the pressure. A node facing a triangle's inside has 1. Cloth beside a place counts only if a
+/// card that is on has it touch the other place.
 ///
 /// Source: the Voronoi regions of a surface's faces, edges and nodes [Ericson 2005, 5.1.5], softened.
-/// @param x    node positions, N × 3                                                     [m]
-/// @param gap  between the places, above 0                                                [m]
+/// @param parts  by which the places touch
+/// @param x      node positions, N × 3                                                   [m]
+/// @param gap    between the places, above 0                                              [m]
 /// @returns 0 to 1                                                                        [-]
-[[nodiscard]] double exposure(const Cloth& cloth, const Points& x, const Pair& pair,
-                              const Nearest& places, double gap);
+[[nodiscard]] double exposure(const Cloth& cloth, std::pair<Index, Index> parts, const Points& x,
+                              const Pair& pair, const Nearest& places, double gap);
 
 }  // namespace corpuscle::contact

@@ -61,7 +61,8 @@ void ImplicitResponse::take_up(double dt, ContactList& contacts, const ColumnCol
             if (!owes && left >= near.rest) continue;
             const double exposed = near.gap < near.rest
                                        ? 0.0
-                                       : exposure(cloth_, motion.x(), pair, near.places, near.gap);
+                                       : exposure(cloth_, pairs.parts(near.pair), motion.x(), pair,
+                                                  near.places, near.gap);
             if (exposed == 0.0 && left >= least_gap(near.gap, near.rest, opening(dt, near.rest)))
                 continue;
             const Contact found =

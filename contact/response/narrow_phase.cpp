@@ -104,7 +104,7 @@ void NarrowPhase::take(const Found& found, const Scene& scene, const ColumnColou
     PairMemory* const memory = pairs.memory(row);
     const RestGap rest = rest_gap(thickness, scene.t, memory);
     const double exposed =
-        gap < rest.now ? exposure(cloth_, scene.x, pairs[row], places, gap) : 0.0;
+        gap < rest.now ? exposure(cloth_, pairs.parts(row), scene.x, pairs[row], places, gap) : 0.0;
     const NearPair near{pairs[row], pairs.memory_row(row), card,  pairs.side(row), row, gap,
                         rest.now,   pairs.modulus(row),    places};
     if (exposed == 0.0) return contacts.near(chunk).push_back(near);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "solver/base/error.hpp"
@@ -93,6 +94,31 @@ void find_owners(Cloth& cloth) {
             if (is_new) cloth.owned[t] |= 8U << k;
         }
     }
+    cloth.edge_part.assign(name.size(), -1);
+}
+
+/// Fills `node_part` and `edge_part`.
+void find_parts(Cloth& cloth) {
+    std::map<std::set<Index>, Index> combined;
+    const auto find = [&](std::vector<Index>& part_of, auto&& row_of) {
+        std::map<Index, std::set<Index>> several;  // of those on borders
+        for (std::size_t t = 0; t < cloth.triangles.size(); ++t)
+            for (std::size_t k = 0; k < 3; ++k) {
+                Index& part = part_of[row_of(t, k)];
+                if (part < 0) part = cloth.part[t];
+                if (!cloth.rules.are_alike(part, cloth.part[t]))
+                    several[row_of(t, k)].insert({part, cloth.part[t]});
+            }
+        for (const auto& [row, parts] : several) {
+            const auto [known, is_new] = combined.emplace(parts, -1);
+            if (is_new) known->second = cloth.rules.combine(parts);
+            part_of[row] = known->second;
+        }
+    };
+    cloth.node_part.assign(cloth.inverse_mass.size(), -1);
+    find(cloth.node_part, [&](std::size_t t, std::size_t k) { return cloth.triangles[t][k]; });
+    find(cloth.edge_part, [&](std::size_t t, std::size_t k) { return cloth.edge[t][k]; });
+    cloth.rules.choose(std::vector<std::uint8_t>(cloth.rules.cards().size(), 0));
 }
 
 /// Nodes that share an edge with each node, and all that are nearer along edges than `reach`.
@@ -211,11 +237,29 @@ Cloth::Cloth(const ContactSetup& setup)
                 node_thickness[n] = std::max(node_thickness[n], thickness[c][t]);
         }
     find_owners(*this);
+    find_parts(*this);
     find_near_nodes(2.0 * greatest_thickness, *this);
     list_triangles_of_nodes(*this);
     find_star_heights(*this);
     list_nodes(*this);
     list_body_nodes(*this);
+}
+
+double Cloth::gap(int card, std::pair<Index, Index> parts, const Pair& pair, Index a,
+                  Index b) const {
+    const auto& of = thickness[static_cast<std::size_t>(card)];
+    const bool is_turned = rules.side_of(card, parts.first, parts.second) < 0;
+    const auto side = [&](int surface, Index owner, Index from, Index to) {
+        if (rules.is_on_side(card, surface, part[owner])) return of[owner];
+        for (const Index t : triangles_of(from))
+            if (std::ranges::count(triangles[t], to) > 0 &&
+                rules.is_on_side(card, surface, part[t]))
+                return of[t];
+        return of[owner];
+    };
+    const auto& n = pair.node;
+    return 0.5 * (side(is_turned ? 1 : 0, a, n[0], n[pair.is_edges ? 1 : 0]) +
+                  side(is_turned ? 0 : 1, b, n[2], n[3]));
 }
 
 bool Cloth::is_held(const Pair& pair) const {

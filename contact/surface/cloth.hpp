@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "contact/geometry/distance.hpp"
@@ -57,6 +58,10 @@ struct Cloth {
     /// them is met once. Bits 0-2: node k is this triangle's; bits 3-5: edge k -> k + 1 is.
     std::vector<std::uint8_t> owned;
     std::vector<std::array<Index, 3>> edge;  ///< by triangle: names of its edges k -> k + 1
+    /// Parts that nodes and edges touch by (rules.hpp): that of all their triangles, or, where cards
+    /// tell these apart, a combined one.
+    std::vector<Index> node_part,  ///< by node row; -1: of no triangle
+        edge_part;                 ///< by name
 
     Patches patches;           ///< of the triangles, each compact along the cloth
     std::vector<Index> nodes;  ///< that triangles have, ascending
@@ -107,10 +112,17 @@ struct Cloth {
         return body_start.size() > 1 && std::any_of(pair.node.begin(), pair.node.end(),
                                                     [&](Index n) { return body[n] >= 0; });
     }
-    /// Contact thickness between two triangles by a card.                                  [m]
-    [[nodiscard]] double gap(int card, Index a, Index b) const {
-        const auto& of = thickness[static_cast<std::size_t>(card)];
-        return 0.5 * (of[a] + of[b]);
+    /// Contact thickness between the two sides of a pair by a card; that of a node or an edge is
+    /// that of the first of its triangles which is on the card's side.                      [m]
+    /// @param parts  by which the sides touch
+    /// @param a, b   triangles that own them
+    [[nodiscard]] double gap(int card, std::pair<Index, Index> parts, const Pair& pair, Index a,
+                             Index b) const;
+    /// Whether one of its nodes is of a combined part.
+    [[nodiscard]] bool is_on_border(Index triangle) const {
+        const Triangle& t = triangles[triangle];
+        return std::any_of(t.begin(), t.end(),
+                           [&](Index n) { return rules.is_combined(node_part[n]); });
     }
     /// Whether `other` has an edge in common with the node, or with one that is nearer to it along
     /// edges of the reference shape than twice the greatest contact thickness.

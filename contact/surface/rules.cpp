@@ -9,6 +9,7 @@ namespace corpuscle::contact {
 
 Rules::Rules(std::vector<ContactCard> cards, std::span<const Curve> curves, std::size_t parts)
     : cards_(std::move(cards)),
+      scene_parts_(static_cast<Index>(parts)),
       parts_(parts),
       side_(2 * cards_.size(), std::vector<bool>(parts, false)) {
     for (std::size_t c = 0; c < cards_.size(); ++c) {
@@ -19,7 +20,17 @@ Rules::Rules(std::vector<ContactCard> cards, std::span<const Curve> curves, std:
         for (const Index part : is_single ? card.parts : card.other_parts)
             side_[2 * c + 1][part] = true;
     }
-    choose(std::vector<std::uint8_t>(cards_.size(), 0));
+}
+
+Index Rules::combine(const std::set<Index>& parts) {
+    for (std::vector<bool>& side : side_)
+        side.push_back(std::ranges::any_of(parts, [&](Index part) { return side[part]; }));
+    return static_cast<Index>(parts_++);
+}
+
+bool Rules::are_alike(Index a, Index b) const {
+    return std::ranges::all_of(side_,
+                               [&](const std::vector<bool>& side) { return side[a] == side[b]; });
 }
 
 bool Rules::choose(std::span<const std::uint8_t> is_on) {
@@ -28,18 +39,16 @@ bool Rules::choose(std::span<const std::uint8_t> is_on) {
         table->before = std::exchange(table->now, std::vector<int>(parts_ * parts_, NONE));
         table->before.resize(table->now.size(), NONE);
         for (int& card : table->before)
-            if (card != NONE && is_on_[static_cast<std::size_t>(card)] == 0) card = NONE;
+            if (!holds(card)) card = NONE;
     }
     is_on_.assign(is_on.begin(), is_on.end());
     for (const std::uint8_t on : {1, 0})
         for (std::size_t c = 0; c < cards_.size(); ++c)
             if (is_on_[c] == on) enter(static_cast<int>(c));
-    const auto is_new = [this](int card, int before) {
-        return card != NONE && card != before && is_on_[static_cast<std::size_t>(card)] != 0;
-    };
-    const auto has_new = [&](const Table& table) {
-        return !std::equal(table.now.begin(), table.now.end(), table.before.begin(),
-                           [&](int card, int before) { return !is_new(card, before); });
+    const auto has_new = [this](const Table& table) {
+        return !std::ranges::equal(table.now, table.before, [this](int card, int before) {
+            return card == before || !holds(card);
+        });
     };
     return has_new(nodes_) || has_new(edges_);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -15,11 +16,15 @@ namespace corpuscle::contact {
 ///
 /// Of several cards that name a pair, the first in the deck's order holds that is on: within its
 /// birth and death. While none is on, the first of all stands for them and does nothing.
+///
+/// Rows of parts are the scene's, and behind them combined ones: that of a node or an edge on the
+/// border of parts, which touches by any of them.
 class Rules {
 public:
     static constexpr int NONE = -1;  ///< row of no card
 
     /// @param parts  in the scene
+    /// To be completed by combine() and choose().
     Rules(std::vector<ContactCard> cards, std::span<const Curve> curves, std::size_t parts);
 
     /// By row, in the deck's order.
@@ -29,7 +34,17 @@ public:
         return cards_[static_cast<std::size_t>(row)];
     }
 
-    /// Says which cards are on from now on. None is at first.
+    /// Row of a combined part; to be called before choose().
+    /// @param parts  what it is of
+    Index combine(const std::set<Index>& parts);
+    /// Whether the same cards have two parts on the same sides.
+    [[nodiscard]] bool are_alike(Index a, Index b) const;
+    /// Whether the row is that of a combined part.
+    [[nodiscard]] bool is_combined(Index part) const { return part >= scene_parts_; }
+    /// Whether there are any.
+    [[nodiscard]] bool has_combined() const { return is_combined(static_cast<Index>(parts_) - 1); }
+
+    /// Says which cards are on from now on.
     /// @returns whether a card holds for a pair for which it did not hold before
     bool choose(std::span<const std::uint8_t> is_on);
 
@@ -40,6 +55,17 @@ public:
     /// Row of the card that held for such a pair until choose() changed it last, or NONE.
     [[nodiscard]] int before(bool is_edges, Index a, Index b) const {
         return (is_edges ? edges_ : nodes_).before[at(a, b)];
+    }
+
+    /// Whether there is a card for two parts, which need not be on.
+    [[nodiscard]] bool may_touch(Index a, Index b) const {
+        return nodes_against(a, b) != NONE || nodes_against(b, a) != NONE ||
+               edges_against(a, b) != NONE;
+    }
+    /// Whether there is one that is on.
+    [[nodiscard]] bool touch(Index a, Index b) const {
+        return holds(nodes_against(a, b)) || holds(nodes_against(b, a)) ||
+               holds(edges_against(a, b));
     }
 
     /// Of two parts that touch by a card: 1: a is on its SURFA, -1: b is; 0: it is a single
@@ -65,12 +91,17 @@ public:
         return t >= this->card(card).birth && t <= this->card(card).death;
     }
 
+    /// Whether the card has the part on its SURFA (side 0) or SURFB (1); a single surface on both.
+    [[nodiscard]] bool is_on_side(int card, int side, Index part) const {
+        return side_[static_cast<std::size_t>(2 * card + side)][static_cast<std::size_t>(part)];
+    }
+
 private:
     [[nodiscard]] std::size_t at(Index a, Index b) const {
         return static_cast<std::size_t>(a) * parts_ + static_cast<std::size_t>(b);
     }
-    [[nodiscard]] bool is_on_side(int card, int side, Index part) const {
-        return side_[static_cast<std::size_t>(2 * card + side)][static_cast<std::size_t>(part)];
+    [[nodiscard]] bool holds(int card) const {
+        return card != NONE && is_on_[static_cast<std::size_t>(card)] != 0;
     }
     /// Is part `a` on the card's SURFA, and b on its SURFB?
     [[nodiscard]] bool is_first(int card, Index a, Index b) const {
@@ -84,7 +115,8 @@ private:
 
     std::vector<ContactCard> cards_;
     std::vector<Curve> curve_;  ///< by card; empty: none
-    std::size_t parts_;
+    Index scene_parts_;
+    std::size_t parts_;                    ///< with the combined ones
     std::vector<std::vector<bool>> side_;  ///< cards × 2: parts on SURFA, on SURFB
     Table nodes_, edges_;
     std::vector<std::uint8_t> is_on_;  ///< by card

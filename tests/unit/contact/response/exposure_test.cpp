@@ -26,7 +26,7 @@ struct Needle {
         const Triangle& t = cloth.triangles[triangle];
         const Pair pair{{TIP, t[0], t[1], t[2]}, false};
         const Nearest places = nearest(pair, sheet.x);
-        return exposure(cloth, sheet.x, pair, places, places.apart.norm());
+        return exposure(cloth, {0, 0}, sheet.x, pair, places, places.apart.norm());
     }
 };
 
@@ -57,7 +57,7 @@ TEST_CASE("edges beside each other in two sheets hide behind the sheets", "[cont
     const auto of = [&](Index a, Index b, Index c, Index d) {
         const Pair pair{{a, b, c, d}, true};
         const Nearest places = nearest(pair, both.x);
-        return exposure(cloth, both.x, pair, places, places.apart.norm());
+        return exposure(cloth, {0, 0}, both.x, pair, places, places.apart.norm());
     };
     CHECK(of(6, 7, 25 + 6, 25 + 7) == 0.0);                       // side by side
     CHECK(of(6, 7, 25 + 1, 25 + 6) == Approx(1.0).margin(1e-9));  // across
