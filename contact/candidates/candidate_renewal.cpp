@@ -28,12 +28,16 @@ void Candidates::renew(const Points& x) {
     for (const Index t : renewal_.renewed) renewal_.is_renewed[t] = 0;
 }
 
+/// Those of the patches that are searched: no others are in any pair.
 void Candidates::find_renewed_triangles() {
+    const std::vector<Index>& searched = patches_.pieces().triangles;
     renewal_.is_renewed.resize(cloth_.triangles.size(), 0);
     renewal_.renewed.clear();
     for (const Index n : renewal_.strayed)
         for (const Index t : cloth_.triangles_of(n)) {
-            if (renewal_.is_renewed[t]) continue;
+            if (renewal_.is_renewed[t] ||
+                !std::binary_search(searched.begin(), searched.end(), t))
+                continue;
             renewal_.is_renewed[t] = 1;
             renewal_.renewed.push_back(t);
         }

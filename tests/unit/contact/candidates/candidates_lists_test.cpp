@@ -3,9 +3,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <random>
 #include <set>
 #include "contact/candidates/candidates.hpp"
+#include "solver/base/archive.hpp"
 #include "tests/support/geometry/brute_force.hpp"
 #include "tests/support/scenes/spring_cloth.hpp"
 
@@ -30,4 +32,54 @@ TEST_CASE("cloth that flies without changing builds its lists once", "[contact]"
     std::size_t due = 0;
     pairs.for_each_due(0, pairs.size(), [&](std::size_t) { ++due; });
     CHECK(due == 0);
+}
+
+TEST_CASE("lists that are restarted in any step are renewed alike", "[contact][restart]") {
+    constexpr double DT = 1e-5;
+    support::Sheet sheet = support::square_sheet(30, 0.3);  // most of it lies open
+    sheet.append(support::square_sheet(6, 0.06), {0.031, 0.022, 4e-3});
+    const Cloth fixed = support::cloth_of(sheet);
+    const auto place = [&](double t) {  // nodes round the small sheet dash off one after the other
+        Points x = sheet.x;
+        for (std::size_t k = 0; k < 35; ++k) {
+            const std::size_t node = 31 * (1 + 11 * k % 13) + 2 + 7 * k % 13;
+            const double a = std::clamp(0.1 * (t / DT - 6.0 * static_cast<double>(k)), 0.0, 1.0);
+            x[node] += a * Vec3(6e-3, 0.0, 3e-3);
+        }
+        return x;
+    };
+    const auto state_of = [](Candidates& pairs) {
+        StateWriter state;
+        state(pairs);
+        return state.take();
+    };
+    const auto told = [](const Candidates& pairs) {
+        std::vector<std::size_t> all{pairs.builds(), pairs.renewals(), pairs.pairs()};
+        for (std::size_t i = 0; i < pairs.size(); ++i)
+            all.insert(all.end(), pairs[i].node.begin(), pairs[i].node.end());
+        pairs.for_each_due(0, pairs.size(), [&](std::size_t i) { all.push_back(i); });
+        pairs.for_each_meeting(0, pairs.size(), [&](std::size_t i) { all.push_back(i); });
+        return all;
+    };
+    Candidates whole(fixed, 1.5);
+    auto broken = std::make_unique<Candidates>(fixed, 1.5);
+    for (int n = 0; n < 200; ++n) {
+        const double t = n * DT;
+        const Points x = place(t), v = support::velocity_between(x, place(t + DT), DT);
+        for (Candidates* const pairs : {&whole, broken.get()}) {
+            if (n == 0)
+                pairs->start(x, v, t, DT, std::vector<std::uint8_t>{1});
+            else
+                pairs->follow(x, t, DT);
+            pairs->foresee(x, v, t, DT);
+        }
+        CAPTURE(n, whole.builds(), whole.renewals());
+        REQUIRE((told(*broken) == told(whole)));
+        const std::vector<char> state = state_of(*broken);
+        broken = std::make_unique<Candidates>(fixed, 1.5);
+        StateReader reader(state);
+        reader(*broken);
+    }
+    CHECK(whole.renewals() > 5);
+    CHECK(whole.searched() < sheet.triangles.size());
 }
