@@ -90,10 +90,10 @@ void SurfaceContact::find(const Points& x, const Points& v, double t, double dt,
     }
     if (!s.is_started) {
         s.is_started = true;
-        s.pairs.start(x, v, t, dt, s.is_on);
+        s.pairs.start(x, v, t, dt);
     } else {
         s.pairs.follow(x, t, dt);
-        if (is_other) s.pairs.admit(x, v, t, dt, s.is_on);
+        if (is_other) s.pairs.admit(x, v, t, dt);
     }
     s.counts.close_starts = s.pairs.close_starts().size();
     if (s.pairs.size() > 0) {

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <limits>
 
 #include "solver/base/simd.hpp"
 
@@ -12,25 +14,37 @@ namespace corpuscle::contact {
 struct Bounds {
     std::array<float, 3> low, high;
 
-    [[nodiscard]] bool overlaps(const Bounds& other) const {
-        bool is = true;
-        for (int k = 0; k < 3; ++k) is &= low[k] <= other.high[k] && other.low[k] <= high[k];
-        return is;
+    void include(const Bounds& other) {
+        for (int k = 0; k < 3; ++k) {
+            low[k] = std::min(low[k], other.low[k]);
+            high[k] = std::max(high[k], other.high[k]);
+        }
     }
-    void include(const Bounds& other);
 };
 
 /// Eight boxes.                                                                             [m]
 struct EightBounds {
     EightPoints low, high;
 
-    EightBounds();  ///< overlap with nothing
-    void set(int lane, const Bounds& box);
+    EightBounds() {  ///< overlap with nothing
+        low.fill(all_eight(std::numeric_limits<float>::infinity()));
+        high.fill(all_eight(-std::numeric_limits<float>::infinity()));
+    }
+    void set(int lane, const Bounds& box) {
+        for (int k = 0; k < 3; ++k) {
+            low[k][lane] = box.low[k];
+            high[k][lane] = box.high[k];
+        }
+    }
     [[nodiscard]] Bounds operator[](int lane) const {
         return {{low[0][lane], low[1][lane], low[2][lane]},
                 {high[0][lane], high[1][lane], high[2][lane]}};
     }
-    [[nodiscard]] Bounds all() const;
+    [[nodiscard]] Bounds all() const {
+        Bounds out = (*this)[0];
+        for (int lane = 1; lane < EIGHT; ++lane) out.include((*this)[lane]);
+        return out;
+    }
 
     /// Bit l: box l overlaps with the other.
     [[nodiscard]] unsigned overlapping(const Bounds& other) const {

@@ -20,10 +20,6 @@ using Node = fcl::detail::NodeBase<fcl::AABBd>;
 /// Updates between two buildings of a tree: refitting takes less time, but its nodes come to overlap.
 constexpr int REFITS = 16;
 
-Index row_of(const Node& leaf) {
-    return static_cast<Index>(reinterpret_cast<std::intptr_t>(leaf.data));
-}
-
 fcl::AABBd aabb(const Box& box) {
     fcl::AABBd out;
     out.min_ = box.low;
@@ -93,7 +89,7 @@ void BroadPhase::Tree::find(const fcl::AABBd& box, std::vector<Index>& out) cons
         left.pop_back();
         if (!node.bv.overlap(box)) continue;
         if (node.isLeaf())
-            out.push_back(row_of(node));
+            out.push_back(static_cast<Index>(reinterpret_cast<std::intptr_t>(node.data)));
         else
             left.insert(left.end(), {node.children[0], node.children[1]});
     }
@@ -106,20 +102,16 @@ void BroadPhase::overlapping(const Box& box, std::vector<Index>& out) const {
     std::sort(out.begin(), out.end());
 }
 
-void BroadPhase::pairs(const BroadPhase& other, Pairs& out) const {
+void BroadPhase::self_pairs(Pairs& out) const {
     out.clear();
     std::vector<Index> found;
-    for (std::size_t i = 0; i < tree_->leaf.size() && !other.tree_->leaf.empty(); ++i) {
+    for (std::size_t i = 0; i < tree_->leaf.size(); ++i) {
         found.clear();
-        other.tree_->find(tree_->leaf[i]->bv, found);
-        for (const Index j : found) out.emplace_back(static_cast<Index>(i), j);
+        tree_->find(tree_->leaf[i]->bv, found);
+        for (const Index j : found)
+            if (const auto first = static_cast<Index>(i); first < j) out.emplace_back(first, j);
     }
     std::sort(out.begin(), out.end());
-}
-
-void BroadPhase::self_pairs(Pairs& out) const {
-    pairs(*this, out);
-    std::erase_if(out, [](const auto& pair) { return pair.first >= pair.second; });
 }
 
 }  // namespace corpuscle::contact

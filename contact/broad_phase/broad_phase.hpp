@@ -27,16 +27,12 @@ public:
     BroadPhase& operator=(BroadPhase&&) noexcept;
 
     /// Takes new boxes, any number of them.
-    /// @throws std::invalid_argument for a box that is not finite or is inside out: FCL would let a
-    /// NaN
-    ///         overlap everything
+    /// @throws std::invalid_argument for a box that is not finite (FCL would let a NaN overlap
+    ///         everything) or is inside out
     void update(std::span<const Box> boxes);
 
     /// Overlapping pairs i < j among the boxes, sorted.
     void self_pairs(std::vector<std::pair<Index, Index>>& out) const;
-
-    /// Overlapping pairs (mine, theirs), sorted.
-    void pairs(const BroadPhase& other, std::vector<std::pair<Index, Index>>& out) const;
 
     /// Boxes that another one overlaps, ascending. Any number of threads may ask.
     void overlapping(const Box& box, std::vector<Index>& out) const;

@@ -24,7 +24,7 @@ struct Heap {
     /// Whether the centroid of a lies on b.
     [[nodiscard]] bool lies_on(Index a, Index b) const {
         const Vec3 centroid = (corner(a, 0) + corner(a, 1) + corner(a, 2)) / 3.0;
-        const Vec3 w = foot_on_triangle(centroid, corner(b, 0), corner(b, 1), corner(b, 2)).weights;
+        const Vec3 w = foot_on_triangle(centroid, corner(b, 0), corner(b, 1), corner(b, 2));
         const Vec3 foot = w[0] * corner(b, 0) + w[1] * corner(b, 1) + w[2] * corner(b, 2);
         return (centroid - foot).norm() <= near;
     }
@@ -35,12 +35,7 @@ struct Heap {
 Points lifts_of_coinciding(std::span<const Triangle> triangles, std::span<const Vec3> x,
                            double lift) {
     const Patches patches = make_patches(x, triangles);
-    std::vector<Box> boxes;
-    boxes.reserve(triangles.size());
-    for (const Triangle& t : triangles) boxes.push_back(triangle_box(t, x, x, lift));
-    TrianglePairs near(patches);
-    near.update(boxes);
-
+    const TrianglePairs near(patches, triangles, x, lift);
     const Heap heap{triangles, x, AT_ONE_PLACE * lift};
     Points sum;
     std::vector<double> count;

@@ -12,12 +12,7 @@ namespace corpuscle::contact {
 
 std::vector<std::pair<Index, Index>> crossings(std::span<const Triangle> triangles,
                                                const Patches& patches, std::span<const Vec3> x) {
-    std::vector<Box> boxes;
-    boxes.reserve(triangles.size());
-    for (const Triangle& t : triangles) boxes.push_back(triangle_box(t, x, x, 0.0));
-    TrianglePairs near(patches);
-    near.update(boxes);
-
+    const TrianglePairs near(patches, triangles, x, 0.0);
     constexpr std::size_t CHUNK = 16;  // patch pairs
     const auto pairs = near.patch_pairs();
     const auto search = [&](std::size_t i, auto&& take) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "contact/broad_phase/triangle_pairs.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -19,36 +20,26 @@ float above(double x) {
 
 }  // namespace
 
-TrianglePairs::TrianglePairs(const Patches& patches)
-    : patches_(patches), patch_box_(patches.size()), patch_bounds_(patches.size()) {
-    for (auto& side : low_) side.resize(patches.triangle.size());
-    for (auto& side : high_) side.resize(patches.triangle.size());
-}
-
-void TrianglePairs::set_bounds(Index i, const Box& box) {
-    for (int k = 0; k < 3; ++k) {
-        low_[k][i] = below(box.low[k]);
-        high_[k][i] = above(box.high[k]);
-    }
-}
-
-void TrianglePairs::update(std::span<const Box> triangle_boxes) {
-    for (std::size_t p = 0; p < patches_.size(); ++p) {
-        Box& all = patch_box_[p];
-        all = Box{};
-        for (Index i = patches_.start[p]; i < patches_.start[p + 1]; ++i) {
-            const Box& box = triangle_boxes[patches_.triangle[i]];
-            all.include(box);
-            set_bounds(i, box);
-        }
-        for (int k = 0; k < 3; ++k) {
-            patch_bounds_[p].low[k] = below(all.low[k]);
-            patch_bounds_[p].high[k] = above(all.high[k]);
+TrianglePairs::TrianglePairs(const Patches& patches, std::span<const Triangle> triangles,
+                             std::span<const Vec3> x, double margin)
+    : patches_(patches), bounds_(patches.size()) {
+    std::vector<Box> patch_box(patches.size());
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+        const auto rows = patches[p];
+        bounds_[p].resize((rows.size() + EIGHT - 1) / EIGHT);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const Box box = triangle_box(triangles[rows[i]], x, x, margin);
+            const auto& [low, high] = box;
+            patch_box[p].include(box);
+            bounds_[p][i / EIGHT].set(static_cast<int>(i % EIGHT),
+                                      {{below(low[0]), below(low[1]), below(low[2])},
+                                       {above(high[0]), above(high[1]), above(high[2])}});
         }
     }
-    tree_.update(patch_box_);
-    tree_.self_pairs(pairs_);
-    for (std::size_t p = 0; p < patches_.size(); ++p)
+    BroadPhase tree;
+    tree.update(patch_box);
+    tree.self_pairs(pairs_);
+    for (std::size_t p = 0; p < patches.size(); ++p)
         pairs_.emplace_back(static_cast<Index>(p), static_cast<Index>(p));
     std::sort(pairs_.begin(), pairs_.end());
 }

@@ -13,26 +13,21 @@ std::array<float, 3> single(const Vec3& p, const Vec3& origin) {
             static_cast<float>(p.z() - origin.z())};
 }
 
-}  // namespace
-
-template <int CORNERS>
-struct Blocks<CORNERS>::Item {
+/// A node, an edge or a triangle that goes into a block.
+struct BlockItem {
     Index triangle, side;
     Vec3 middle;  ///< in the reference shape                                               [m]
 };
 
-namespace {
-
 /// Brings what lies close together next to each other, eight by eight: cuts across the longest
 /// extent, at a multiple of eight.
-template <class Item>
-void bring_together(std::span<Item> items) {
+void bring_together(std::span<BlockItem> items) {
     if (items.size() <= EIGHT) return;
     Box all;
-    for (const Item& item : items) all.include(item.middle);
+    for (const BlockItem& item : items) all.include(item.middle);
     Index axis = 0;
     (all.high - all.low).maxCoeff(&axis);
-    std::sort(items.begin(), items.end(), [axis](const Item& a, const Item& b) {
+    std::sort(items.begin(), items.end(), [axis](const BlockItem& a, const BlockItem& b) {
         if (a.middle[axis] != b.middle[axis]) return a.middle[axis] < b.middle[axis];
         return std::pair(a.triangle, a.side) < std::pair(b.triangle, b.side);
     });
@@ -47,7 +42,7 @@ template <int CORNERS>
 Blocks<CORNERS>::Blocks(const Cloth& cloth)
     : start_{0}, group_start_{0}, place_(3 * cloth.triangles.size()) {
     constexpr Index SIDES = CORNERS == 3 ? 1 : 3;
-    std::vector<Item> items;
+    std::vector<BlockItem> items;
     for (std::size_t p = 0; p < cloth.patches.size(); ++p) {
         items.clear();
         for (const Index t : cloth.patches[p])
@@ -59,7 +54,7 @@ Blocks<CORNERS>::Blocks(const Cloth& cloth)
                     middle += cloth.reference_x[cloth.triangles[t][(side + c) % 3]] / CORNERS;
                 items.push_back({t, side, middle});
             }
-        bring_together(std::span(items));
+        bring_together(items);
         for (std::size_t i = 0; i < items.size(); ++i) {
             const int lane = static_cast<int>(i % EIGHT);
             if (lane == 0) {

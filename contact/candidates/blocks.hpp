@@ -79,7 +79,6 @@ public:
     }
 
 private:
-    struct Item;
     void place(PackedBlock& block, const Outline& outline) const;
     void bound(Index block, const Outline& outline);
     void set_patch(std::size_t patch, const Bounds& box) {

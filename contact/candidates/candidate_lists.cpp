@@ -10,6 +10,7 @@
 #include "contact/candidates/candidates.hpp"
 #include "contact/geometry/orientation.hpp"
 #include "solver/base/parallel.hpp"
+#include "solver/base/sorted.hpp"
 
 namespace corpuscle::contact {
 namespace {
@@ -25,19 +26,17 @@ constexpr std::size_t ROUND = 512;
 
 }  // namespace
 
-void Candidates::start(const Points& x, const Points& v, double t, double dt,
-                       std::span<const std::uint8_t> is_on) {
+void Candidates::start(const Points& x, const Points& v, double t, double dt) {
     motion_.start(x, t);
-    admit(x, v, t, dt, is_on);
+    admit(x, v, t, dt);
 }
 
-void Candidates::admit(const Points& x, const Points& v, double t, double dt,
-                       std::span<const std::uint8_t> is_on) {
+void Candidates::admit(const Points& x, const Points& v, double t, double dt) {
     patches_.start(x);
     patches_.foresee(v, dt);
     bar_all_crossing(x);
     build(x, v, t, dt);
-    meet_gently(x, t, is_on);
+    meet_gently(x, t);
 }
 
 /// Crossing triangles are nobody's contact, whichever card finds them first.
@@ -53,17 +52,16 @@ void Candidates::bar_all_crossing(const Points& x) {
 }
 
 /// Pairs for which a card has just begun to hold start with the gap, or the rest gap, that they have.
-void Candidates::meet_gently(const Points& x, double t, std::span<const std::uint8_t> is_on) {
+void Candidates::meet_gently(const Points& x, double t) {
     for (std::size_t i = 0; i < list_.size(); ++i) {
         const int card = list_[i].card;
         const auto [p, q] = parts(i);
         const int before = cloth_.rules.before(list_[i].pair.is_edges, p, q);
-        if (card == before || !is_on[card] || !give_gentle_gap(i, x, t, before)) continue;
+        if (card == before || !cloth_.rules.holds(card) || !give_gentle_gap(i, x, t, before))
+            continue;
         close_starts_.push_back(std::minmax(verlet_.first[i], verlet_.second[i]));
     }
-    std::sort(close_starts_.begin(), close_starts_.end());
-    close_starts_.erase(std::unique(close_starts_.begin(), close_starts_.end()),
-                        close_starts_.end());
+    sort_unique(close_starts_);
 }
 
 void Candidates::build(const Points& x, const Points& v, double t, double dt) {
@@ -113,12 +111,11 @@ void Candidates::set_node_box(Index node, const Vec3& from, double time) {
 
 void Candidates::list_pairs(const Points& x) {
     const auto pairs = patches_.pairs();
-    chunks_.of.resize(std::max(chunks_.of.size(), ROUND));
-    chunks_.pairs.resize(chunks_.of.size());
+    chunks_.resize(std::max(chunks_.size(), ROUND));
     const Outlook ahead{x, budget_.life, true};
     std::size_t first = 0;
     const auto search = [&](std::size_t begin, std::size_t end, std::size_t c) {
-        Chunk& out = chunks_.of[c];
+        Chunk& out = chunks_[c];
         out.list.clear();
         out.watch.clear();
         for (std::size_t i = begin; i < end; ++i)
@@ -126,7 +123,6 @@ void Candidates::list_pairs(const Points& x) {
                 pairs[first + i],
                 [&](Feature a, Feature b, Distances apart) { meet_edges(a, b, apart, ahead, out); },
                 [&](Feature n, Index t, Distances apart) { meet_node(n, t, apart, ahead, out); });
-        chunks_.pairs[c] = out.list.size();
     };
     std::size_t rows = 0;
     for (; first < pairs.size(); first += ROUND * PATCH_PAIRS_A_CHUNK) {
@@ -144,16 +140,16 @@ void Candidates::list_pairs(const Points& x) {
 /// @returns rows up to the last of it
 std::size_t Candidates::add_chunks(std::size_t rows, std::size_t count) {
     std::vector<std::size_t> start(count + 1, rows);
-    for (std::size_t c = 0; c < count; ++c) start[c + 1] = start[c] + chunks_.pairs[c];
+    for (std::size_t c = 0; c < count; ++c) start[c + 1] = start[c] + chunks_[c].list.size();
     if (start[count] > list_.size()) {
         list_.resize(start[count]);
         verlet_.resize(start[count]);
     }
     const auto copy = [&](std::size_t c) {
         const auto to = static_cast<std::ptrdiff_t>(start[c]);
-        std::copy(chunks_.of[c].list.begin(), chunks_.of[c].list.end(), list_.begin() + to);
-        for (std::size_t k = 0; k < chunks_.of[c].watch.size(); ++k)
-            verlet_.put(start[c] + k, chunks_.of[c].watch[k]);
+        std::copy(chunks_[c].list.begin(), chunks_[c].list.end(), list_.begin() + to);
+        for (std::size_t k = 0; k < chunks_[c].watch.size(); ++k)
+            verlet_.put(start[c] + k, chunks_[c].watch[k]);
     };
     parallel::for_each(count, copy, PATCH_PAIRS_A_CHUNK);
     return start[count];
@@ -254,28 +250,24 @@ void Candidates::give_gentle_gaps(const std::vector<std::uint64_t>& keys, const 
 
 /// @param card_before  by which it touched until now, or NONE
 bool Candidates::give_gentle_gap(std::size_t i, const Points& x, double t, int card_before) {
-    if (least_distance(i) >= thickness(i)) return false;
-    double rest = nearest(list_[i].pair, x).apart.norm();
-    if (card_before != Rules::NONE) rest = std::max(rest, rest_by(card_before, i, t));
-    const double short_by = thickness(i) - rest;
-    if (short_by <= 0.0) {
-        if (PairMemory* const known = memory(i); known && card_before != Rules::NONE)
-            known->short_by = 0.0;
-        return false;
+    if (verlet_.sum[i] - spent(i) >= thickness(i)) return false;
+    const Pair& pair = list_[i].pair;
+    PairMemory* const known = memory(i);
+    double rest = nearest(pair, x).apart.norm();
+    if (card_before != Rules::NONE) {
+        const double before =
+            std::min({cloth_.gap(card_before, parts(i), pair, verlet_.first[i], verlet_.second[i]),
+                      neighbours_thickness(pair), cloth_.rules.most(card_before, t)});
+        const double missing = known ? known->missing(t, cloth_.growth_time) : 0.0;
+        rest = std::max(rest, before - missing);
+        if (known) known->short_by = 0.0;
     }
+    const double short_by = thickness(i) - rest;
+    if (short_by <= 0.0) return false;
     PairMemory& memory = make_memory(i);
     memory.short_by = short_by;
     memory.born = t;
     return true;
-}
-
-/// Gap below which a pair would push by another card than its own, with what it remembers.    [m]
-double Candidates::rest_by(int card, std::size_t i, double t) const {
-    const Candidate& c = list_[i];
-    const double missing = c.memory < 0 ? 0.0 : memories_[c.memory].missing(t, cloth_.growth_time);
-    return std::min({cloth_.gap(card, parts(i), c.pair, verlet_.first[i], verlet_.second[i]),
-                     neighbours_thickness(c.pair), cloth_.rules.most(card, t)}) -
-           missing;
 }
 
 }  // namespace corpuscle::contact

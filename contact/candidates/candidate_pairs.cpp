@@ -40,6 +40,14 @@ void Candidates::meet_node(Feature n, Index triangle, Distances apart, const Out
          {n.triangle, triangle, apart, ahead, out});
 }
 
+/// Parts by which the sides of a pair touch.
+PartPair Candidates::parts_of(std::uint64_t key) const {
+    const auto first = static_cast<Index>(key >> 32 & 0x7FFFFFFFU),
+               second = static_cast<Index>(key & 0xFFFFFFFFU);
+    if (key >> 63 != 0) return {cloth_.edge_part[first], cloth_.edge_part[second]};
+    return {cloth_.node_part[first], cloth_.part[second]};
+}
+
 /// Lists a pair that may come within reach while the lists live.
 void Candidates::list(const Pair& pair, std::uint64_t key, const TrianglePair& where) const {
     const auto parts = parts_of(key);

@@ -35,8 +35,7 @@ void Candidates::find_renewed_triangles() {
     renewal_.renewed.clear();
     for (const Index n : renewal_.strayed)
         for (const Index t : cloth_.triangles_of(n)) {
-            if (renewal_.is_renewed[t] ||
-                !std::binary_search(searched.begin(), searched.end(), t))
+            if (renewal_.is_renewed[t] || !std::binary_search(searched.begin(), searched.end(), t))
                 continue;
             renewal_.is_renewed[t] = 1;
             renewal_.renewed.push_back(t);
@@ -75,10 +74,9 @@ void Candidates::list_renewed_pairs(const Points& x) {
 
     const Outlook ahead{x, rest_of_life, false};
     const std::size_t count = parallel::chunk_count(renewal_.renewed.size(), TRIANGLES);
-    chunks_.of.resize(std::max(chunks_.of.size(), count));
-    chunks_.pairs.resize(chunks_.of.size());
+    chunks_.resize(std::max(chunks_.size(), count));
     const auto search = [&](std::size_t begin, std::size_t end, std::size_t c) {
-        Chunk& out = chunks_.of[c];
+        Chunk& out = chunks_[c];
         out.list.clear();
         out.watch.clear();
         for (std::size_t i = begin; i < end; ++i) {
@@ -97,7 +95,6 @@ void Candidates::list_renewed_pairs(const Points& x) {
                         meet_node(n, t, apart, ahead, out);
                 });
         }
-        chunks_.pairs[c] = out.list.size();
     };
     parallel::for_chunks(renewal_.renewed.size(), search, TRIANGLES);
     const std::size_t first = list_.size();

@@ -56,15 +56,12 @@ public:
     /// Lists all pairs at x, at the beginning; those nearer than their contact thickness are
     /// remembered with the gap that they have. Pairs of triangles that cross are left out, see
     /// crossing().
-    /// @param is_on  by card
-    void start(const Points& x, const Points& v, double t, double dt,
-               std::span<const std::uint8_t> is_on);
+    void start(const Points& x, const Points& v, double t, double dt);
 
     /// Does the same once a card has begun to hold for a pair of parts (Rules::choose()): its pairs
     /// start with the gap that they have, or with the rest gap that they had by the card before. All
     /// others keep what they know.
-    void admit(const Points& x, const Points& v, double t, double dt,
-               std::span<const std::uint8_t> is_on);
+    void admit(const Points& x, const Points& v, double t, double dt);
 
     /// Follows the cloth to x. The lists hold all pairs that can be within reach there, since the
     /// step that led to x was foreseen.
@@ -85,9 +82,7 @@ public:
 
     /// Has pair i, or what it remembers, brought near, to be read soon.
     void prefetch(std::size_t i) const { __builtin_prefetch(&list_[i]); }
-    void prefetch_memory(std::size_t i) const {
-        if (list_[i].memory >= 0) __builtin_prefetch(&memories_[list_[i].memory], 1);
-    }
+    void prefetch_memory(std::size_t i) const { prefetch_memory_at(list_[i].memory); }
 
     /// Likewise a memory; of none nothing.
     void prefetch_memory_at(Index row) const {
@@ -97,9 +92,7 @@ public:
     }
 
     /// Parts by which the two sides of pair i touch.
-    [[nodiscard]] std::pair<Index, Index> parts(std::size_t i) const {
-        return parts_of(list_[i].key);
-    }
+    [[nodiscard]] PartPair parts(std::size_t i) const { return parts_of(list_[i].key); }
     /// Row of the card by which pair i touches.
     [[nodiscard]] int card(std::size_t i) const { return list_[i].card; }
 
@@ -203,7 +196,6 @@ private:
     [[nodiscard]] double spent(std::size_t i) const {
         return verlet_.spent(i, motion_.age(), motion_.displacements());
     }
-    [[nodiscard]] double least_distance(std::size_t i) const { return verlet_.sum[i] - spent(i); }
     void build(const Points& x, const Points& v, double t, double dt);
     void set_budget(double dt);
     void set_boxes(const Points& x);
@@ -233,12 +225,7 @@ private:
     void meet_edges(Feature a, Feature b, Distances apart, const Outlook& ahead, Chunk& out) const;
     void meet_node(Feature n, Index triangle, Distances apart, const Outlook& ahead,
                    Chunk& out) const;
-    [[nodiscard]] std::pair<Index, Index> parts_of(std::uint64_t key) const {
-        const auto first = static_cast<Index>(key >> 32 & 0x7FFFFFFFU),
-                   second = static_cast<Index>(key & 0xFFFFFFFFU);
-        return key >> 63 != 0 ? std::pair(cloth_.edge_part[first], cloth_.edge_part[second])
-                              : std::pair(cloth_.node_part[first], cloth_.part[second]);
-    }
+    [[nodiscard]] PartPair parts_of(std::uint64_t key) const;
     void list(const Pair& pair, std::uint64_t key, const TrianglePair& where) const;
     [[nodiscard]] double closing_rate(const Pair& pair, const Vec3& apart, double gap,
                                       const Points& x, double time) const;
@@ -253,8 +240,7 @@ private:
     }
     void give_gentle_gaps(const std::vector<std::uint64_t>& keys, const Points& x, double t);
     bool give_gentle_gap(std::size_t i, const Points& x, double t, int card_before = Rules::NONE);
-    [[nodiscard]] double rest_by(int card, std::size_t i, double t) const;
-    void meet_gently(const Points& x, double t, std::span<const std::uint8_t> is_on);
+    void meet_gently(const Points& x, double t);
 
     /// Budget of the nodes' deviation while the lists are valid.
     struct Budget {
@@ -298,10 +284,7 @@ private:
     Points late_;                ///< N × 3                                                [m]
     std::vector<Candidate> list_;
     VerletList verlet_;
-    struct {
-        std::vector<Chunk> of;
-        std::vector<std::size_t> pairs;  ///< how many each has
-    } chunks_;
+    std::vector<Chunk> chunks_;
     std::vector<PairMemory> memories_;
     Merging merging_;
     std::size_t sorted_ = 0;             ///< memories that are in the order of their keys

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "solver/base/parallel.hpp"
+#include "solver/base/sorted.hpp"
 
 namespace corpuscle::contact {
 namespace {
@@ -39,21 +40,18 @@ void NearSearch::renew(std::span<const Index> triangles, const Points& x, const 
     const bool knew_boxes = knows_boxes_;
     move(outline, !knew_boxes);
     if (!knew_boxes) return;
-    const auto take = [&](auto& blocks, Renewed& renewed) {
-        renewed.is_taken.resize(static_cast<std::size_t>(blocks.start().back()), 0);
-        for (const Index t : triangles)
-            for (Index side = 0; side < 3; ++side) {
-                const Index block = blocks.place(t, side).block;
-                if (block < 0 || std::exchange(renewed.is_taken[block], 1) != 0) continue;
-                blocks.renew_bounds(block, outline);
-                renewed.blocks.push_back(block);
-            }
-        for (const Index block : renewed.blocks) renewed.is_taken[block] = 0;
-        renewed.blocks.clear();
+    const auto take = [&](auto& blocks) {
+        return parallel::alone([&] {
+            std::vector<Index> renewed;
+            for (const Index t : triangles)
+                for (Index side = 0; side < 3; ++side)
+                    if (const Index block = blocks.place(t, side).block; block >= 0)
+                        renewed.push_back(block);
+            sort_unique(renewed);
+            for (const Index block : renewed) blocks.renew_bounds(block, outline);
+        });
     };
-    parallel::side_by_side(parallel::alone([&] { take(nodes_, renewed_[0]); }),
-                           parallel::alone([&] { take(edges_, renewed_[1]); }),
-                           parallel::alone([&] { take(triangles_, renewed_[2]); }));
+    parallel::side_by_side(take(nodes_), take(edges_), take(triangles_));
 }
 
 /// Takes all places anew, and all boxes.

@@ -10,7 +10,7 @@
 
 #include "contact/candidates/blocks.hpp"
 #include "contact/candidates/shared_nodes.hpp"
-#include "contact/culling/pieces.hpp"
+#include "contact/culling/patch_pairs.hpp"
 
 namespace corpuscle::contact {
 
@@ -82,21 +82,13 @@ public:
     }
 
 private:
-    template <int A, int B>
-    static EightSeparations separations_of(const EightMoving<A>& a, const EightMoving<B>& b) {
-        if constexpr (A == 3)
-            return separations(b, a);
-        else
-            return separations(a, b);
-    }
-
     /// One lane of a block against another block.
     /// @param allowed  lanes that are to be met
     template <int A, int B, class Meet>
     void meet_block(const typename Blocks<A>::PackedBlock& mine, int lane,
                     const typename Blocks<B>::PackedBlock& other, unsigned allowed,
                     Meet&& meet) const {
-        const EightSeparations apart = separations_of(spread(mine.moving, lane), other.moving);
+        const EightSeparations apart = separations(spread(mine.moving, lane), other.moving);
         for (unsigned bits = allowed & near(apart, mine.margin[lane] + other.margin); bits != 0;
              bits &= bits - 1) {
             const int l = std::countr_zero(bits);
@@ -157,11 +149,6 @@ private:
     Vec3 origin_ = Vec3::Zero();  ///< of single precision                                    [m]
     double rounding_ = 0.0;       ///< of that, at most                                       [m]
     bool knows_boxes_ = false;    ///< not after a restart
-    struct Renewed {
-        std::vector<Index> blocks;
-        std::vector<std::uint8_t> is_taken;  ///< by block
-    };
-    std::array<Renewed, 3> renewed_;  ///< of nodes, edges, triangles: kept for its memory
 };
 
 }  // namespace corpuscle::contact

@@ -71,5 +71,8 @@ inline EightSeparations separations(const EightMoving<1>& node, const EightMovin
     };
     return {along(p, triangle.now), along(node.late[0], triangle.late), dot(apart, apart)};
 }
+inline EightSeparations separations(const EightMoving<3>& triangle, const EightMoving<1>& node) {
+    return separations(node, triangle);
+}
 
 }  // namespace corpuscle::contact

@@ -8,6 +8,7 @@
 
 #include "contact/culling/rim.hpp"
 #include "solver/base/parallel.hpp"
+#include "solver/base/sorted.hpp"
 
 namespace corpuscle::contact {
 namespace {
@@ -19,11 +20,6 @@ constexpr int ROUNDS = 4;                 ///< of closing gaps in a rim
 constexpr double FLAT_ROOM = 0.1, FLAT_STEPS = 2.0;
 constexpr std::size_t REGIONS_A_CHUNK = 4;
 constexpr float PLANE_ROUNDING = 8.0F * std::numeric_limits<float>::epsilon();  ///< of its size
-
-void make_unique(std::vector<Index>& rows) {
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-}
 
 }  // namespace
 
@@ -38,7 +34,7 @@ FlatRegions::FlatRegions(const Cloth& cloth, std::span<const double> margin)
             for (const Index n : cloth.triangles[t])
                 for (const Index other : cloth.triangles_of(n))
                     region.patches.push_back(patch_of[other]);
-        make_unique(region.patches);
+        sort_unique(region.patches);
         for (const Index q : region.patches) region.margin = std::max(region.margin, margin[q]);
         if (region.patches.size() <= MOST_PATCHES) outline(region, patch_of, row);
     }
@@ -52,7 +48,7 @@ void FlatRegions::outline(Region& region, const std::vector<Index>& patch_of,
     for (const Index p : region.patches)
         rows.insert(rows.end(), cloth_.patches[p].begin(), cloth_.patches[p].end());
     for (int round = 0; round < ROUNDS; ++round) {
-        make_unique(rows);
+        sort_unique(rows);
         region.triangles.clear();
         for (const Index t : rows) region.triangles.push_back(cloth_.triangles[t]);
         region.nodes = rim_of(region.triangles, forks);
@@ -61,7 +57,7 @@ void FlatRegions::outline(Region& region, const std::vector<Index>& patch_of,
             for (const Index t : cloth_.triangles_of(n)) rows.push_back(t);
     }
     for (const Index t : rows) region.moving.push_back(patch_of[t]);
-    make_unique(region.moving);
+    sort_unique(region.moving);
     const auto has_body = [&](const Triangle& t) {
         return std::any_of(t.begin(), t.end(), [&](Index n) { return cloth_.body[n] >= 0; });
     };

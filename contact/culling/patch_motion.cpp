@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "solver/base/parallel.hpp"
+#include "solver/base/sorted.hpp"
 
 namespace corpuscle::contact {
 namespace {
@@ -29,8 +30,7 @@ PatchMotion::PatchMotion(const Cloth& cloth)
         nodes.clear();
         for (const Index t : cloth.patches[p])
             nodes.insert(nodes.end(), cloth.triangles[t].begin(), cloth.triangles[t].end());
-        std::sort(nodes.begin(), nodes.end());
-        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+        sort_unique(nodes);
         node_.insert(node_.end(), nodes.begin(), nodes.end());
         start_.push_back(static_cast<Index>(node_.size()));
         const auto is_of_body = [&](Index n) { return cloth.body[n] >= 0; };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -28,11 +29,8 @@ public:
     void foresee(const Points& v, double dt);
 
     [[nodiscard]] std::size_t size() const { return start_.size() - 1; }
-    [[nodiscard]] std::span<const Index> nodes(Index patch) const {
+    [[nodiscard]] std::span<const Index> nodes(std::integral auto patch) const {
         return std::span(node_).subspan(start_[patch], start_[patch + 1] - start_[patch]);
-    }
-    [[nodiscard]] std::span<const Index> nodes(std::size_t patch) const {
-        return nodes(static_cast<Index>(patch));
     }
 
     /// Bound of how far a patch's nodes are from where they were marked, less the motion of all; and

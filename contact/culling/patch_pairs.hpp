@@ -9,10 +9,24 @@
 #include "contact/broad_phase/broad_phase.hpp"
 #include "contact/culling/flat_regions.hpp"
 #include "contact/culling/patch_motion.hpp"
-#include "contact/culling/pieces.hpp"
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::contact {
+
+/// Two patches p <= q of the cloth, or twice the same.
+using PatchPair = std::pair<Index, Index>;
+
+/// Patches, with their nodes and triangles, all ascending.
+struct Pieces {
+    std::vector<Index> patches, nodes, triangles;
+
+    /// Makes it what some pairs of patches consist of.
+    void list(const Cloth& cloth, const PatchMotion& motion, std::span<const PatchPair> pairs);
+
+private:
+    std::vector<std::uint8_t> is_met_;  ///< patches, nodes, or triangles
+    parallel::Gathered<Index> met_;
+};
 
 /// Which patches of cloth have to be searched: FCL tells whose boxes overlap, each with room to
 /// move; those of them between which there is a plane, or that lie in one flat region, are left out.

@@ -10,44 +10,12 @@
 
 namespace corpuscle::contact {
 
-/// Which part of a triangle a b c (0 1 2) is nearest to a point.
-enum class TriangleRegion { NODE_0, NODE_1, NODE_2, EDGE_01, EDGE_12, EDGE_20, INSIDE };
-
-/// Place on a triangle a b c that is nearest to a point.
-struct TriangleFoot {
-    TriangleRegion region;  ///< where it lies: within, on an edge or on a node
-    Vec3
-        weights;  ///< barycentric, of a b c: the foot is weights[0] a + weights[1] b + weights[2] c
-};
-
-/// Foot of p on triangle a b c: its nearest point. Triangles without area are legal.
+/// Foot of p on triangle a b c, its nearest point, in barycentric weights: w[0] a + w[1] b + w[2] c.
+/// Triangles without area are legal.
 ///
 /// cost: at most 3 div, no sqrt
 /// Source: the regions of the plane around a triangle [Ericson 2005, 5.1.5].
-[[nodiscard]] TriangleFoot foot_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b,
-                                            const Vec3& c);
-
-/// Where two segments are nearest to each other.
-enum class EdgeRegion {
-    INSIDE,  ///< within both
-    END      ///< at an end of one or both: a node-triangle pair sees that too
-};
-
-/// Places on two segments, p0 p1 and q0 q1, that are nearest to each other.
-struct EdgeFeet {
-    EdgeRegion region;  ///< INSIDE: their vector is normal to both segments
-    double s,           ///< the first place is p0 + s (p1 - p0), in [0, 1]  [-]
-        t;              ///< the second place is q0 + t (q1 - q0), in [0, 1]  [-]
-};
-
-/// Nearest places of segments p0 p1 and q0 q1. Segments that are parallel or have no length are
-/// legal.
-///
-/// cost: at most 5 div, no sqrt
-/// Source: the solution within both, clamped one after the other [Ericson 2005, 5.1.9]; of
-/// parallels the best of the four ends.
-[[nodiscard]] EdgeFeet feet_of_edges(const Vec3& p0, const Vec3& p1, const Vec3& q0,
-                                     const Vec3& q1);
+[[nodiscard]] Vec3 foot_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// A node and a triangle (its three nodes), or two edges (first's two nodes, second's two).
 struct Pair {

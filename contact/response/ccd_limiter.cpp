@@ -8,6 +8,7 @@
 
 #include "contact/geometry/time_of_impact.hpp"
 #include "solver/base/parallel.hpp"
+#include "solver/base/sorted.hpp"
 
 namespace corpuscle::contact {
 namespace {
@@ -143,7 +144,7 @@ void CcdLimiter::stop_impacts(double dt, const Candidates& pairs, StoppingImpuls
 
 /// Joins the nodes of all pairs that collide, with impact zones that they belong to already. Zones in
 /// several places of a body are several: else a form, the pack under it and the housing that this
-/// rests on would stop dead as one whenever a few layers are tangled.
+/// rests on would stop dead as one whenever a few layers collide.
 /// @returns whether anything was joined that was not before
 bool CcdLimiter::join_zones(const Candidates& pairs, StoppingImpulses& impulses,
                             VelocityState& motion) {
@@ -156,8 +157,7 @@ bool CcdLimiter::join_zones(const Candidates& pairs, StoppingImpulses& impulses,
                 if (is_hub_) is_new |= unite(node, speaker(node));
             }
         }
-    std::sort(joined_.begin(), joined_.end());
-    joined_.erase(std::unique(joined_.begin(), joined_.end()), joined_.end());
+    sort_unique(joined_);
     std::stable_sort(joined_.begin(), joined_.end(),
                      [&](Index a, Index b) { return root(a) < root(b); });
     for (std::size_t i = 0, j = 0; i < joined_.size(); i = j) {

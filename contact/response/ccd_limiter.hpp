@@ -14,7 +14,7 @@ namespace corpuscle::contact {
 /// through another between x and x + dt v.
 ///
 /// Pairs with a time of impact in the step are stopped by impulses, for a few rounds; what still
-/// collides then, in tangles of many layers, is joined into rigid impact zones for this step [Provot
+/// collides then is joined into rigid impact zones for this step [Provot
 /// 1997, impact zones], which always ends: nodes of one impact zone do not move against each other.
 /// Momentum is kept, energy only lost. Pairs that touch exactly (gap 0) are beyond help.
 class CcdLimiter {

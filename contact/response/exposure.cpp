@@ -52,8 +52,8 @@ double rise_round_node(const Cloth& cloth, const Points& x, Index a, const Vec3&
 
 }  // namespace
 
-double exposure(const Cloth& cloth, std::pair<Index, Index> parts, const Points& x,
-                const Pair& pair, const Nearest& places, double gap) {
+double exposure(const Cloth& cloth, PartPair parts, const Points& x, const Pair& pair,
+                const Nearest& places, double gap) {
     const auto [first, second] = parts;
     const Vec3 normal = places.apart / gap;
     const auto& node = pair.node;

@@ -23,7 +23,7 @@ namespace corpuscle::contact {
 /// @param x      node positions, N × 3                                                   [m]
 /// @param gap    between the places, above 0                                              [m]
 /// @returns 0 to 1                                                                        [-]
-[[nodiscard]] double exposure(const Cloth& cloth, std::pair<Index, Index> parts, const Points& x,
-                              const Pair& pair, const Nearest& places, double gap);
+[[nodiscard]] double exposure(const Cloth& cloth, PartPair parts, const Points& x, const Pair& pair,
+                              const Nearest& places, double gap);
 
 }  // namespace corpuscle::contact

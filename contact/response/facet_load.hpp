@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "contact/surface/cloth.hpp"
-#include "contact/surface/contact.hpp"
+#include "contact/surface/contact_list.hpp"
 
 namespace corpuscle::contact {
 
@@ -17,7 +17,7 @@ namespace corpuscle::contact {
 /// is T = sum of J n nᵀ; its trace, the node's whole load, goes to the triangles there in
 /// proportion to area · N·T N, N their normal: facets that a contact does not face get nothing of
 /// it. What presses from both sides adds up, so the loads of all triangles sum to twice the normal
-/// forces of all contacts. Friction, and tangles that move as an impact zone for a step, are not in it.
+/// forces of all contacts. Friction, and impact zones, are not in it.
 class FacetLoad {
 public:
     explicit FacetLoad(const Cloth& cloth);

@@ -128,7 +128,7 @@ double ImplicitResponse::solve(Row& row, VelocityState& motion) {
                     row.weight[2] * v[row.node[2]] + row.weight[3] * v[row.node[3]];
     const double rate = row.normal.dot(relative);
     const double change = row.change(rate);
-    const bool rubs = row.rubs() && (row.impulse > 0.0 || change > 0.0);
+    const bool rubs = row.card->greatest_mu() > 0.0 && (row.impulse > 0.0 || change > 0.0);
     if (change == 0.0 && !rubs) return 0.0;
     row.impulse += change;
     Vec3 whole = change * row.normal;
@@ -136,7 +136,7 @@ double ImplicitResponse::solve(Row& row, VelocityState& motion) {
         const Vec3 sliding = relative - rate * row.normal;
         Vec3 wanted = row.rubbed - row.rub_mass * sliding;
         const double speed = sliding.norm(), strength = wanted.norm();
-        const double most = row.impulse * row.mu(speed);
+        const double most = row.impulse * row.card->mu(speed);
         if (strength > most) wanted *= most / strength;
         whole += wanted - row.rubbed;
         row.rubbed = wanted;
@@ -153,7 +153,7 @@ double ImplicitResponse::solve_on_body(Row& row, VelocityState& motion) {
     row.impulse += change;
     for (int i = 0; i < 4; ++i)
         if (row.weight[i] != 0.0) motion.push(row.node[i], row.weight[i] * change * row.normal);
-    if (!row.rubs()) return change;
+    if (row.card->greatest_mu() == 0.0) return change;
     const Vec3 relative = motion.relative(c);
     const Vec3 sliding = relative - row.normal.dot(relative) * row.normal;
     const double speed = sliding.norm();
@@ -162,7 +162,7 @@ double ImplicitResponse::solve_on_body(Row& row, VelocityState& motion) {
     if (mass == INF) return change;
     Vec3 wanted = row.rubbed - mass * sliding;
     const double strength = wanted.norm();
-    const double most = row.impulse * row.mu(speed);
+    const double most = row.impulse * row.card->mu(speed);
     if (strength > most) wanted *= most / strength;
     const Vec3 rub = wanted - row.rubbed;
     row.rubbed = wanted;
@@ -218,12 +218,7 @@ void ImplicitResponse::close(double span, const ColumnColouring& columns, Candid
             book.friction -= row.rubbed.dot(mean);
             for (int k = 0; k < 4; ++k)
                 book.held_work += motion.held_work(row.node[k], row.weight[k] * whole);
-            if (c.side != 0) {
-                book.given += c.side * whole;
-            } else {
-                for (int k = 0; k < 4; ++k)
-                    if (cloth_.inverse_mass[row.node[k]] > 0.0) book.given += row.weight[k] * whole;
-            }
+            book.give(whole, c, cloth_);
         }
     });
     columns.for_each_in_turn([&](std::size_t column) {

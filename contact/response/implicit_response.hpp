@@ -111,15 +111,7 @@ private:
         Vec3 rubbed;       ///< J_t on the first place                                     [N s]
         Vec3 before;       ///< velocity of the first place against the second, kicked     [m/s]
         Contact* contact;
-        double friction_static, friction_dynamic, friction_decay;
-
-        /// Friction coefficient at a sliding speed.
-        [[nodiscard]] double mu(double speed) const {
-            if (friction_static == friction_dynamic) return friction_dynamic;
-            return friction_dynamic +
-                   (friction_static - friction_dynamic) * std::exp(-friction_decay * speed);
-        }
-        [[nodiscard]] bool rubs() const { return friction_static > 0.0 || friction_dynamic > 0.0; }
+        const ContactCard* card;
 
         /// U at the gap `at`.                                                                [J]
         [[nodiscard]] double stored(double at) const {

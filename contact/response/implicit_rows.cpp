@@ -143,9 +143,7 @@ ImplicitResponse::Row ImplicitResponse::row_of(double span, double dt, Contact& 
     row.mass = c.mass;
     row.heft = (row.mass + span * damping) / dt;
     row.rub_mass = most > 0.0 ? 1.0 / most : 0.0;
-    row.friction_static = card.friction_static;
-    row.friction_dynamic = card.friction_dynamic;
-    row.friction_decay = card.friction_decay;
+    row.card = &card;
     row.before = motion.relative(c);
     row.zeta = zeta;
     row.rate = motion.unkicked_rate(c);
@@ -161,7 +159,7 @@ void ImplicitResponse::warm(const Contact& before, Row& row) {
     row.impulse = std::clamp(before.impulse, 0.0, std::max(0.0, offer));
     row.rubbed = before.rubbed;
     row.rubbed -= row.normal.dot(row.rubbed) * row.normal;
-    const double most = std::max(row.friction_static, row.friction_dynamic) * row.impulse;
+    const double most = row.card->greatest_mu() * row.impulse;
     const double strength = row.rubbed.norm();
     if (strength > most) row.rubbed *= most / strength;
 }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "solver/base/vec.hpp"
+#include "contact/surface/cloth.hpp"
+#include "contact/surface/contact_list.hpp"
 
 namespace corpuscle::contact {
 
@@ -14,6 +15,12 @@ struct ImpulseBooks {
     Vec3 given = Vec3::Zero();  ///< in the last step: to SURFA, or of a single surface to the
                                 ///< free nodes [N s]
 
+    /// Notes what a contact's first place has got.                                          [N s]
+    void give(const Vec3& impulse, const Contact& c, const Cloth& cloth) {
+        if (c.side != 0) given += c.side * impulse;
+        for (int k = 0; k < 4 && c.side == 0; ++k)
+            if (cloth.inverse_mass[c.node[k]] > 0.0) given += c.weight[k] * impulse;
+    }
     ImpulseBooks& operator+=(const ImpulseBooks& other) {
         friction += other.friction;
         normal += other.normal;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "contact/surface/cloth.hpp"
-#include "contact/surface/contact.hpp"
+#include "contact/surface/contact_list.hpp"
 
 namespace corpuscle::contact {
 

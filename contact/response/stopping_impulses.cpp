@@ -23,7 +23,7 @@ void StoppingImpulses::join_zone(std::span<const Index> nodes, std::span<const d
                                  VelocityState& motion) {
     const auto on_body =
         std::find_if(nodes.begin(), nodes.end(), [&](Index n) { return cloth_.body[n] >= 0; });
-    if (on_body != nodes.end()) return clump_round(cloth_.body[*on_body], nodes, motion);
+    if (on_body != nodes.end()) return join_to_body(cloth_.body[*on_body], nodes, motion);
     Vec3 momentum = Vec3::Zero(), held_velocity = Vec3::Zero();
     double total = 0.0, kinetic = 0.0;
     int held = 0;
@@ -48,8 +48,8 @@ void StoppingImpulses::join_zone(std::span<const Index> nodes, std::span<const d
 
 /// Joins nodes to a rigid body one after the other [Gauss-Seidel]: they are light beside it, so a
 /// few sweeps leave next to nothing between them.
-void StoppingImpulses::clump_round(Index body, std::span<const Index> nodes,
-                                   VelocityState& motion) {
+void StoppingImpulses::join_to_body(Index body, std::span<const Index> nodes,
+                                    VelocityState& motion) {
     for (int sweep = 0; sweep < BODY_SWEEPS; ++sweep)
         for (const Index n : nodes) {
             const auto [taken, work] = motion.join(n, body);
@@ -62,18 +62,15 @@ void StoppingImpulses::clump_round(Index body, std::span<const Index> nodes,
 ///     |sum of friction impulses| <= mu · sum of normal impulses
 void StoppingImpulses::rub(Contact& c, VelocityState& motion) {
     const ContactCard& by = cloth_.rules.card(c.card);
-    const double most = std::max(by.friction_static, by.friction_dynamic);
-    if (most == 0.0 || c.mass == INF) return;
+    if (by.greatest_mu() == 0.0 || c.mass == INF) return;
     const Vec3 relative = motion.relative(c);
     const Vec3 sliding = relative - c.normal.dot(relative) * c.normal;
     const double speed = sliding.norm();
     if (speed == 0.0) return;
     const double mass = motion.mass(c, sliding / speed);
     if (mass == INF) return;
-    const double mu = by.friction_dynamic + (by.friction_static - by.friction_dynamic) *
-                                                std::exp(-by.friction_decay * speed);
     Vec3 wanted = c.rubbed - mass * sliding;
-    const double strength = wanted.norm(), limit = std::max(0.0, mu * c.impulse);
+    const double strength = wanted.norm(), limit = std::max(0.0, by.mu(speed) * c.impulse);
     if (strength > limit) wanted *= limit / strength;
     const Vec3 change = wanted - c.rubbed;
     const double size = change.norm();
@@ -92,17 +89,8 @@ double StoppingImpulses::push(double impulse, const Vec3& direction, double mass
     const Vec3 whole = impulse * direction;
     for (int i = 0; i < 4; ++i)
         if (c.weight[i] != 0.0) book(c).held_work += motion.push(c.node[i], c.weight[i] * whole);
-    note_given(c, whole);
+    book(c).give(whole, c, cloth_);
     return -impulse * (rate + 0.5 * impulse / mass);
-}
-
-void StoppingImpulses::note_given(const Contact& c, const Vec3& impulse) {
-    if (c.side != 0) {
-        book(c).given += c.side * impulse;
-        return;
-    }
-    for (int i = 0; i < 4; ++i)
-        if (cloth_.inverse_mass[c.node[i]] > 0.0) book(c).given += c.weight[i] * impulse;
 }
 
 }  // namespace corpuscle::contact

@@ -10,8 +10,8 @@
 
 namespace corpuscle::contact {
 
-/// What the CCD limiter does to velocities: impulses between the two places of a pair, and impact zones. Both
-/// keep momentum, and what they take of the energy is booked exactly.
+/// What the CCD limiter does to velocities: impulses between the two places of a pair, and impact
+/// zones. Both keep momentum, and what they take of the energy is booked exactly.
 class StoppingImpulses {
 public:
     /// @param books  by card; what is taken goes there
@@ -31,8 +31,7 @@ private:
     void rub(Contact& contact, VelocityState& motion);
     double push(double impulse, const Vec3& direction, double mass, const Contact& contact,
                 VelocityState& motion);
-    void note_given(const Contact& contact, const Vec3& impulse);
-    void clump_round(Index body, std::span<const Index> nodes, VelocityState& motion);
+    void join_to_body(Index body, std::span<const Index> nodes, VelocityState& motion);
     [[nodiscard]] ImpulseBooks& book(const Contact& c) { return books_[c.card]; }
 
     const Cloth& cloth_;

@@ -110,13 +110,6 @@ void RigidWall::note_nodes_behind(const Points& x) {
     }
 }
 
-std::vector<Index> RigidWall::nodes_behind() const {
-    std::vector<Index> behind;
-    for (std::size_t i = 0; i < is_behind_.size(); ++i)
-        if (is_behind_[i]) behind.push_back(card_.nodes[i]);
-    return behind;
-}
-
 /// Is the node one of those that are let alone? A node gets behind a plate round its edges; one
 /// that something else has driven through it is still in front.
 bool RigidWall::passes(std::size_t i, const Vec3& at, double gap) {

@@ -80,9 +80,6 @@ public:
         return velocity_before_ + weight * (velocity_ - velocity_before_);
     }
 
-    /// Rows of nodes that are still behind it; known from the first hold() on.
-    [[nodiscard]] std::vector<Index> nodes_behind() const;
-
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {

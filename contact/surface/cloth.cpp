@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "solver/base/error.hpp"
+#include "solver/base/sorted.hpp"
 
 namespace corpuscle::contact {
 namespace {
@@ -65,17 +66,14 @@ double mean_edge_of(const ContactSetup& setup) {
 }
 
 void list_body_nodes(Cloth& cloth) {
-    Index bodies = 0;
-    for (const Index b : cloth.body) bodies = std::max(bodies, b + 1);
-    cloth.body_start.assign(static_cast<std::size_t>(bodies) + 1, 0);
-    for (const Index b : cloth.body)
-        if (b >= 0) ++cloth.body_start[b + 1];
-    for (Index b = 0; b < bodies; ++b) cloth.body_start[b + 1] += cloth.body_start[b];
-    cloth.body_node.resize(static_cast<std::size_t>(cloth.body_start.back()));
-    std::vector<Index> next(cloth.body_start.begin(), cloth.body_start.end() - 1);
     for (std::size_t n = 0; n < cloth.body.size(); ++n)
-        if (const Index b = cloth.body[n]; b >= 0)
-            cloth.body_node[next[b]++] = static_cast<Index>(n);
+        if (cloth.body[n] >= 0) cloth.body_node.push_back(static_cast<Index>(n));
+    const auto body_of = [&](Index n) { return cloth.body[n]; };
+    std::ranges::stable_sort(cloth.body_node, {}, body_of);
+    const Index bodies = cloth.body_node.empty() ? 0 : body_of(cloth.body_node.back()) + 1;
+    for (Index b = 0; b <= bodies; ++b)
+        cloth.body_start.push_back(static_cast<Index>(
+            std::ranges::lower_bound(cloth.body_node, b, {}, body_of) - cloth.body_node.begin()));
 }
 
 /// Fills `owned` and `edge`: the first triangle that has a node or edge owns it.
@@ -125,14 +123,10 @@ void find_parts(Cloth& cloth) {
 void find_near_nodes(double reach, Cloth& cloth) {
     const std::size_t nodes = cloth.inverse_mass.size();
     std::vector<std::vector<Index>> ring(nodes);
-    for (const Triangle& t : cloth.triangles)
-        for (std::size_t k = 0; k < 3; ++k) {
-            ring[t[k]].push_back(t[(k + 1) % 3]);
-            ring[t[k]].push_back(t[(k + 2) % 3]);
-        }
-    for (auto& r : ring) {
-        std::sort(r.begin(), r.end());
-        r.erase(std::unique(r.begin(), r.end()), r.end());
+    for (std::size_t i = 0; i < nodes; ++i) {
+        for (const auto& edge : cloth.edges_opposite(static_cast<Index>(i)))
+            ring[i].insert(ring[i].end(), edge.begin(), edge.end());
+        sort_unique(ring[i]);
     }
     const auto length = [&](Index a, Index b) {
         return (cloth.reference_x[a] - cloth.reference_x[b]).norm();
@@ -197,8 +191,7 @@ void find_star_heights(Cloth& cloth) {
 void list_nodes(Cloth& cloth) {
     for (const Triangle& t : cloth.triangles)
         cloth.nodes.insert(cloth.nodes.end(), t.begin(), t.end());
-    std::sort(cloth.nodes.begin(), cloth.nodes.end());
-    cloth.nodes.erase(std::unique(cloth.nodes.begin(), cloth.nodes.end()), cloth.nodes.end());
+    sort_unique(cloth.nodes);
 }
 
 void set_mobility(const ContactSetup& setup, Cloth& cloth) {
@@ -238,15 +231,14 @@ Cloth::Cloth(const ContactSetup& setup)
         }
     find_owners(*this);
     find_parts(*this);
-    find_near_nodes(2.0 * greatest_thickness, *this);
     list_triangles_of_nodes(*this);
+    find_near_nodes(2.0 * greatest_thickness, *this);
     find_star_heights(*this);
     list_nodes(*this);
     list_body_nodes(*this);
 }
 
-double Cloth::gap(int card, std::pair<Index, Index> parts, const Pair& pair, Index a,
-                  Index b) const {
+double Cloth::gap(int card, PartPair parts, const Pair& pair, Index a, Index b) const {
     const auto& of = thickness[static_cast<std::size_t>(card)];
     const bool is_turned = rules.side_of(card, parts.first, parts.second) < 0;
     const auto side = [&](int surface, Index owner, Index from, Index to) {
@@ -263,13 +255,10 @@ double Cloth::gap(int card, std::pair<Index, Index> parts, const Pair& pair, Ind
 }
 
 bool Cloth::is_held(const Pair& pair) const {
-    Index body_of_all = body[pair.node[0]];
-    for (const Index node : pair.node) {
-        if (inverse_mass[node] > 0.0) return false;
-        if (body[node] != body_of_all)
-            return false;  // a body against another, or against held nodes
-    }
-    return true;
+    // not a body against another, or against held nodes
+    return std::ranges::all_of(pair.node, [&](Index n) {
+        return !(inverse_mass[n] > 0.0) && body[n] == body[pair.node[0]];
+    });
 }
 
 bool Cloth::are_beside(Index node, Index other) const {

@@ -19,7 +19,7 @@ namespace corpuscle::contact {
 
 /// What contact is built from. Spans need to live during construction only.
 struct ContactSetup {
-    std::vector<ContactCard> cards;   ///< of several for a pair the first holds
+    std::vector<ContactCard> cards;   ///< in the deck's order (rules.hpp)
     std::vector<Triangle> triangles;  ///< of all parts that cards name, T × 3 node rows
     std::vector<Index> part;          ///< row of each triangle's part
     std::vector<double> thickness;    ///< of the section, per triangle; 0: a skin              [m]
@@ -116,8 +116,7 @@ struct Cloth {
     /// that of the first of its triangles which is on the card's side.                      [m]
     /// @param parts  by which the sides touch
     /// @param a, b   triangles that own them
-    [[nodiscard]] double gap(int card, std::pair<Index, Index> parts, const Pair& pair, Index a,
-                             Index b) const;
+    [[nodiscard]] double gap(int card, PartPair parts, const Pair& pair, Index a, Index b) const;
     /// Whether one of its nodes is of a combined part.
     [[nodiscard]] bool is_on_border(Index triangle) const {
         const Triangle& t = triangles[triangle];

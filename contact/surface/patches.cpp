@@ -1,6 +1,7 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 #include "contact/surface/patches.hpp"
+#include "solver/base/sorted.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,35 +13,25 @@
 namespace corpuscle::contact {
 namespace {
 
-/// Triangles that share a node, compressed rows.
-struct Neighbours {
-    std::vector<Index> start{0}, triangle;
-
-    Neighbours(std::span<const Triangle> triangles, std::size_t nodes) {
-        std::vector<std::vector<Index>> at_node(nodes);
-        for (std::size_t t = 0; t < triangles.size(); ++t)
-            for (const Index node : triangles[t]) at_node[node].push_back(static_cast<Index>(t));
-        std::vector<Index> met;
-        for (const Triangle& t : triangles) {
-            met.clear();
-            for (const Index node : t)
-                met.insert(met.end(), at_node[node].begin(), at_node[node].end());
-            std::sort(met.begin(), met.end());
-            met.erase(std::unique(met.begin(), met.end()), met.end());
-            triangle.insert(triangle.end(), met.begin(), met.end());
-            start.push_back(static_cast<Index>(triangle.size()));
-        }
+/// By triangle: those that share a node with it, ascending.
+std::vector<std::vector<Index>> neighbours_of(std::span<const Triangle> triangles,
+                                              std::size_t nodes) {
+    std::vector<std::vector<Index>> at_node(nodes), met(triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        for (const Index node : triangles[t]) at_node[node].push_back(static_cast<Index>(t));
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        for (const Index node : triangles[t])
+            met[t].insert(met[t].end(), at_node[node].begin(), at_node[node].end());
+        sort_unique(met[t]);
     }
-    [[nodiscard]] std::span<const Index> of(Index t) const {
-        return {triangle.data() + start[t], static_cast<std::size_t>(start[t + 1] - start[t])};
-    }
-};
+    return met;
+}
 
 /// Bisects the cloth; `set_` tells which triangles belong together so far.
 class Bisection {
 public:
     Bisection(std::span<const Vec3> x, std::span<const Triangle> triangles, std::size_t size)
-        : neighbours_(triangles, x.size()),
+        : neighbours_(neighbours_of(triangles, x.size())),
           size_(size),
           set_(triangles.size(), 0),
           distance_(triangles.size(), INF),
@@ -113,7 +104,7 @@ private:
             queue_.pop();
             if (distance > distance_[at]) continue;
             last = at;
-            for (const Index to : neighbours_.of(at)) {
+            for (const Index to : neighbours_[at]) {
                 const double through = distance + (centroid_[to] - centroid_[at]).norm();
                 if (set_[to] != set_[at] || through >= distance_[to]) continue;
                 distance_[to] = through;
@@ -132,7 +123,7 @@ private:
             distance_[first] = 0.0;
             for (std::size_t i = 0; i < piece.triangles.size(); ++i) {
                 piece.centroid += centroid_[piece.triangles[i]];
-                for (const Index to : neighbours_.of(piece.triangles[i])) {
+                for (const Index to : neighbours_[piece.triangles[i]]) {
                     if (distance_[to] == 0.0) continue;
                     distance_[to] = 0.0;
                     piece.triangles.push_back(to);
@@ -166,7 +157,7 @@ private:
         return cut;
     }
 
-    Neighbours neighbours_;
+    std::vector<std::vector<Index>> neighbours_;
     std::size_t size_;
     Points centroid_;
     std::vector<Index> set_;
@@ -192,18 +183,6 @@ Box triangle_box(const Triangle& triangle, std::span<const Vec3> x_0, std::span<
         box.include(x_0[node]);
         box.include(x_1[node]);
     }
-    box.inflate(margin);
-    return box;
-}
-
-Box patch_box(const Patches& patches, std::size_t patch, std::span<const Triangle> triangles,
-              std::span<const Vec3> x_0, std::span<const Vec3> x_1, double margin) {
-    Box box;
-    for (const Index t : patches[patch])
-        for (const Index node : triangles[t]) {
-            box.include(x_0[node]);
-            box.include(x_1[node]);
-        }
     box.inflate(margin);
     return box;
 }

@@ -31,18 +31,12 @@ struct Patches {
 /// between two ends of it, distance being measured along the cloth. Two panels that lie on each
 /// other, seamed at their rim, are thus told apart though their centroids coincide.
 ///
-/// @param reference_x  node positions, flat or folded (distances along the cloth are the same), N ×
-/// 3  [m]
+/// @param reference_x  node positions, flat or folded (the same along the cloth), N × 3   [m]
 [[nodiscard]] Patches make_patches(std::span<const Vec3> reference_x,
                                    std::span<const Triangle> triangles, std::size_t size = 32);
 
 /// Box of a triangle that moves from x_0 to x_1, `margin` wider on each side. [m]
 [[nodiscard]] Box triangle_box(const Triangle& triangle, std::span<const Vec3> x_0,
                                std::span<const Vec3> x_1, double margin);
-
-/// Box of a whole patch, likewise. [m]
-[[nodiscard]] Box patch_box(const Patches& patches, std::size_t patch,
-                            std::span<const Triangle> triangles, std::span<const Vec3> x_0,
-                            std::span<const Vec3> x_1, double margin);
 
 }  // namespace corpuscle::contact

@@ -26,6 +26,22 @@ Vec3 solve(const Mat3& A, const Vec3& b) {
     return out;
 }
 
+/// What an impulse of one along `direction` between a contact's places makes of their rate, by the
+/// body with this number alone.                                                          [1/kg]
+double inverse_mass(const RigidProxy& body, Index number, const Cloth& cloth, const Points& x,
+                    const Contact& c, const Vec3& direction) {
+    double weight = 0.0;
+    Vec3 arm = Vec3::Zero();
+    for (int i = 0; i < 4; ++i) {
+        if (cloth.body[c.node[i]] != number) continue;
+        weight += c.weight[i];
+        arm += c.weight[i] * (x[c.node[i]] - body.centre);
+    }
+    const Vec3 moment = arm.cross(direction);
+    return weight * weight * direction.dot(body.inverse_mass * direction) +
+           moment.dot(body.inverse_inertia * moment);
+}
+
 }  // namespace
 
 Mat3 RigidProxy::mobility(const Vec3& at) const {
@@ -41,20 +57,6 @@ double RigidProxy::take(const BodyImpulse& by) {
     return -by.linear.dot(held_velocity) - by.turning.dot(held_spin);
 }
 
-double inverse_mass(const RigidProxy& body, Index number, const Cloth& cloth, const Points& x,
-                    const Contact& c, const Vec3& direction) {
-    double weight = 0.0;
-    Vec3 arm = Vec3::Zero();
-    for (int i = 0; i < 4; ++i) {
-        if (cloth.body[c.node[i]] != number) continue;
-        weight += c.weight[i];
-        arm += c.weight[i] * (x[c.node[i]] - body.centre);
-    }
-    const Vec3 moment = arm.cross(direction);
-    return weight * weight * direction.dot(body.inverse_mass * direction) +
-           moment.dot(body.inverse_inertia * moment);
-}
-
 double mass_along(const Cloth& cloth, std::span<const RigidProxy> bodies, const Points& x,
                   const Contact& c, const Vec3& direction) {
     double inverse = 0.0;
@@ -67,7 +69,10 @@ double mass_along(const Cloth& cloth, std::span<const RigidProxy> bodies, const 
 
 Contact contact_at(const Cloth& cloth, std::span<const RigidProxy> bodies, const Points& x,
                    const Pair& pair, const Nearest& nearest, double gap) {
-    Contact c = contact_at(pair, nearest, gap, cloth.inverse_mass);
+    double inverse = 0.0;
+    for (int i = 0; i < 4; ++i)
+        inverse += nearest.weight[i] * nearest.weight[i] * cloth.inverse_mass[pair.node[i]];
+    Contact c{pair.node, nearest.weight, nearest.apart / gap, gap, 1.0 / inverse, pair.is_edges};
     const bool has_held_axis = std::any_of(pair.node.begin(), pair.node.end(), [&](Index n) {
         const Vec3& m = cloth.mobility[n];
         return m.minCoeff() < m.maxCoeff();

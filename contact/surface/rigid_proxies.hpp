@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "contact/surface/cloth.hpp"
-#include "contact/surface/contact.hpp"
+#include "contact/surface/contact_list.hpp"
 #include "solver/base/parallel.hpp"
 
 namespace corpuscle::contact {
@@ -54,11 +54,6 @@ struct RigidProxy {
     ///     work = - impulse · held_velocity - moment · held_spin                            [J]
     double take(const BodyImpulse& by);
 };
-
-/// What an impulse of one along `direction` between a contact's places makes of their rate, by the
-/// body with this number alone.                                                          [1/kg]
-[[nodiscard]] double inverse_mass(const RigidProxy& body, Index number, const Cloth& cloth,
-                                  const Points& x, const Contact& c, const Vec3& direction);
 
 /// visit(number) for each body that has nodes of the contact: two at most.
 template <class Visit>

@@ -5,12 +5,16 @@
 #include <cstdint>
 #include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "contact/surface/cards.hpp"
 #include "solver/base/curve.hpp"
 
 namespace corpuscle::contact {
+
+/// Rows of the parts by which the two sides of a pair touch.
+using PartPair = std::pair<Index, Index>;
 
 /// The cards by pairs of parts: which pairs may touch, by which card, from which distance.
 ///
@@ -48,6 +52,11 @@ public:
     /// @returns whether a card holds for a pair for which it did not hold before
     bool choose(std::span<const std::uint8_t> is_on);
 
+    /// Whether a row is that of a card which is on.
+    [[nodiscard]] bool holds(int card) const {
+        return card != NONE && is_on_[static_cast<std::size_t>(card)] != 0;
+    }
+
     /// Row of the card for nodes of part `a` against facets of part `b`, or NONE.
     [[nodiscard]] int nodes_against(Index a, Index b) const { return nodes_.now[at(a, b)]; }
     /// Row of the card for edges of the two parts, or NONE.
@@ -57,15 +66,14 @@ public:
         return (is_edges ? edges_ : nodes_).before[at(a, b)];
     }
 
-    /// Whether there is a card for two parts, which need not be on.
+    /// Whether there is a card for nodes of two parts, and so for edges if at all, which need not be
+    /// on.
     [[nodiscard]] bool may_touch(Index a, Index b) const {
-        return nodes_against(a, b) != NONE || nodes_against(b, a) != NONE ||
-               edges_against(a, b) != NONE;
+        return nodes_against(a, b) != NONE || nodes_against(b, a) != NONE;
     }
     /// Whether there is one that is on.
     [[nodiscard]] bool touch(Index a, Index b) const {
-        return holds(nodes_against(a, b)) || holds(nodes_against(b, a)) ||
-               holds(edges_against(a, b));
+        return holds(nodes_against(a, b)) || holds(nodes_against(b, a));
     }
 
     /// Of two parts that touch by a card: 1: a is on its SURFA, -1: b is; 0: it is a single
@@ -99,9 +107,6 @@ public:
 private:
     [[nodiscard]] std::size_t at(Index a, Index b) const {
         return static_cast<std::size_t>(a) * parts_ + static_cast<std::size_t>(b);
-    }
-    [[nodiscard]] bool holds(int card) const {
-        return card != NONE && is_on_[static_cast<std::size_t>(card)] != 0;
     }
     /// Is part `a` on the card's SURFA, and b on its SURFB?
     [[nodiscard]] bool is_first(int card, Index a, Index b) const {

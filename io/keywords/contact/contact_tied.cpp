@@ -50,7 +50,7 @@ std::vector<const Shell*> shells_of(const Draft& draft, const ContactSide& side)
 }
 
 double distance_to(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 w = contact::foot_on_triangle(p, a, b, c).weights;
+    const Vec3 w = contact::foot_on_triangle(p, a, b, c);
     return (p - (w[0] * a + w[1] * b + w[2] * c)).norm();
 }
 

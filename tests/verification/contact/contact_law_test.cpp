@@ -86,7 +86,7 @@ double mean_distance(const LayerState& of, const LayerState& from, int cells) {
         double least = INF;
         const auto at = [&](int i, int j) -> const Vec3& { return from.x[j * (cells + 1) + i]; };
         const auto meet = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-            const Vec3 foot = contact::foot_on_triangle(p, a, b, c).weights;
+            const Vec3 foot = contact::foot_on_triangle(p, a, b, c);
             least = std::min(least, (foot[0] * a + foot[1] * b + foot[2] * c - p).norm());
         };
         for (int j = 0; j < cells; ++j)

@@ -54,11 +54,7 @@ void find_least_gap(const Sheet& sheet, double reach, Inspection& found) {
     const std::vector<Triangle> all = triangles(sheet.cells);
     const std::vector<Index> cell = cell_of_triangles(sheet.cells);
     const contact::Patches patches = contact::make_patches(sheet.X, all);
-    std::vector<contact::Box> boxes;
-    for (const Triangle& t : all)
-        boxes.push_back(contact::triangle_box(t, sheet.x, sheet.x, 0.5 * reach));
-    contact::TrianglePairs near(patches);
-    near.update(boxes);
+    const contact::TrianglePairs near(patches, all, sheet.x, 0.5 * reach);
     for (const auto& pair : near.patch_pairs())
         near.for_each_in(pair, [&](Index a, Index b) {
             if (share_node(all[a], all[b])) return;

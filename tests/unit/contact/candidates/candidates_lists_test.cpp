@@ -21,7 +21,7 @@ TEST_CASE("cloth that flies without changing builds its lists once", "[contact]"
     Candidates pairs(fixed, 1.5);
     const Points v(bag.x.size(), Vec3(80, 10, -30));
     const double dt = 1e-5;
-    pairs.start(bag.x, v, 0.0, dt, std::vector<std::uint8_t>{1});
+    pairs.start(bag.x, v, 0.0, dt);
     for (int n = 1; n < 90; ++n) {
         for (std::size_t i = 0; i < v.size(); ++i) bag.x[i] += dt * v[i];
         pairs.follow(bag.x, n * dt, dt);
@@ -68,7 +68,7 @@ TEST_CASE("lists that are restarted in any step are renewed alike", "[contact][r
         const Points x = place(t), v = support::velocity_between(x, place(t + DT), DT);
         for (Candidates* const pairs : {&whole, broken.get()}) {
             if (n == 0)
-                pairs->start(x, v, t, DT, std::vector<std::uint8_t>{1});
+                pairs->start(x, v, t, DT);
             else
                 pairs->follow(x, t, DT);
             pairs->foresee(x, v, t, DT);

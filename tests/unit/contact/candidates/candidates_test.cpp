@@ -116,7 +116,7 @@ bool crosses(const Pair& pair, const std::vector<Triangle>& triangles,
 /// Brings the lists to x at t, and looks at the step ahead.
 void lead(Candidates& pairs, bool is_start, const Points& x, const Points& v, double t, double dt) {
     if (is_start)
-        pairs.start(x, v, t, dt, std::vector<std::uint8_t>{1});
+        pairs.start(x, v, t, dt);
     else
         pairs.follow(x, t, dt);
     pairs.foresee(x, v, t, dt);

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <random>
+#include <string>
 
 #include "contact/geometry/distance.hpp"
 
@@ -22,16 +23,19 @@ constexpr Pair NODE{{0, 1, 2, 3}, false}, EDGES{{0, 1, 2, 3}, true};
 
 TEST_CASE("the foot on a triangle falls into each of the seven regions", "[contact]") {
     const Vec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
-    const auto region = [&](double x, double y) {
-        return foot_on_triangle({x, y, 0.3}, a, b, c).region;
+    const auto corners = [&](double x, double y) {  // that the foot depends on
+        const Vec3 w = foot_on_triangle({x, y, 0.3}, a, b, c);
+        CHECK(w.sum() == Approx(1.0));
+        return (w[0] > 0.0 ? "a" : "") + std::string(w[1] > 0.0 ? "b" : "") +
+               (w[2] > 0.0 ? "c" : "");
     };
-    CHECK(region(0.2, 0.2) == TriangleRegion::INSIDE);
-    CHECK(region(-1, -1) == TriangleRegion::NODE_0);
-    CHECK(region(2, -0.5) == TriangleRegion::NODE_1);
-    CHECK(region(-0.5, 2) == TriangleRegion::NODE_2);
-    CHECK(region(0.5, -1) == TriangleRegion::EDGE_01);
-    CHECK(region(1, 1) == TriangleRegion::EDGE_12);
-    CHECK(region(-1, 0.5) == TriangleRegion::EDGE_20);
+    CHECK(corners(0.2, 0.2) == "abc");
+    CHECK(corners(-1, -1) == "a");
+    CHECK(corners(2, -0.5) == "b");
+    CHECK(corners(-0.5, 2) == "c");
+    CHECK(corners(0.5, -1) == "ab");
+    CHECK(corners(1, 1) == "bc");
+    CHECK(corners(-1, 0.5) == "ac");
 }
 
 TEST_CASE("nothing on a triangle is nearer than the foot", "[contact]") {

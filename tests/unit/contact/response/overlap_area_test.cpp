@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "contact/surface/rigid_proxies.hpp"
 #include "tests/support/scenes/spring_cloth.hpp"
 
 using namespace corpuscle;
@@ -48,7 +49,7 @@ std::vector<Contact> contacts_of(const Pressed& pressed, const Cloth& cloth) {
     const auto try_pair = [&](const Pair& pair) {
         const Nearest places = nearest(pair, x);
         if (!places.is_inside || places.apart.head<2>().norm() > 1e-12) return;
-        contacts.push_back(contact_at(pair, places, GAP, cloth.inverse_mass));
+        contacts.push_back(contact_at(cloth, {}, x, pair, places, GAP));
     };
     const auto is_above = [&](Index n) { return n >= pressed.below; };
     for (Index n = 0; n < static_cast<Index>(x.size()); ++n)
@@ -160,7 +161,7 @@ TEST_CASE("a rim that stands on a sheet has some of its own area", "[contact]") 
         const Pair pair{{foot, t[0], t[1], t[2]}, false};
         const Nearest places = nearest(pair, both.x);
         if (places.apart.norm() > 1.001 * GAP) continue;
-        const Contact c = contact_at(pair, places, GAP, cloth.inverse_mass);
+        const Contact c = contact_at(cloth, {}, both.x, pair, places, GAP);
         most = std::max(most, overlap_area(cloth, both.x, c).area);
     }
     const double own = node_areas(both)[foot];
