@@ -135,7 +135,26 @@ UniformBagCard control_volume(Cards& cards, const Draft& draft, const char* keyw
     return bag;
 }
 
+namespace {
+
+/// Whether gas can leave through exits or fabric.
+bool has_exits(const UniformBagCard& bag) {
+    const auto is_there = [](const gas::CurveOr& some) {
+        return some.curve >= 0 || some.value != 0.0;
+    };
+    return !bag.leaks.empty() ||
+           std::any_of(bag.exits.begin(), bag.exits.end(), [&](const gas::ExitCard& exit) {
+               return is_there(exit.coefficient) && (!exit.facets.empty() || is_there(exit.area));
+           });
+}
+
+}  // namespace
+
 void keep_bag(Cards& cards, Draft& draft, UniformBagCard bag) {
+    if (bag.exit_rate >= 0 && has_exits(bag))
+        cards.warn(
+            "has a curve of mass flow out (LOU, LCEFR): it stands in the place of the exits and "
+            "of fabric that leaks, which do not count beside it");
     const auto is_same = [&](const auto& other) { return bag.id != 0 && other.id == bag.id; };
     Model& model = draft.model;
     if (std::any_of(model.bags.begin(), model.bags.end(), is_same) ||

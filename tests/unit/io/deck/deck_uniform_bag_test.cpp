@@ -82,6 +82,31 @@ TEST_CASE("a control volume's segment set names shells, in any order of nodes", 
                    "(SID) = 3, expected segments that lie on shells: 1 of this set do not"));
 }
 
+TEST_CASE("exits beside a curve of mass flow out are said not to count", "[io]") {
+    const DeckFolder folder;
+    const std::string words = "has a curve of mass flow out (LOU, LCEFR)";
+    const auto is_told = [&](const std::string& text) {
+        const auto warnings = folder.read(small_deck(SET + text)).warnings;
+        return std::any_of(warnings.begin(), warnings.end(),
+                           [&](const std::string& line) { return contains(line, words); });
+    };
+    const auto simple = [&](const std::string& area, const std::string& curve) {
+        return is_told("*AIRBAG_SIMPLE_AIRBAG_MODEL\n12,1\n713,1000,780,7,0.7," + area +
+                       ",1e5,1.2\n" + curve + "\n");
+    };
+    CHECK(simple("3e-4", "7"));
+    CHECK_FALSE(simple("0.0", "7"));
+    CHECK_FALSE(simple("3e-4", "0"));
+    const auto wang_nefske = [&](const std::string& exits, const std::string& curve) {
+        return is_told("*AIRBAG_WANG_NEFSKE\n12,1\n713,1000,0,7,7\n" + exits + "\n1e5,1.2,1," +
+                       curve + "\n");
+    };
+    CHECK(wang_nefske("0.6,0,1e-3,0,0,0,0,0", "7"));
+    CHECK(wang_nefske("0,0,0,0,0.4,0,2e-3,0", "7"));
+    CHECK_FALSE(wang_nefske("0,0,0,0,0,0,0,0", "7"));
+    CHECK_FALSE(wang_nefske("0.6,0,1e-3,0,0,0,0,0", "0"));
+}
+
 TEST_CASE("AIRBAG_WANG_NEFSKE: cards, and what is not acted on is refused", "[io]") {
     const DeckFolder folder;
     struct {
