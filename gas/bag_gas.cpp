@@ -60,11 +60,12 @@ void BagGas::inject(double t, double dt, const Points& x_0, const Points& x_1) {
 /// inward area is more than gauge pressure times that area.
 void BagGas::set_touching(std::span<const std::uint8_t> nodes, std::span<const Vec3> force) {
     if (bag_->card.block.by_pressure) {
-        const double air = now().pressure();
+        const std::vector<double> of_room = room_pressures();
         pressed_.assign(nodes.size(), 0);
         for (const Index n : bag_->enclosure.nodes()) {
             const Vec3& area = bag_->area[n];
-            const double gauge = bag_->load.pressure_at_node(n) + air - bag_->card.p_atm;
+            const double gauge = bag_->load.pressure_at_node(n) +
+                                 bag_->load.mean_at_node(n, of_room) - bag_->card.p_atm;
             pressed_[n] = nodes[n] != 0 && -force[n].dot(area) > gauge * area.squaredNorm();
         }
     }
@@ -254,8 +255,9 @@ double BagGas::moles_each() const {
     return bag_->inflators.moles_each();
 }
 
-double BagGas::initial_air_pressure() const {
-    return uniform_ ? 0.0 : particles_->pressure();
+double BagGas::initial_air_pressure(const Vec3& at, const Points& x) const {
+    if (uniform_ || bag_->air.empty()) return 0.0;
+    return particles_->pressure(static_cast<std::size_t>(bag_->surface->rooms_of({&at, 1}, x)[0]));
 }
 
 const ParticleGas& BagGas::particle_gas() const {

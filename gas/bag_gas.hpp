@@ -144,8 +144,8 @@ public:
     /// Temperature of particle i alone (Mixture::particle_temperature).                    [K]
     [[nodiscard]] double particle_temperature(std::size_t i) const;
     [[nodiscard]] double moles_each() const;  ///< [mol]
-    /// Pressure of initial air without particles (IAIR 1, -1).                             [Pa]
-    [[nodiscard]] double initial_air_pressure() const;
+    /// Pressure of initial air without particles (IAIR 1, -1) in the room of a place.      [Pa]
+    [[nodiscard]] double initial_air_pressure(const Vec3& at, const Points& x) const;
     /// The gas while it is particles; after TSW as it was then.
     [[nodiscard]] const ParticleGas& particle_gas() const;
     /// Particles removed so far because closing facets had caught them.

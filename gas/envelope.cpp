@@ -143,7 +143,8 @@ void Envelope::push_back(std::size_t orifice, const Vec3& at, const Vec3& impuls
     if (nodes.empty()) return;
     const auto count = static_cast<double>(nodes.size());
     const double work = -impulse.dot(moving);
-    for (const Index node : nodes) load.owe_jet(node, at, -impulse / count, work / count);
+    for (const Index node : nodes)
+        load.owe_jet(node, orifice_room[orifice], at, -impulse / count, work / count);
     balance.inflow_energy += work;
 }
 

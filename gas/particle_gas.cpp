@@ -184,7 +184,8 @@ void ParticleGas::let_in(const Entry& entry, double t, double dt, const Points& 
     const Birth birth = bag_.orifices.birth(orifice, share, x_0, x_1);
     born_.push_back(birth.share);
     const double motion = 0.5 * mass * v.squaredNorm();
-    const double internal = entry.internal + bag_.load.pay_jets(entry.internal, motion);
+    const double internal =
+        entry.internal + bag_.load.pay_jets(bag_.orifice_room[orifice], entry.internal, motion);
     particles_.add(birth.at, v, internal, entry.inflow, entry.id);
     if (bag_.surface->rooms() > 1)
         particles_.room.push_back(static_cast<std::int16_t>(bag_.orifice_room[orifice]));

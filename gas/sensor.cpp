@@ -112,7 +112,7 @@ SensorReading read(const SensorCard& sensor, std::span<const BagGas> bags, const
         add(bag, where, sums);
         R = bag.card().gas_constant;
         if (bag.card().air && bag.enclosure().contains(where.centre, x))
-            reading.pressure += bag.initial_air_pressure();
+            reading.pressure += bag.initial_air_pressure(where.centre, x);
     }
     reading.particles = sums.particles;
     if (sums.particles == 0.0) return reading;

@@ -108,7 +108,7 @@ void UniformGas::inject(double t, double dt, const Points& x, const Points& x_1)
     }
     for (std::size_t r = 0; r < rooms_.size(); ++r)
         rooms_[r].add_heat(settled_account(bag_.load, r, rooms_[r], dt) +
-                           (r == 0 ? bag_.load.pay_jets() : 0.0));
+                           bag_.load.pay_jets(static_cast<Index>(r)));
     if (bag_.loses()) let_out(t, dt, x);
 }
 

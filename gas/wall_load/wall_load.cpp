@@ -63,6 +63,8 @@ WallLoad::WallLoad(std::shared_ptr<const WettedSurface> surface, std::span<const
     held_ = held_at(*surface_, held);
     jets_.nodes.assign(jet_nodes.begin(), jet_nodes.end());
     for (const Index n : jets_.nodes) jets_.held.push_back(held[n]);
+    jets_.room.assign(jets_.nodes.size(), 0);
+    jets_.account.assign(surface_->rooms(), 0.0);
     takes_part_.assign(points, 0);
     for (Points* all : {&area_, &deferred_.along, &released_.force, &arrived_})
         all->assign(points, Vec3::Zero());
@@ -216,25 +218,26 @@ void WallLoad::press(std::span<const double> pressure, Points& f, Points& sum) c
     });
 }
 
-void WallLoad::owe_jet(Index node, const Vec3& at, const Vec3& impulse, double energy) {
+void WallLoad::owe_jet(Index node, Index room, const Vec3& at, const Vec3& impulse, double energy) {
     const auto j = static_cast<std::size_t>(
         std::find(jets_.nodes.begin(), jets_.nodes.end(), node) - jets_.nodes.begin());
+    jets_.room[j] = room;
     jets_.owed[j] += impulse;
     jets_.wrench.add(at, impulse);
-    jets_.account += energy;
+    jets_.account[room] += energy;
     taken_ += energy;
 }
 
-double WallLoad::pay_jets(double internal, double motion) {
-    const double paid = paid_of(jets_.account, internal, motion);
-    jets_.account -= paid;
+double WallLoad::pay_jets(Index room, double internal, double motion) {
+    const double paid = paid_of(jets_.account[room], internal, motion);
+    jets_.account[room] -= paid;
     taken_ -= paid;
     return paid;
 }
 
-double WallLoad::pay_jets() {
-    taken_ -= jets_.account;
-    return std::exchange(jets_.account, 0.0);
+double WallLoad::pay_jets(Index room) {
+    taken_ -= jets_.account[room];
+    return std::exchange(jets_.account[room], 0.0);
 }
 
 void WallLoad::measure(std::span<const Vec3> x) {

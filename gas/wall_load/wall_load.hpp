@@ -61,13 +61,14 @@ struct DeferredImpulse {
 struct WallJets {
     std::vector<Index> nodes;
     std::vector<std::uint8_t> held;
-    Points owed, force;    ///< [N s], [N]
-    Wrench wrench;         ///< that all of them are owed
-    double account = 0.0;  ///< what jets took beyond the work of their push          [J]
+    Points owed, force;           ///< [N s], [N]
+    Wrench wrench;                ///< that all of them are owed
+    std::vector<Index> room;      ///< by node: into which the last jet that pushed it blew
+    std::vector<double> account;  ///< by room: what jets took beyond the work of their push [J]
 
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(owed, wrench, account);
+        archive(owed, wrench, room, account);
     }
 };
 
@@ -134,13 +135,13 @@ public:
     /// hit, each at its last hit of the flight. After find_sides(). Where cloth recoils, hits and particles are set right for it
     /// (recoil.hpp).
     void receive(FlightResult& flight, std::span<const double> mass, Particles& particles);
-    /// Takes in a jet's push on a node, and the energy that goes with it.
-    void owe_jet(Index node, const Vec3& at, const Vec3& impulse, double energy);
-    /// Energy that jets took beyond the work of their push: what a particle that enters gets of
-    /// it, or pays, as one that hits does.                                                 [J]
-    [[nodiscard]] double pay_jets(double internal, double motion);
-    /// All of it.                                                                          [J]
-    [[nodiscard]] double pay_jets();
+    /// Takes in the push on a node of a jet into a room, and the energy that goes with it.
+    void owe_jet(Index node, Index room, const Vec3& at, const Vec3& impulse, double energy);
+    /// Energy that jets into a room took beyond the work of their push: what a particle that enters
+    /// there gets of it, or pays, as one that hits does.                                   [J]
+    [[nodiscard]] double pay_jets(Index room, double internal, double motion);
+    /// All of a room's.                                                                    [J]
+    [[nodiscard]] double pay_jets(Index room);
 
     /// As if a gas had long been there: its pressure, and the mass that hits per area and time. At
     /// the start of a leapfrog: the next release spans half of the step whose hits follow it.
@@ -170,6 +171,8 @@ public:
     [[nodiscard]] double pressure(std::size_t point) const { return released_.pressure[point]; }
     /// Mean over the points of a node's rooms: the pressure on its inside.                  [Pa]
     [[nodiscard]] double pressure_at_node(Index node) const;
+    /// Mean over the points of a node's rooms of what has a value in each room.
+    [[nodiscard]] double mean_at_node(Index node, std::span<const double> by_room) const;
     /// Has gas been at the point within a few times of memory?
     [[nodiscard]] bool is_wet(std::size_t point) const {
         return deferred_.age[point] < DRY_AFTER * times_.memory;
@@ -223,6 +226,8 @@ private:
     void release_hits(double share, double span, std::span<const Vec3> x, std::span<const Vec3> v,
                       std::span<const double> mass, std::span<Vec3> f);
     void come_to_rest();
+    template <class Value>
+    [[nodiscard]] double mean_over_points(Index node, Value&& value) const;
     double book_hits(std::size_t room, std::span<const Vec3> v_mid, double span);
     void balance_momentum(double share, double span, std::span<const Vec3> x);
     [[nodiscard]] Vec3 normal(std::size_t p) const {

@@ -14,7 +14,7 @@ double WallLoad::book(std::span<const Vec3> v_mid, double span) {
         work += book_hits(r, v_mid, span);
     for (std::size_t j = 0; j < jets_.nodes.size(); ++j) {
         const double own = span * jets_.force[j].dot(v_mid[jets_.nodes[j]]);
-        jets_.account -= own;
+        jets_.account[jets_.room[j]] -= own;
         work += own;
     }
     return work;

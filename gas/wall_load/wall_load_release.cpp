@@ -227,15 +227,24 @@ void WallLoad::balance_momentum(double share, double span, std::span<const Vec3>
     }
 }
 
-double WallLoad::pressure_at_node(Index node) const {
+template <class Value>
+double WallLoad::mean_over_points(Index node, Value&& value) const {
     const Index i = by_node_.place[node];
     if (i < 0 || by_node_.start[i] == by_node_.start[i + 1]) return 0.0;
     double sum = 0.0, size = 0.0;
     for (Index k = by_node_.start[i]; k < by_node_.start[i + 1]; ++k) {
-        sum += size_[by_node_.points[k]] * released_.pressure[by_node_.points[k]];
+        sum += size_[by_node_.points[k]] * value(by_node_.points[k]);
         size += size_[by_node_.points[k]];
     }
     return size > 0.0 ? sum / size : 0.0;
+}
+
+double WallLoad::pressure_at_node(Index node) const {
+    return mean_over_points(node, [&](Index p) { return released_.pressure[p]; });
+}
+
+double WallLoad::mean_at_node(Index node, std::span<const double> by_room) const {
+    return mean_over_points(node, [&](Index p) { return by_room[surface_->room_of_point(p)]; });
 }
 
 Wrench WallLoad::owed(double done) const {

@@ -49,7 +49,7 @@ public:
     void release_for(double time) {
         for (double t = 0.0; t < time; t += SPAN) release();
     }
-    void push_jet(const Vec3& impulse) { load_.owe_jet(JET, shape_.x[JET], impulse, 0.0); }
+    void push_jet(const Vec3& impulse) { load_.owe_jet(JET, 0, shape_.x[JET], impulse, 0.0); }
 
     static constexpr Index JET = 7;
     [[nodiscard]] const WallLoad& load() const { return load_; }
@@ -158,4 +158,29 @@ TEST_CASE(
     load.end_of_hits(std::vector<double>{whole / (area * step)}, shape.x);
     for (int s = 0; s < 400; ++s) release(step);
     CHECK(std::abs(given - before) < 1e-9 * whole);
+}
+
+TEST_CASE("what jets into a room owe is paid by the gas of that room", "[gas]") {
+    shapes::Shape shape = shapes::box(Vec3::Ones(), 1);
+    const auto first = static_cast<Index>(shape.x.size());
+    const shapes::Shape other = shape;
+    for (const Vec3& x : other.x) shape.x.push_back(x + Vec3(2.0, 0.0, 0.0));
+    for (const auto& [a, b, c] : other.triangles)
+        shape.triangles.push_back({a + first, b + first, c + first});
+    const auto surface =
+        std::make_shared<WettedSurface>(shape.triangles, shape.triangles.size(), shape.x);
+    REQUIRE(surface->rooms() == 2);
+    const std::vector<std::uint8_t> held(shape.x.size(), 0);
+    WallLoad load(surface, held, std::vector<Index>{0, first}, LoadTimes{RELEASE, RELEASE}, 0.0);
+    load.owe_jet(0, 0, shape.x[0], Vec3(0.1, 0.0, 0.0), 2.0);
+    load.owe_jet(first, 1, shape.x[first], Vec3(0.0, 0.1, 0.0), 3.0);
+    Points f(shape.x.size(), Vec3::Zero()), v(shape.x.size(), Vec3::Zero());
+    load.release(SPAN, shape.x, v, std::vector<double>(shape.x.size(), 1.0), f);
+    v[first] = Vec3(0.0, 10.0, 0.0);
+    const double work = load.book(v, SPAN);
+    CHECK(work > 0.0);
+    CHECK(load.pay_jets(0) == 2.0);
+    CHECK(load.pay_jets(0) == 0.0);
+    CHECK(load.pay_jets(1) == Approx(3.0 - work));
+    CHECK(load.taken() == Approx(work));
 }
