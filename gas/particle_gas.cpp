@@ -118,14 +118,26 @@ void ParticleGas::fill_with_air(const Points& x, std::uint64_t seed) {
 void ParticleGas::add_load(const Points& /*x*/, Points& f) {
     if (bag_.air.empty()) return;
     std::vector<double> of_room(bag_.surface->rooms());
-    for (std::size_t r = 0; r < of_room.size(); ++r) of_room[r] = pressure(r);
+    for (std::size_t r = 0; r < of_room.size(); ++r) {
+        if (!bag_.air[r].settle(bag_.volumes[r])) stop_for_air(r);
+        of_room[r] = pressure(r);
+    }
     air_force_.resize(f.size(), Vec3::Zero());
     bag_.load.press(of_room, air_force_, f);
 }
 
 void ParticleGas::book_load(const Points& /*v_mid*/, double span) {
-    for (std::size_t r = 0; r < bag_.air.size(); ++r)
-        bag_.air[r].add(-pressure(r) * (span * bag_.load.swept(r)));
+    for (std::size_t r = 0; r < bag_.air.size(); ++r) bag_.air[r].work(span * bag_.load.swept(r));
+}
+
+/// Stops for initial air that has no state in its room.
+void ParticleGas::stop_for_air(std::size_t room) const {
+    throw PhysicsError(
+        bag_.time,
+        fmt::format("{}{}: the volume is {:g} and the initial air holds {:g} of energy",
+                    bag_.name(),
+                    bag_.air.size() == 1 ? std::string() : fmt::format(", room {}", room + 1),
+                    bag_.volumes[room], bag_.air[room].energy()));
 }
 
 double ParticleGas::pressure() const {

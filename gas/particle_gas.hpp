@@ -67,7 +67,7 @@ public:
     [[nodiscard]] double stable_step() const override { return cells_.stable_step(); }
     [[nodiscard]] double energy() const override;
     [[nodiscard]] double pressure(std::size_t room) const override {
-        return bag_.air.empty() ? 0.0 : bag_.air[room].pressure(bag_.volumes[room]);
+        return bag_.air.empty() ? 0.0 : bag_.air[room].pressure();
     }
     [[nodiscard]] double pressure() const override;
     void describe(GasState& now) const override;
@@ -108,6 +108,7 @@ private:
     void cool(double t, double dt);
     void book_lost(double t);
     [[noreturn]] void stop_for(std::size_t particle, const char* when) const;
+    [[noreturn]] void stop_for_air(std::size_t room) const;
 
     Envelope& bag_;
     FacetLists lists_;   ///< for flight: cells of the facets' size

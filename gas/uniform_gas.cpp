@@ -47,9 +47,10 @@ void UniformGas::take_over(std::span<const Holding> holds, std::span<const Vec3>
     sum_up(holds, wall);
     settle(x);
     std::vector<double> of_hits;
-    for (std::size_t r = 0; r < rooms_.size(); ++r)
-        of_hits.push_back(rooms_[r].pressure() -
-                          (bag_.air.empty() ? 0.0 : bag_.air[r].pressure(bag_.volumes[r])));
+    for (std::size_t r = 0; r < rooms_.size(); ++r) {
+        of_hits.push_back(rooms_[r].pressure() - (bag_.air.empty() ? 0.0 : bag_.air[r].pressure()));
+        if (!bag_.air.empty()) rooms_[r].add_heat(-bag_.air[r].worked());
+    }
     bag_.load.end_of_hits(of_hits, x);
 }
 

@@ -7,6 +7,22 @@
 
 namespace corpuscle::gas {
 
+SettledState settled_state(const EnergyPolynomial& holds, double nR, double energy, double guess,
+                           double before, double volume) {
+    const double half = std::isnan(before) ? 0.0 : 0.5 * (volume - before);
+    const double freedom = nR / volume;
+    SettledState now{energy, guess, 0.0};
+    for (int correction = 0; correction < 2; ++correction) {
+        now.temperature = holds.temperature(now.energy, now.temperature);
+        now.pressure = freedom * now.temperature;
+        if (half == 0.0) return now;
+        now.energy = energy - now.pressure * half;
+    }
+    now.temperature = holds.temperature(now.energy, now.temperature);
+    now.pressure = freedom * now.temperature;
+    return now;
+}
+
 EnergyPolynomial ControlVolume::content() const {
     EnergyPolynomial all;
     for (std::size_t s = 0; s < species_.size(); ++s) all += moles_[s] * species_[s].molar_energy();
@@ -40,8 +56,6 @@ double ControlVolume::remove(double mass) {
     return gone;
 }
 
-/// The gas has worked up to t - dt/2: what is left to t is p dV/2, with a pressure that one
-/// correction makes that of t to second order.
 bool ControlVolume::settle(double volume) {
     if (moles() == 0.0) {
         energy_at_t_ = energy_;
@@ -49,20 +63,11 @@ bool ControlVolume::settle(double volume) {
         pressure_ = 0.0;
         return volume > 0.0;
     }
-    const double half = std::isnan(volume_) ? 0.0 : 0.5 * (volume - volume_);
-    const EnergyPolynomial holds = content();
-    const double freedom = R() * moles() / volume;
-    energy_at_t_ = energy_;
-    for (int correction = 0; correction < 2; ++correction) {
-        temperature_ = holds.temperature(energy_at_t_, temperature_);
-        pressure_ = freedom * temperature_;
-        if (half == 0.0) break;
-        energy_at_t_ = energy_ - pressure_ * half;
-    }
-    if (half != 0.0) {
-        temperature_ = holds.temperature(energy_at_t_, temperature_);
-        pressure_ = freedom * temperature_;
-    }
+    const SettledState now =
+        settled_state(content(), R() * moles(), energy_, temperature_, volume_, volume);
+    energy_at_t_ = now.energy;
+    temperature_ = now.temperature;
+    pressure_ = now.pressure;
     volume_ = volume;
     return volume > 0.0 && temperature_ >= 0.0 && pressure_ < INF;
 }

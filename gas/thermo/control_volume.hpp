@@ -10,6 +10,22 @@
 
 namespace corpuscle::gas {
 
+/// State at t of a gas in a volume that moves.
+struct SettledState {
+    double energy;       ///< [J]
+    double temperature;  ///< NaN: the energy belongs to none  [K]
+    double pressure;     ///< [Pa]
+};
+
+/// State at t of a gas whose energy is that at t - dt/2: what is left to t is p dV/2, with a
+/// pressure that two corrections make that of t to second order.
+/// @param holds  energy of the gas as a polynomial in its temperature
+/// @param nR     moles times the gas constant                                        [J/K]
+/// @param guess  of its temperature                                                    [K]
+/// @param before, volume  at t - dt and at t; before NaN: nothing is left to t       [m^3]
+[[nodiscard]] SettledState settled_state(const EnergyPolynomial& holds, double nR, double energy,
+                                         double guess, double before, double volume);
+
 /// A mixture at one pressure and one temperature in a volume that moves.
 ///
 ///     p V = sum n_s R T,   dE = sum h_s dm_s - p dV

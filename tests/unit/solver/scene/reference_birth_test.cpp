@@ -34,7 +34,7 @@ struct History {
     std::vector<Points> x;
     double worst = 0.0, external = 0.0;
 };
-History run(Model model) {
+History history_of(Model model) {
     Simulation simulation(std::move(model));
     History out;
     const auto look = [&](Simulation& s) {
@@ -58,11 +58,11 @@ TEST_CASE("before its birth a reference geometry does not count, afterwards it d
     const double birth = 0.4e-3;
     if (by_material) std::get<fabric::FabricCard>(model.materials[0].card).reference_birth = birth;
     model.references[0].birth = by_material ? 5.0 : birth;
-    const History born = run(model);
+    const History born = history_of(model);
     model.references.clear();
     // Masses are those of the reference shape throughout
     std::get<fabric::FabricCard>(model.materials[0].card).density *= 0.81;
-    const History without = run(model);
+    const History without = history_of(model);
     std::size_t i = 0;
     for (; born.time[i + 1] < birth; ++i) {
         REQUIRE(born.time[i] == Approx(without.time[i]).epsilon(1e-12));
@@ -83,9 +83,9 @@ TEST_CASE("before its birth a reference geometry does not count, afterwards it d
 TEST_CASE("born at the start is not born later", "[solver][reference]") {
     Model model = taut_sphere();
     CHECK(reference_births(model).empty());
-    const History from_start = run(model);
+    const History from_start = history_of(model);
     model.references[0].birth = 1e-9;  // the second step is the first after it
-    const History born = run(model);
+    const History born = history_of(model);
     CHECK(born.external > 10.0);
     CHECK(from_start.external == 0.0);
 }
@@ -129,7 +129,7 @@ TEST_CASE("strains of the start that come back are booked, and the books close",
           "[solver][reference]") {
     Model model = taut_sphere();
     std::get<fabric::FabricCard>(model.materials[0].card).restoration.share = 0.002;
-    const History history = run(model);
+    const History history = history_of(model);
     CHECK(history.external > 1e-3);
     CHECK(history.worst < 0.01 * history.external);
 }
