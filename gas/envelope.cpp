@@ -14,6 +14,10 @@ namespace {
 /// Longest time over which the state of the gas at an opening is averaged.           [s]
 constexpr double LONGEST_MEMORY = 200e-6;
 
+/// Share of the bag's volume up to which a room has none at the start: membranes that lie on each
+/// other have one of rounding, of either sign.
+constexpr double FLAT = 1e-9;
+
 std::vector<Triangle> closing(const BagWalls& walls) {
     return {walls.triangles.begin(),
             walls.triangles.begin() + static_cast<std::ptrdiff_t>(walls.closing)};
@@ -120,8 +124,7 @@ Envelope::Envelope(const BagCard& bag, BagWalls bag_walls, std::span<const Curve
                                .why = "the bag encloses no volume at the start, expected some: "
                                       "particles have no place to enter"});
     require_inside(orifices, enclosure, x, name());
-    if (card.air && !card.air->is_particles)
-        for (const double room : volumes) air.emplace_back(*card.air, card.gas_constant, room);
+    if (card.air && !card.air->is_particles) fill_with_air(enclosure.volume(x));
     rooms.resize(surface->rooms());
     chamber_of_room = chambers_of_rooms(chambers, *surface, walls.closing);
     if (enclosure.turned() > 0)
@@ -131,6 +134,18 @@ Envelope::Envelope(const BagCard& bag, BagWalls bag_walls, std::span<const Curve
     std::vector<Vec3> nozzles;
     for (std::size_t o = 0; o < orifices.size(); ++o) nozzles.push_back(orifices.place(o, x));
     orifice_room = surface->rooms_of(nozzles, x);
+}
+
+/// A room without volume has no initial air.
+void Envelope::fill_with_air(double volume) {
+    for (std::size_t r = 0; r < volumes.size(); ++r) {
+        const bool is_flat = !(volumes[r] > FLAT * volume);
+        air.emplace_back(*card.air, card.gas_constant, is_flat ? 0.0 : volumes[r]);
+        if (is_flat)
+            warnings.push_back(
+                fmt::format("{}, room {}: the volume is {:g} at the start: it has no initial air",
+                            name(), r + 1, volumes[r]));
+    }
 }
 
 std::string Envelope::name() const {

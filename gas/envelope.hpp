@@ -74,6 +74,9 @@ struct Envelope {
         archive(inflators, air, load, samples, openings, heat_loss, monitor, balance, rooms, area,
                 volumes, time);
     }
+
+private:
+    void fill_with_air(double volume);
 };
 
 }  // namespace corpuscle::gas

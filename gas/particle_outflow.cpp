@@ -36,14 +36,14 @@ void ParticleGas::look_inside(double dt, const Points& x_0, const Points& x_1) {
             moles += n;
             mass += own.mass;
             count += own.count;
-            inside.density[s] = own.mass / volume;
+            inside.density[s] = volume > 0.0 ? own.mass / volume : 0.0;
         }
         if (!bag_.air.empty()) {
             content += bag_.air[r].content();
             energy += bag_.air[r].energy();
             moles += bag_.air[r].moles();
             mass += bag_.air[r].mass();
-            inside.air_density = bag_.air[r].mass() / volume;
+            inside.air_density = volume > 0.0 ? bag_.air[r].mass() / volume : 0.0;
             inside.air_molar_mass = bag_.air[r].species().molar_mass();
         }
         if (!(moles > 0.0 && volume > 0.0 && energy > 0.0)) continue;
