@@ -73,8 +73,8 @@ public:
     /// (E) start without history.
     void inherit(const Membranes& from, const std::vector<std::uint8_t>& is_new);
 
-    /// Everything that is not a function of the setup, for a checkpoint: archive(number) for one,
-    /// archive(std::span<std::byte>) for many, in the same order for writing and reading.
+    /// What a checkpoint holds of it (solver/base/archive.hpp): numbers, and each block's history
+    /// of yarns and liners as a std::span<std::byte>. Read by membranes of the same setup.
     template <class Archive>
     void visit_state(Archive& archive) {
         step_.visit_state(archive);

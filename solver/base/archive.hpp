@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -33,11 +37,31 @@ template <class T>
 struct IsOptional : std::false_type {};
 template <class T>
 struct IsOptional<std::optional<T>> : std::true_type {};
+
+/// Of a type whose own bytes say where values lie, not what they are.
+template <class T>
+struct IsView : std::bool_constant<std::is_pointer_v<T> || std::is_member_pointer_v<T>> {};
+template <class T, std::size_t N>
+struct IsView<std::span<T, N>> : std::true_type {};
+template <class T>
+struct IsView<std::basic_string_view<T>> : std::true_type {};
+template <class T>
+struct IsView<std::reference_wrapper<T>> : std::true_type {};
+template <class T, std::size_t N>
+struct IsView<std::array<T, N>> : IsView<T> {};
+template <class T, std::size_t N>
+struct IsView<T[N]> : IsView<T> {};
+
+/// Whose bytes are its value: neither a view nor the owner of memory.
+template <class T>
+concept Plain = std::is_trivially_destructible_v<T> && !IsView<T>::value;
 }  // namespace archive_detail
 
 /// Common to both ways. Way has raw(void*, bytes), which moves bytes, and count(std::size_t&), the
 /// length of what follows. A value is visited by its own visit_state(); vectors and strings by
-/// length and elements; optionals by a byte and the value; all else as its bytes.
+/// length and elements; optionals by a byte and the value; spans of bytes by length, which is the
+/// reader's too, and the bytes that they show; all else as its bytes. Pointers and other views are
+/// refused, except within structs, whose members nothing here sees.
 template <class Way>
 class ArchiveOf {
 public:
@@ -70,9 +94,13 @@ private:
             way().count(size);
             value.resize(size);
             way().raw(value.data(), size);
+        } else if constexpr (std::is_same_v<T, std::span<std::byte>>) {
+            std::size_t size = value.size();
+            way().count(size);
+            if (size != value.size()) throw SystemError("the checkpoint does not fit the scene");
+            way().raw(value.data(), size);
         } else {
-            static_assert(std::is_trivially_destructible_v<T> && !std::is_pointer_v<T>,
-                          "this type needs a visit_state()");
+            static_assert(archive_detail::Plain<T>, "this type needs a visit_state()");
             way().raw(&value, sizeof(T));
         }
     }
@@ -84,8 +112,7 @@ private:
             values.resize(size);
         else if (values.size() != size)
             throw SystemError("the checkpoint does not fit the scene");
-        if constexpr (std::is_trivially_destructible_v<T> &&
-                      !requires(T & v, Way & w) { v.visit_state(w); }) {
+        if constexpr (archive_detail::Plain<T> && !requires(T & v, Way & w) { v.visit_state(w); }) {
             way().raw(values.data(), size * sizeof(T));
         } else {
             for (T& value : values) visit(value);

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
-#include <cstring>
-
 #include "fabric/materials/plane_stress.hpp"
 #include "sheet.hpp"
+#include "solver/base/archive.hpp"
 
 using namespace corpuscle;
 using namespace corpuscle::fabric;
@@ -25,26 +24,6 @@ struct Stretched {
         MembraneSetup setup = sheet.setup();
         setup.start = start;
         return Membranes(setup);
-    }
-};
-
-/// Writes to or reads from one list of bytes.
-struct Memory {
-    std::vector<std::byte> bytes;
-    std::size_t at = 0;
-    bool reads = false;
-
-    void operator()(std::span<std::byte> many) {
-        if (reads) {
-            std::memcpy(many.data(), bytes.data() + at, many.size());
-            at += many.size();
-        } else {
-            bytes.insert(bytes.end(), many.begin(), many.end());
-        }
-    }
-    template <class Number>
-    void operator()(Number& one) requires std::is_arithmetic_v<Number> {
-        (*this)(std::as_writable_bytes(std::span(&one, 1)));
     }
 };
 
@@ -189,12 +168,12 @@ TEST_CASE("membranes go on from their state as if nothing had been between", "[f
         return force(m, place(i));
     };
     for (int i = 0; i < 20; ++i) go(membranes, i);
-    Memory state;
-    membranes.visit_state(state);
+    StateWriter state;
+    state(membranes);
     Membranes other = sheet.membranes();
-    state.reads = true;
-    other.visit_state(state);
-    CHECK(state.at == state.bytes.size());
+    StateReader reader(state.bytes());
+    reader(other);
+    CHECK(reader.is_at_end());
     CHECK(membranes.lost_energy() > 0.0);
     for (int i = 20; i < 30; ++i) {
         CHECK(go(membranes, i) == go(other, i));

@@ -134,6 +134,101 @@ struct Scene {
     int steps_between;  ///< checkpoints
 };
 
+/// Of a run that is killed again and again.
+struct Broken {
+    int kills = 0;
+    std::size_t compared = 0;  ///< numbers, each the same as in the whole run
+};
+
+/// Runs a deck once as a whole, and once with up to ten kills; requires that both end alike.
+Broken break_and_compare(const Folder& folder, const std::string& deck, const std::string& option,
+                         const std::string& until) {
+    const auto words = [&](const std::string& out, int threads) {
+        return std::vector<std::string>{"corpuscle",  "run",     deck,   "-o",
+                                        folder / out, "-D",      option, "--until",
+                                        until,        "--quiet", "-j",   std::to_string(threads)};
+    };
+    REQUIRE(run_whole(words("whole", 1)) == 0);
+
+    std::mt19937 random(7);
+    Broken broken;
+    for (; broken.kills < 10; ++broken.kills) {
+        auto w = words("broken", 1 + static_cast<int>(random() % 2));
+        if (broken.kills > 0) w.push_back("--restart");
+        const Instant instant{1 + static_cast<int>(random() % 3),
+                              static_cast<double>(random()) / 4294967296.0};
+        const int status = run(w, folder / "broken/checkpoint", instant);
+        if (status == 0) break;  // it was over sooner
+        REQUIRE(status == -1);
+    }
+    auto last = words("broken", 2);
+    last.push_back("--restart");
+    REQUIRE(run_whole(last) == 0);
+
+    const io::Hdf5Reader all(folder / "whole/results.h5"), parts(folder / "broken/results.h5");
+    CHECK(parts.text("/", "termination") == "normal");
+    compare(all, parts, "/", broken.compared);
+    CHECK(text_of(folder / "whole/glstat") == text_of(folder / "broken/glstat"));
+    CHECK_FALSE(fs::exists(folder / "broken/checkpoint"));
+    return broken;
+}
+
+/// A shell that is stretched, let go by a half and stretched again: its yarns unload on curves of
+/// their own, and its liner bears pressure once it has been taut. kg, mm, ms.
+constexpr const char* UNLOADING = R"(*KEYWORD
+*CONTROL_TERMINATION
+600.0
+*DATABASE_GLSTAT
+1.0
+*DATABASE_BINARY_D3DUMP
+1000
+*NODE
+1,0.,0.,0.
+2,10.,0.,0.
+3,10.,10.,0.
+4,0.,10.,0.
+*ELEMENT_SHELL
+1,1,1,2,3,4
+*PART
+cloth
+1,1,1
+*SECTION_SHELL
+1,9
+0.3,0.3,0.3,0.3
+*MAT_FABRIC
+1,7.0E-7,0.3,0.3,,0.0
+0.03,,,0,0.02,0.3,0.1,0.05
+0,0,0,0,1,14,0,0
+0,0,0,0,0,0,0,0
+0,0,0,0,0,0,0,0
+10,10,0,11,11,0,0.0
+*DEFINE_CURVE
+10
+0.0,0.0
+0.1,0.03
+0.2,0.06
+*DEFINE_CURVE
+11
+0.0,0.0
+0.05,0.005
+0.1,0.03
+*BOUNDARY_SPC_NODE
+1,0,1,1,1
+4,0,1,0,1
+2,0,0,1,1
+3,0,0,0,1
+*BOUNDARY_PRESCRIBED_MOTION_NODE
+2,1,2,20,1.0
+3,1,2,20,1.0
+*DEFINE_CURVE
+20
+0.0,0.0
+60.0,1.0
+300.0,0.4
+600.0,0.9
+*END
+)";
+
 }  // namespace
 
 TEST_CASE("ten kills at random instants leave no trace in the results", "[restart]") {
@@ -154,36 +249,18 @@ TEST_CASE("ten kills at random instants leave no trace in the results", "[restar
     std::ofstream(deck) << text;
     for (const char* included : {"mesh.k", "module.k"})
         if (fs::exists(models / included)) fs::copy_file(models / included, folder / included);
+    const Broken broken = break_and_compare(folder, deck, scene.options, scene.until);
+    CHECK(broken.kills > 5);
+    CHECK(broken.compared > 10000);
+    fmt::print("{}: {} kills, {} numbers the same bits\n", scene.model, broken.kills,
+               broken.compared);
+}
 
-    const auto words = [&](const std::string& out, int threads) {
-        return std::vector<std::string>{
-            "corpuscle", "run",       deck,      "-o", folder / out,           "-D", scene.options,
-            "--until",   scene.until, "--quiet", "-j", std::to_string(threads)};
-    };
-    REQUIRE(run_whole(words("whole", 1)) == 0);
-
-    std::mt19937 random(7);
-    int kills = 0;
-    for (; kills < 10; ++kills) {
-        auto w = words("broken", 1 + static_cast<int>(random() % 2));
-        if (kills > 0) w.push_back("--restart");
-        const Instant instant{1 + static_cast<int>(random() % 3),
-                              static_cast<double>(random()) / 4294967296.0};
-        const int status = run(w, folder / "broken/checkpoint", instant);
-        if (status == 0) break;  // it was over sooner
-        REQUIRE(status == -1);
-    }
-    auto last = words("broken", 2);
-    last.push_back("--restart");
-    REQUIRE(run_whole(last) == 0);
-    CHECK(kills > 5);
-
-    std::size_t compared = 0;
-    const io::Hdf5Reader whole(folder / "whole/results.h5"), broken(folder / "broken/results.h5");
-    CHECK(broken.text("/", "termination") == "normal");
-    compare(whole, broken, "/", compared);
-    CHECK(compared > 10000);
-    fmt::print("{}: {} kills, {} numbers the same bits\n", scene.model, kills, compared);
-    CHECK(text_of(folder / "whole/glstat") == text_of(folder / "broken/glstat"));
-    CHECK_FALSE(fs::exists(folder / "broken/checkpoint"));
+TEST_CASE("kills leave no trace in what cloth remembers of its loading", "[restart][fabric]") {
+    const Folder folder;
+    const std::string deck = folder / "unloading.k";
+    std::ofstream(deck) << UNLOADING;
+    const Broken broken = break_and_compare(folder, deck, "UNITS=kg-mm-ms", "600");
+    CHECK(broken.kills > 5);
+    CHECK(broken.compared > 5000);
 }
