@@ -117,8 +117,10 @@ void SceneState::stop_at_obstacles(double dt) {
     ledger.after.contact += by_walls + by_joints;
     if (!ties.empty() && has_stopped)
         ties.settle(v.free, nodes.mass, met_mass, nodes.x, bodies.of_node, bodies.proxies, nodes.v);
-    for (std::size_t b = 0; b < bodies.all.size(); ++b)
-        bodies.all[b].take(bodies.proxies[b], dt, clock.kick_span(dt), nodes);
+    for (std::size_t b = 0; b < bodies.all.size(); ++b) {
+        const Vec3 by_joints = bodies.joints ? bodies.joints->passed_on(b) : Vec3(Vec3::Zero());
+        bodies.all[b].take(bodies.proxies[b], by_joints, dt, clock.kick_span(dt), nodes);
+    }
     if (has_stopped) {
         if (bodies.joints)
             bodies.joints->hold(clock.t, dt, clock.kick_span(dt), RigidJoints::After::CONTACT,

@@ -226,11 +226,11 @@ contact::RigidProxy RigidBody::proxy() const {
     return out;
 }
 
-void RigidBody::take(const contact::RigidProxy& moved, double dt, double span,
-                     fabric::Nodes& nodes) {
+void RigidBody::take(const contact::RigidProxy& moved, const Vec3& by_joints, double dt,
+                     double span, fabric::Nodes& nodes) {
     if (moved.impulse.isZero(0.0) && moved.turning.isZero(0.0)) return;
     give(moved, moved.impulse, moved.turning, span);
-    if (span > 0.0) impulse_force_ = moved.impulse / span;
+    if (span > 0.0) impulse_force_ = (moved.impulse - by_joints) / span;
     carry(dt, nodes);
 }
 

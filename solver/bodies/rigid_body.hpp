@@ -45,7 +45,9 @@ public:
     /// As contact sees it at t: with the velocity before advance() or after it.
     [[nodiscard]] contact::RigidProxy proxy() const;
     /// Takes what contact has given in the step from t to t + dt, and carries its nodes anew.
-    void take(const contact::RigidProxy& moved, double dt, double span, fabric::Nodes& nodes);
+    /// @param by_joints  of the impulse that it has taken, what joints passed on         [N s]
+    void take(const contact::RigidProxy& moved, const Vec3& by_joints, double dt, double span,
+              fabric::Nodes& nodes);
 
     /// What a joint gives between the kick and the drift (rigid_joints.hpp): changes V and L, and
     /// where foresee() says that the body goes; carry() then moves the nodes.
@@ -125,7 +127,7 @@ public:
     [[nodiscard]] double field_work() const { return field_work_; }
     /// What the field's damping took in the last kick.                                       [J]
     [[nodiscard]] double damped() const { return damped_; }
-    /// Mean of what contact's impulses gave in the last step.                              [N]
+    /// Mean of what contact's impulses gave in the last step, that of joints left out.     [N]
     [[nodiscard]] const Vec3& impulse_force() const { return impulse_force_; }
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).

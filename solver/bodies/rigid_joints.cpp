@@ -30,7 +30,8 @@ Index body_of(const std::vector<RigidBody>& bodies, Index part) {
 
 }  // namespace
 
-RigidJoints::RigidJoints(const Model& model, const std::vector<RigidBody>& bodies) {
+RigidJoints::RigidJoints(const Model& model, const std::vector<RigidBody>& bodies)
+    : passed_on_(bodies.size(), Vec3::Zero()) {
     for (const RigidJoint& joint : model.rigid_joints) {
         Pin pin;
         pin.name = joint.name;
@@ -109,6 +110,7 @@ void RigidJoints::hold(double t, double dt, double span, After after,
                        std::vector<RigidBody>& bodies, std::vector<contact::RigidProxy>& proxies,
                        fabric::Nodes& nodes) {
     if (empty()) return;
+    if (after == After::KICK) std::fill(passed_on_.begin(), passed_on_.end(), Vec3::Zero());
     look(bodies);
     factor(proxies);
     Eigen::VectorXd gap(rows_);
@@ -164,8 +166,10 @@ double RigidJoints::pass_on(std::vector<contact::RigidProxy>& proxies) {
     }
     double work = 0.0;
     if (apart.isZero(0.0)) return work;
-    share(mobility_.solve(-apart),
-          [&](Index b, const Vec3& J, const Vec3& place) { work += proxies[b].push(J, place); });
+    share(mobility_.solve(-apart), [&](Index b, const Vec3& J, const Vec3& place) {
+        work += proxies[b].push(J, place);
+        passed_on_[b] += J;
+    });
     return work;
 }
 

@@ -46,6 +46,9 @@ public:
     /// What contact has given to a body since hold() is passed on, as far as velocities show it.
     /// @returns  work that supports and motions do thereby                                  [J]
     double pass_on(std::vector<contact::RigidProxy>& proxies);
+    /// What pass_on() has given to a body since hold() after the kick: of what the body's proxy has
+    /// taken, the part that is not contact's.                                             [N s]
+    [[nodiscard]] const Vec3& passed_on(std::size_t body) const { return passed_on_[body]; }
 
     /// By joint: the number that its name ends with; where two end with the same, the order of the
     /// deck from 1.
@@ -76,6 +79,7 @@ private:
 
     std::vector<Pin> pins_;
     std::vector<Given> given_;  ///< by joint
+    Points passed_on_;          ///< by body                                            [N s]
     Eigen::Index rows_ = 0;
     Eigen::LDLT<Eigen::MatrixXd> mobility_;  ///< S of the last hold()                    [1/kg]
 };

@@ -126,6 +126,27 @@ TEST_CASE("a hit on one body is passed on through its joints", "[contact]") {
     CHECK(run.x(41).z() > run.x(25).z());  // and the bullet has not passed the third
 }
 
+TEST_CASE("the force on a jointed body is that of contact alone", "[contact]") {
+    Run run("joints_hit.k");
+    Vec3 on_third = Vec3::Zero(), on_bullet = Vec3::Zero();
+    double others = 0.0, accelerated = 0.0, half = 0.0;
+    while (!run.scene.is_over()) {
+        Sample now;
+        const StepReport report = run.scene.step([&](Simulation& at) { now = at.sample(); });
+        const double span = half + 0.5 * report.dt;  // of the kick at t
+        half = 0.5 * report.dt;
+        REQUIRE(now.rigid_bodies.size() == 4);
+        others += now.rigid_bodies[0].force.norm() + now.rigid_bodies[1].force.norm();
+        accelerated += now.rigid_bodies[1].acceleration.norm();
+        on_third += span * now.rigid_bodies[2].force;
+        on_bullet += span * now.rigid_bodies[3].force;
+    }
+    CHECK(accelerated > 0.0);  // by the joint
+    CHECK(others == 0.0);
+    CHECK(on_third.norm() > 0.01);
+    CHECK((on_third + on_bullet).norm() < 1e-12 * on_third.norm());
+}
+
 TEST_CASE("nodes that are tied in one place are one", "[io][fabric]") {
     Run tied("tied_nodes.k"), whole("wang_nefske_inflator_card.k");
     CHECK(tied.scene.model().tied_nodes.size() == 8);
