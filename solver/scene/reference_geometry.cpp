@@ -98,12 +98,12 @@ void check_births(const Model& model, const std::vector<double>& births) {
     if (!faults.empty()) throw InputError(std::move(faults));
 }
 
-std::vector<std::array<Vec3, 4>> corners_at(double t, const std::vector<double>& births,
-                                            const std::vector<std::array<Vec3, 4>>& corners,
-                                            const Model& model) {
+std::vector<std::array<Vec3, 4>> corners_before(double next, const std::vector<double>& births,
+                                                const std::vector<std::array<Vec3, 4>>& corners,
+                                                const Model& model) {
     std::vector<std::array<Vec3, 4>> out = corners;
     for (std::size_t s = 0; s < births.size(); ++s)
-        if (births[s] > t) out[s] = corners_of(model.shells[s], model.x);
+        if (births[s] >= next) out[s] = corners_of(model.shells[s], model.x);
     return out;
 }
 

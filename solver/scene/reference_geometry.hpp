@@ -22,10 +22,11 @@ std::vector<double> reference_births(const Model& model);
 /// @throws InputError  where births meet what they do not go with: DT2MS, TSRFAC
 void check_births(const Model& model, const std::vector<double>& births);
 
-/// `corners` of the shells that are born by t, the places at the start of those that are not.
-std::vector<std::array<Vec3, 4>> corners_at(double t, const std::vector<double>& births,
-                                            const std::vector<std::array<Vec3, 4>>& corners,
-                                            const Model& model);
+/// `corners` of the shells that are born before `next`, the places at the start of all others.
+/// @param next  the first birth that does not count yet                                     [s]
+std::vector<std::array<Vec3, 4>> corners_before(double next, const std::vector<double>& births,
+                                                const std::vector<std::array<Vec3, 4>>& corners,
+                                                const Model& model);
 
 /// Does an edge of an `active` shell differ by more than `least` from its length between `corners`?
 /// @param active  E

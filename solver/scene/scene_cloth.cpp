@@ -40,10 +40,10 @@ std::vector<double> SceneState::fabric_sizes() const {
     return size;
 }
 
-/// The membranes with the reference geometry that counts at t, on the masses of the reference
-/// shape.
-fabric::Membranes SceneState::membranes_at(double t) const {
-    const auto corners = corners_at(t, cloth.births, cloth.reference, model);
+/// The membranes with the reference geometry that counts, born before the next birth to come, on
+/// the masses of the reference shape.
+fabric::Membranes SceneState::membranes_now() const {
+    const auto corners = corners_before(cloth.next_birth, cloth.births, cloth.reference, model);
     fabric::MembraneSetup setup{model.shells, model.parts,    model.materials, cloth.reference,
                                 cloth.active, model.x.size(), model.curves,    nodes.x};
     const std::vector<double> mass = fabric::lumped_mass(setup);  // rigid bodies' nodes too
@@ -68,7 +68,7 @@ void SceneState::activate_references() {
         return membranes.strain_energy() + membranes.lost_energy();
     };
     const double before = stored(old);
-    fabric::Membranes now = membranes_at(clock.t);
+    fabric::Membranes now = membranes_now();
     now.inherit(old, is_new);
     old = std::move(now);
     const double more = stored(old) - before;

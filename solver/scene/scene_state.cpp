@@ -84,7 +84,7 @@ void SceneState::build_cloth() {
     loads.share_mass(model, cloth.shell_mass);
     cloth.active_shells =
         static_cast<std::size_t>(std::count(cloth.active.begin(), cloth.active.end(), 1));
-    if (cloth.active_shells > 0) cloth.membranes = membranes_at(0.0);
+    if (cloth.active_shells > 0) cloth.membranes = membranes_now();
     if (cloth.membranes)
         for (const auto& [part, inner, sewn] : cloth.membranes->coat().parts())
             if (sewn > 0)
@@ -102,7 +102,8 @@ void SceneState::build_cloth() {
         cloth.added_mass = added.total;
     }
     if (cloth.membranes &&
-        is_strained(model, cloth.active, corners_at(0.0, cloth.births, cloth.reference, model),
+        is_strained(model, cloth.active,
+                    corners_before(cloth.next_birth, cloth.births, cloth.reference, model),
                     StrainedStart::LITTLE))
         cloth.strained_start.begin(cloth.membranes->stable_step().dt);
     if (ties.empty()) return;

@@ -49,7 +49,7 @@ struct SceneCloth {
     std::vector<double> shell_mass;              ///< E, rho h A0                     [kg]
     std::vector<std::array<Vec3, 4>> reference;  ///< E × 4, stress-free corners         [m]
     std::vector<double> births;  ///< E: when it counts; empty: from the start           [s]
-    double next_birth = INF;     ///< the first of `births` to come; INF: none             [s]
+    double next_birth = INF;     ///< the first of `births` that does not count yet; INF: none [s]
     std::optional<fabric::Membranes> membranes;  ///< none: no shell is strained
     GrowthMonitor growth;                        ///< where there are membranes
     StrainedStart strained_start;                ///< likewise
@@ -170,8 +170,8 @@ struct SceneState {
         archive(clock, nodes.x, nodes.v, ledger);
         const double next_birth = cloth.next_birth;
         archive(cloth.next_birth);
-        if (cloth.next_birth != next_birth && cloth.membranes)  // read: references that count now
-            cloth.membranes = membranes_at(clock.t);
+        if (cloth.next_birth != next_birth && cloth.membranes)  // read: references that count
+            cloth.membranes = membranes_now();
         archive(cloth.membranes, cloth.growth, cloth.strained_start, supports, bodies.all,
                 airbags.particle, airbags.uniform, obstacles.contact, obstacles.walls,
                 impulses.walls, impulses.contacts, impulses.joints, impulses.turnings);
@@ -207,7 +207,7 @@ private:
     void book_stops();
     /// Adds the kinetic energy of rigid bodies and walls of mass to that of nodes.          [J]
     [[nodiscard]] double with_obstacles(double all) const;
-    [[nodiscard]] fabric::Membranes membranes_at(double t) const;
+    [[nodiscard]] fabric::Membranes membranes_now() const;
     [[nodiscard]] std::vector<Index> fabric_nodes() const;
     [[nodiscard]] std::vector<double> fabric_sizes() const;  // by node
 };

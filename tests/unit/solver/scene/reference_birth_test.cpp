@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
+#include <memory>
+
+#include "solver/base/archive.hpp"
 #include "solver/base/error.hpp"
 #include "solver/scene/reference_geometry.hpp"
 #include "solver/simulation.hpp"
@@ -107,9 +110,41 @@ TEST_CASE("births are those of the shells' nodes, or of their material", "[solve
     CHECK(next_birth(1e-3, births) == 2e-3);
     CHECK(next_birth(2e-3, births) == INF);
     const auto corners = reference_corners(model);
-    const auto at = corners_at(1e-3, births, corners, model);
+    const auto at = corners_before(2e-3, births, corners, model);
     for (std::size_t s = 0; s < births.size(); ++s)
         CHECK((at[s][0] == corners[s][0]) == (births[s] == 1e-3));
+}
+
+TEST_CASE("a restart at a birth that has come but does not count yet leaves no trace",
+          "[solver][reference][restart]") {
+    Model model = taut_sphere();
+    model.references[0].birth = 0.2e-3;
+    ReferenceGeometry later;
+    later.nodes = {model.references[0].nodes[0]};
+    later.birth = 0.4e-3;
+    model.references.push_back(later);
+    const auto told = [&](bool is_restarted) {
+        auto simulation = std::make_unique<Simulation>(model);
+        std::vector<std::vector<char>> states;
+        int restarts_at_birth = 0;
+        while (!simulation->is_over()) {
+            simulation->step([](Simulation&) {});
+            StateWriter state;
+            state(*simulation);
+            states.push_back(state.take());
+            if (!is_restarted) continue;
+            restarts_at_birth += simulation->scene().cloth.next_birth <= simulation->time() ? 1 : 0;
+            simulation = std::make_unique<Simulation>(model);
+            StateReader reader(states.back());
+            reader(*simulation);
+            REQUIRE(reader.is_at_end());
+        }
+        CHECK(restarts_at_birth == (is_restarted ? 2 : 0));
+        return states;
+    };
+    const auto whole = told(false), broken = told(true);
+    REQUIRE(whole.size() == broken.size());
+    for (std::size_t k = 0; k < whole.size(); ++k) REQUIRE(whole[k] == broken[k]);
 }
 
 TEST_CASE("a birth does not go with added mass or strains that come back", "[solver][reference]") {
