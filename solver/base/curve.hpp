@@ -10,8 +10,8 @@ namespace corpuscle {
 
 /// Piecewise linear curve y(x) of *DEFINE_CURVE, offset and scaled already.
 ///
-/// Abscissae never decrease; two equal ones are a jump. Outside its range a curve keeps its end
-/// value.
+/// Abscissae never decrease; two equal ones are a jump, where the value is that after it, at the
+/// first abscissa too. Outside its range a curve keeps its end value.
 struct Curve {
     int id = 0;             ///< the deck's LCID
     std::vector<double> x;  ///< abscissa, ascending
@@ -20,9 +20,9 @@ struct Curve {
     /// Without points: of such a curve nothing else may be asked.
     [[nodiscard]] bool empty() const { return x.empty(); }
 
-    /// y at `at`; on a jump within the range, after it.         cost: one binary search, 1 div
+    /// y at `at`; on a jump, after it.                          cost: one binary search, 1 div
     [[nodiscard]] double operator()(double at) const {
-        if (at <= x.front()) return y.front();
+        if (at <= x.front()) return at < x.front() ? y.front() : after(0);
         if (at >= x.back()) return y.back();
         const auto right = std::upper_bound(x.begin(), x.end(), at);
         const auto i = static_cast<std::size_t>(right - x.begin());

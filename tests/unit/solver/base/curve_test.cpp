@@ -16,6 +16,19 @@ TEST_CASE("a curve interpolates and keeps its end values", "[base][curve]") {
     CHECK(curve(9.0) == 0.0);
 }
 
+TEST_CASE("a curve that begins with a jump has the value after it there", "[base][curve]") {
+    const Curve curve{1, {0.0, 0.0, 2.0}, {0.0, 5.0, 5.0}};
+    CHECK(curve(-1.0) == 0.0);
+    CHECK(curve(0.0) == 5.0);
+    CHECK(curve.mean(0.0, 1.0) == 5.0);
+    CHECK(curve.mean(-1.0, 1.0) == 2.5);
+    CHECK(curve.integral_to(1.0) == 5.0);
+    const Curve point{1, {1.0, 1.0}, {2.0, 3.0}};
+    CHECK(point(0.5) == 2.0);
+    CHECK(point(1.0) == 3.0);
+    CHECK(point(1.5) == 3.0);
+}
+
 TEST_CASE("a curve that reaches the end goes on along its last segment, one that does not stays",
           "[base][curve]") {
     const Curve curve{1, {0.0, 1.0, 3.0}, {2.0, 4.0, 0.0}};
