@@ -60,7 +60,7 @@ void SceneState::kick(double dt, double span) {
     ties.share_force(nodes.f);
     nodes.kick(span, &v.before);
     move_bodies(dt, span);
-    supports.hold(clock.t, dt, span, nodes);
+    supports.hold(clock.t, dt, span, v.before, nodes);
     ties.hold(nodes.v);
     ledger.after.kinetic = kinetic_energy();
 }

@@ -14,25 +14,16 @@ std::uint8_t directions(const Vec3& axis) {
 
 }  // namespace
 
-MotionCurve::MotionCurve(const PrescribedMotion& motion, const Curve& curve, double start_velocity,
-                         double end_time)
+MotionCurve::MotionCurve(const PrescribedMotion& motion, const Curve& curve, double end_time)
     : curve_(curve.continued_beyond(end_time)),
       kind_(motion.kind),
       scale_(motion.scale),
       birth_(motion.birth),
-      death_(motion.death),
-      velocity_(start_velocity) {}
+      death_(motion.death) {}
 
-double MotionCurve::velocity(double t, double dt, double span) {
-    switch (kind_) {
-        case MotionKind::VELOCITY:
-            return scale_ * curve_.mean(t, t + dt);
-        case MotionKind::DISPLACEMENT:
-            return scale_ * (curve_(t + dt) - curve_(t)) / dt;
-        case MotionKind::ACCELERATION:
-            break;
-    }
-    return velocity_ += scale_ * curve_(t) * span;
+double MotionCurve::velocity(double t, double dt) const {
+    return kind_ == MotionKind::VELOCITY ? scale_ * curve_.mean(t, t + dt)
+                                         : scale_ * (curve_(t + dt) - curve_(t)) / dt;
 }
 
 Constraints::Constraints(const Model& model) : held_(model.x.size(), 0) {
@@ -43,11 +34,10 @@ Constraints::Constraints(const Model& model) : held_(model.x.size(), 0) {
     }
     for (const PrescribedMotion& motion : model.motions) {
         if (motion.rigid_part >= 0) continue;
-        const double start =
-            motion.nodes.empty() ? 0.0 : model.velocity[motion.nodes.front()].dot(motion.axis);
-        motions_.push_back(
-            {motion.nodes, motion.axis,
-             MotionCurve(motion, model.curves[motion.curve], start, model.end_time)});
+        motions_.push_back({motion.nodes,
+                            motion.axis,
+                            MotionCurve(motion, model.curves[motion.curve], model.end_time),
+                            {}});
         if (motion.birth <= 0.0 && motion.death >= model.end_time)
             for (const Index node : motion.nodes) held_[node] |= directions(motion.axis);
     }
@@ -59,16 +49,30 @@ Constraints::Constraints(const Model& model) : held_(model.x.size(), 0) {
         if (seen[n]) nodes_.push_back(static_cast<Index>(n));
 }
 
-void Constraints::hold(double t, double dt, double span, fabric::Nodes& nodes) {
+void Constraints::hold(double t, double dt, double span, const Points& before,
+                       fabric::Nodes& nodes) {
     for (const Support& support : supports_)
         for (int a = 0; a < 3; ++a)
             if (support.fixed & (1U << a)) nodes.v[support.node][a] = 0.0;
-    for (Motion& motion : motions_) {
-        if (!motion.curve.is_active(t)) continue;
-        const double target = motion.curve.velocity(t, dt, span);
-        for (const Index node : motion.nodes)
-            nodes.v[node] += (target - nodes.v[node].dot(motion.axis)) * motion.axis;
+    for (Motion& motion : motions_)
+        if (motion.curve.is_active(t)) move(motion, t, dt, span, before, nodes.v);
+}
+
+void Constraints::move(Motion& motion, double t, double dt, double span, const Points& before,
+                       Points& v) {
+    const auto lead = [&](Index node, double target) {
+        v[node] += (target - v[node].dot(motion.axis)) * motion.axis;
+    };
+    if (!motion.curve.is_acceleration()) {
+        const double target = motion.curve.velocity(t, dt);
+        for (const Index node : motion.nodes) lead(node, target);
+        return;
     }
+    if (motion.led.empty())
+        for (const Index node : motion.nodes) motion.led.push_back(before[node].dot(motion.axis));
+    const double gain = motion.curve.gain(t, span);
+    for (std::size_t k = 0; k < motion.nodes.size(); ++k)
+        lead(motion.nodes[k], motion.led[k] += gain);
 }
 
 }  // namespace corpuscle

@@ -10,33 +10,28 @@
 
 namespace corpuscle {
 
-/// A motion along one axis as the deck states it, turned into the velocity of a step.
+/// A motion along one axis as the deck states it, turned into velocities of a step. What a
+/// prescribed acceleration has led to is its user's to keep: each node and body has its own.
 class MotionCurve {
 public:
-    /// @param curve           of the motion, over time
-    /// @param start_velocity  along the axis, of a prescribed acceleration                 [m/s]
-    /// @param end_time        of the run, beyond which a curve that reaches it goes on       [s]
-    MotionCurve(const PrescribedMotion& motion, const Curve& curve, double start_velocity,
-                double end_time);
+    /// @param curve     of the motion, over time
+    /// @param end_time  of the run, beyond which a curve that reaches it goes on             [s]
+    MotionCurve(const PrescribedMotion& motion, const Curve& curve, double end_time);
 
     /// Whether birth <= t < death.
     [[nodiscard]] bool is_active(double t) const { return t >= birth_ && t < death_; }
+    /// Whether it gives an acceleration, and gain() counts; else velocity() does.
+    [[nodiscard]] bool is_acceleration() const { return kind_ == MotionKind::ACCELERATION; }
 
     /// Velocity that carries x(t) to x(t + dt): the exact displacement of the step over dt.   [m/s]
-    /// `span` is the kick span at t, over which a prescribed acceleration acts.
-    double velocity(double t, double dt, double span);
-
-    /// What a checkpoint holds of it (solver/base/archive.hpp).
-    template <class Archive>
-    void visit_state(Archive& archive) {
-        archive(velocity_);
-    }
+    [[nodiscard]] double velocity(double t, double dt) const;
+    /// Velocity that a prescribed acceleration gives in the kick at t, over its span.         [m/s]
+    [[nodiscard]] double gain(double t, double span) const { return scale_ * curve_(t) * span; }
 
 private:
     Curve curve_;
     MotionKind kind_;
     double scale_, birth_, death_;
-    double velocity_;  ///< of a prescribed acceleration, integrated so far
 };
 
 /// Supports and prescribed motions of nodes. Rigid bodies have their own (rigid_body.hpp).
@@ -45,9 +40,11 @@ public:
     /// @param model  whose supports and motions it takes, those of rigid parts left out
     explicit Constraints(const Model& model);
 
-    /// Sets v(t + dt/2) of the held directions.
-    /// @param span  of the kick at t                                                         [s]
-    void hold(double t, double dt, double span, fabric::Nodes& nodes);
+    /// Sets v(t + dt/2) of the held directions. A prescribed acceleration begins with the velocity
+    /// that each node has along the axis before the first kick in which it acts.
+    /// @param span    of the kick at t                                                       [s]
+    /// @param before  velocities before it, N × 3                                          [m/s]
+    void hold(double t, double dt, double span, const Points& before, fabric::Nodes& nodes);
 
     /// Bits 0-2: directions x y z of a node that something holds, whatever the time.
     [[nodiscard]] const std::vector<std::uint8_t>& held() const { return held_; }
@@ -57,7 +54,7 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        for (Motion& motion : motions_) archive(motion.curve);
+        for (Motion& motion : motions_) archive(motion.led);
     }
 
 private:
@@ -65,7 +62,11 @@ private:
         std::vector<Index> nodes;
         Vec3 axis;
         MotionCurve curve;
+        std::vector<double> led;  ///< by node: along the axis, by a prescribed acceleration [m/s];
+                                  ///< empty before it acts
     };
+    void move(Motion& motion, double t, double dt, double span, const Points& before, Points& v);
+
     std::vector<Support> supports_;
     std::vector<Motion> motions_;
     std::vector<std::uint8_t> held_;

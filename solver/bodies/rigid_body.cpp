@@ -62,13 +62,11 @@ RigidBody::RigidBody(const Model& model, Index part, const std::vector<double>& 
             angular_momentum_ = turn_ * inertia_.cwiseProduct(local);
         }
     for (const PrescribedMotion& motion : model.motions)
-        if (motion.rigid_part == part) {
-            const double start =
-                motion.rotation ? spin().dot(motion.axis) : velocity_.dot(motion.axis);
-            motions_.push_back(
-                {motion.rotation, motion.axis,
-                 MotionCurve(motion, model.curves[motion.curve], start, model.end_time)});
-        }
+        if (motion.rigid_part == part)
+            motions_.push_back({motion.rotation,
+                                motion.axis,
+                                MotionCurve(motion, model.curves[motion.curve], model.end_time),
+                                {}});
 }
 
 /// Principal moments and their axes.
@@ -234,6 +232,14 @@ void RigidBody::take(const contact::RigidProxy& moved, const Vec3& by_joints, do
     carry(dt, nodes);
 }
 
+/// Of a motion that acts; a prescribed acceleration begins with what the body has before the kick.
+double RigidBody::rate_of(Motion& motion, double t, double dt, double span) const {
+    if (!motion.curve.is_acceleration()) return motion.curve.velocity(t, dt);
+    if (!motion.led)
+        motion.led = (motion.rotation ? kick_.spin : velocity_before_).dot(motion.axis);
+    return *motion.led += motion.curve.gain(t, span);
+}
+
 /// What holds translation, or rotation, now; motions go before fixed axes along which they lead.
 RigidBody::Holds RigidBody::holds(bool rotation, double t, double dt, double span) {
     Holds now;
@@ -246,7 +252,7 @@ RigidBody::Holds RigidBody::holds(bool rotation, double t, double dt, double spa
     };
     for (Motion& motion : motions_)
         if (motion.rotation == rotation && motion.curve.is_active(t))
-            hold(motion.axis, motion.curve.velocity(t, dt, span));
+            hold(motion.axis, rate_of(motion, t, dt, span));
     const unsigned fixed = rotation ? fixed_turns_ : fixed_moves_;
     for (int a = 0; a < 3; ++a)
         if (fixed & (1U << a)) hold(fixed_axes_.col(a), 0.0);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include <optional>
 #include <vector>
 
 #include "contact/surface/rigid_proxies.hpp"
@@ -133,7 +134,7 @@ public:
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        for (Motion& motion : motions_) archive(motion.curve);
+        for (Motion& motion : motions_) archive(motion.led);
         archive(held_moves_, held_turns_, centre_, next_centre_, turn_, next_turn_, velocity_,
                 acceleration_, angular_momentum_, mid_velocity_, mid_spin_, impulse_force_,
                 held_work_, field_work_, damped_);
@@ -144,6 +145,8 @@ private:
         bool rotation;
         Vec3 axis;
         MotionCurve curve;
+        std::optional<double> led;  ///< rate about or along the axis, by a prescribed acceleration
+                                    ///< that has acted                            [rad/s], [m/s]
     };
     void set_inertia(const Model& model, const RigidInertia& all);
     void give(const contact::RigidProxy& proxy, const Vec3& impulse, const Vec3& turning,
@@ -159,6 +162,7 @@ private:
         std::vector<Vec3> orthonormal;  ///< that span the same
         std::vector<double> rates;      ///< along the axes
     };
+    [[nodiscard]] double rate_of(Motion& motion, double t, double dt, double span) const;
     [[nodiscard]] Holds holds(bool rotation, double t, double dt, double span);
     void hold_translation(double t, double dt, double span);
     void hold_rotation(double t, double dt, double span);
