@@ -71,7 +71,7 @@ void SceneState::move_bodies(double dt, double span) {
         const Index part = bodies.all[b].part();
         RigidBody::Field field{loads.acceleration(clock.t, part), mass_damping()};
         for (std::size_t k = 0; k < model.part_dampings.size(); ++k)
-            if (model.part_dampings[k].part == part) field.damping += part_damping(k);
+            if (bodies.damped[b][k] > 0.0) field.damping += bodies.damped[b][k] * part_damping(k);
         bodies.all[b].advance(clock.t, dt, span, field, nodes);
         bodies.proxies[b] = bodies.all[b].proxy();
     }

@@ -3,6 +3,8 @@
 #include "solver/bodies/rigid_parts.hpp"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace corpuscle {
 namespace {
@@ -25,6 +27,29 @@ RigidInertia inertia_of(const Points& x, const std::vector<Index>& nodes,
     all.centre /= all.mass;
     for (const Index n : nodes) all.inertia += moved_inertia(node_mass[n], x[n] - all.centre);
     return all;
+}
+
+/// What *PART_INERTIA or solids say of a part, or nullptr.
+const RigidInertia* card_of(const Model& model, Index part) {
+    for (const RigidInertia& inertia : model.rigid_inertia)
+        if (inertia.part == part) return &inertia;
+    return nullptr;
+}
+
+/// The merge by which a part is in its lead's *PART_INERTIA, or nullptr.
+const RigidMerge* merge_into_lead(const Model& model, Index part) {
+    for (const RigidMerge& merge : model.rigid_merges)
+        if (merge.part == part && merge.keeps_inertia && card_of(model, merge.lead) != nullptr)
+            return &merge;
+    return nullptr;
+}
+
+/// The part whose *PART_INERTIA has a part's mass; -1: its nodes have it.
+Index speaker_of(const Model& model, Index part) {
+    for (const RigidMerge* merge = merge_into_lead(model, part); merge != nullptr;
+         merge = merge_into_lead(model, part))
+        part = merge->lead;
+    return card_of(model, part) != nullptr ? part : -1;
 }
 
 /// Of two bodies that move as one, the first of which has mass.
@@ -63,22 +88,11 @@ std::vector<Index> nodes_of_rigid_parts(const Model& model, const std::vector<In
 
 RigidInertia inertia_of_parts(const Model& model, const std::vector<Index>& parts,
                               const std::vector<double>& node_mass) {
-    const auto given = [&](Index part) -> const RigidInertia* {
-        for (const RigidInertia& inertia : model.rigid_inertia)
-            if (inertia.part == part) return &inertia;
-        return nullptr;
-    };
-    const auto is_in_its_leads = [&](Index part) {
-        return std::any_of(
-            model.rigid_merges.begin(), model.rigid_merges.end(), [&](const RigidMerge& merge) {
-                return merge.part == part && merge.keeps_inertia && given(merge.lead) != nullptr;
-            });
-    };
     std::vector<RigidInertia> bodies;
     std::vector<Index> others;
     for (const Index part : parts) {
-        if (is_in_its_leads(part)) continue;
-        if (const RigidInertia* inertia = given(part))
+        if (merge_into_lead(model, part) != nullptr) continue;
+        if (const RigidInertia* inertia = card_of(model, part))
             bodies.push_back(*inertia);
         else
             others.push_back(part);
@@ -88,6 +102,37 @@ RigidInertia inertia_of_parts(const Model& model, const std::vector<Index>& part
     RigidInertia all = bodies.front();
     for (std::size_t k = 1; k < bodies.size(); ++k) all = merged(all, bodies[k]);
     return all;
+}
+
+std::vector<double> mass_shares(const Model& model, const std::vector<Index>& parts,
+                                const std::vector<double>& node_mass) {
+    struct Group {
+        double by_nodes = 0.0;  ///< mass of its nodes, each of them once                    [kg]
+        std::set<Index> nodes;
+        Index first = -1;  ///< part
+    };
+    std::map<Index, Group> groups;  // by who speaks for their mass
+    std::vector<double> own(parts.size(), 0.0);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        Group& group = groups[speaker_of(model, parts[k])];
+        if (group.first < 0) group.first = parts[k];
+        for (const Index n : nodes_of_rigid_parts(model, {parts[k]}))
+            if (group.nodes.insert(n).second) own[k] += node_mass[n];
+        group.by_nodes += own[k];
+    }
+    const auto mass_of = [&](Index speaker, const Group& group) {
+        return speaker < 0 ? group.by_nodes : card_of(model, speaker)->mass;
+    };
+    double all = 0.0;
+    for (const auto& [speaker, group] : groups) all += mass_of(speaker, group);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        const Index speaker = speaker_of(model, parts[k]);
+        const Group& group = groups.at(speaker);
+        const double of_group = group.by_nodes > 0.0 ? own[k] / group.by_nodes
+                                                     : static_cast<double>(parts[k] == group.first);
+        own[k] = mass_of(speaker, group) / all * of_group;
+    }
+    return own;
 }
 
 }  // namespace corpuscle

@@ -24,4 +24,10 @@ namespace corpuscle {
 [[nodiscard]] RigidInertia inertia_of_parts(const Model& model, const std::vector<Index>& parts,
                                             const std::vector<double>& node_mass);
 
+/// By part: its share of the mass of parts that move as one body; together 1. What one
+/// *PART_INERTIA speaks for, and what the nodes' masses do, is shared as the nodes' masses are, a
+/// node that several have counting for the first.                                           [-]
+[[nodiscard]] std::vector<double> mass_shares(const Model& model, const std::vector<Index>& parts,
+                                              const std::vector<double>& node_mass);
+
 }  // namespace corpuscle

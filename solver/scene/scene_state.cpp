@@ -13,6 +13,7 @@
 
 #include "gas/particles.hpp"
 #include "solver/base/error.hpp"
+#include "solver/bodies/rigid_parts.hpp"
 #include "solver/scene/bag_walls.hpp"
 #include "solver/scene/reference_geometry.hpp"
 
@@ -125,6 +126,7 @@ void SceneState::build_bodies() {
         if (used && !is_led && is_rigid(model, part))
             bodies.all.emplace_back(model, part, nodes.mass);
     }
+    share_part_damping();
     std::vector<const RigidBody*> owner(nodes.size(), nullptr);
     for (const RigidBody& body : bodies.all)
         for (const Index n : body.nodes()) {
@@ -142,6 +144,19 @@ void SceneState::build_bodies() {
     for (std::size_t b = 0; b < bodies.all.size(); ++b)
         for (const Index n : bodies.all[b].nodes()) bodies.of_node[n] = static_cast<Index>(b);
     if (!model.rigid_joints.empty()) join_bodies();
+}
+
+/// Of bodies, by the mass of their parts that are damped.
+void SceneState::share_part_damping() {
+    if (model.part_dampings.empty()) return;
+    for (const RigidBody& body : bodies.all) {
+        const std::vector<double> shares = mass_shares(model, body.parts(), nodes.mass);
+        bodies.damped.emplace_back(model.part_dampings.size(), 0.0);
+        for (std::size_t k = 0; k < model.part_dampings.size(); ++k)
+            for (std::size_t p = 0; p < shares.size(); ++p)
+                if (body.parts()[p] == model.part_dampings[k].part)
+                    bodies.damped.back()[k] += shares[p];
+    }
 }
 
 /// Velocities at the start that joints do not allow are made to agree.

@@ -68,6 +68,8 @@ struct SceneBodies {
     std::vector<Index> of_node;                ///< N: row in `all` or -1; empty without bodies
     std::vector<contact::RigidProxy> proxies;  ///< the same as contact sees them
     std::optional<RigidJoints> joints;         ///< none: no body is joined
+    std::vector<std::vector<double>> damped;   ///< by body, by *DAMPING_PART_MASS: share of its
+                                               ///< mass that is damped                    [-]
 
     /// Positions are those that the last step led to.
     void arrive() {
@@ -198,6 +200,7 @@ private:
     void build_cloth();
     void build_bodies();
     void join_bodies();
+    void share_part_damping();
     void check_ties();
     void build_bags();
     void part_coinciding_cloth();

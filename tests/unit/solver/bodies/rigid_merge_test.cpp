@@ -5,10 +5,13 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <numbers>
 
 #include "solver/bodies/rigid_body.hpp"
 #include "solver/bodies/rigid_parts.hpp"
+#include "solver/simulation.hpp"
+#include "tests/support/scenes/touching_bodies.hpp"
 
 using namespace corpuscle;
 
@@ -116,6 +119,51 @@ TEST_CASE("nodes that merged parts share count once", "[solver][rigid]") {
     model.rigid_merges = {{0, 1, false}};
     const RigidInertia both = inertia_of_parts(model, merged_parts(model, 0), MASS);
     CHECK(both.mass == Approx(1.0 + 2.0 + 1.5 + 0.5 + 0.7 + 1.1));
+}
+
+TEST_CASE("parts share a merged body's mass", "[solver][rigid]") {
+    Model model = two_parts();
+    CHECK(mass_shares(model, {0}, MASS) == std::vector<double>{1.0});
+    model.rigid_merges = {{0, 1, false}};
+    const std::vector<Index> parts = merged_parts(model, 0);
+    const auto by_nodes = mass_shares(model, parts, MASS);  // 5 and 7 kg
+    CHECK(by_nodes[0] == Approx(5.0 / 12.0).epsilon(1e-15));
+    CHECK(by_nodes[1] == Approx(7.0 / 12.0).epsilon(1e-15));
+
+    RigidInertia lead;
+    lead.part = 0;
+    lead.mass = 21.0;
+    lead.centre = Vec3::Zero();
+    lead.inertia = Mat3::Identity();
+    model.rigid_inertia = {lead};
+    CHECK(mass_shares(model, parts, MASS)[0] == Approx(21.0 / 28.0).epsilon(1e-15));
+    model.rigid_merges[0].keeps_inertia = true;  // the lead's card speaks for both
+    CHECK(mass_shares(model, parts, MASS) == by_nodes);
+    model.shells[1].nodes = {1, 5, 6, 2};  // 3.5 of 5 kg are shared, and the first part's
+    CHECK(mass_shares(model, parts, MASS)[0] == Approx(5.0 / 6.8).epsilon(1e-15));
+}
+
+TEST_CASE("a damped part of a merged body damps its share of it", "[solver][rigid]") {
+    constexpr double DAMPING = 20.0;
+    Model model = scenes::empty(0.1);
+    const auto damped = static_cast<Index>(GENERATE(0, 1));
+    for (int k = 0; k < 2; ++k)
+        scenes::add(model, shapes::sphere(0.1, 1), scenes::rigid(1000.0 * (1 + 2 * k)), 1e-3,
+                    Vec3(k, 0, 0));
+    model.rigid_merges = {{0, 1, false}};
+    model.rigid_velocity = {{0, Vec3(0, 0, -2), Vec3(1, 0, 0)}};
+    model.curves = {{1, {0.0, 1.0}, {DAMPING, DAMPING}}};
+    model.part_dampings = {{damped, 0, 1.0}};
+    Simulation simulation(model);
+    REQUIRE(simulation.bodies().size() == 1);
+    double residual = 0.0;
+    while (!simulation.is_over())
+        simulation.step(
+            [&](Simulation& at) { residual = std::max(residual, std::abs(at.books().residual)); });
+    const double left = std::exp(-DAMPING * (damped == 0 ? 0.25 : 0.75) * 0.1);
+    CHECK(simulation.bodies()[0].velocity().z() == Approx(-2.0 * left).epsilon(1e-3));
+    CHECK(simulation.bodies()[0].spin().x() == Approx(left).epsilon(1e-3));
+    CHECK(residual < 1e-9);
 }
 
 TEST_CASE("a body on a rail that is no axis of the deck slides with g sin", "[solver][rigid]") {
