@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "solver/base/surface.hpp"
+#include "solver/bodies/tied_nodes.hpp"
 
 namespace corpuscle {
 
@@ -84,7 +85,8 @@ bool holds(const std::vector<Index>& parts, Index part) {
 
 }  // namespace
 
-void Loads::share_mass(const Model& model, const std::vector<double>& shell_mass) {
+void Loads::share_mass(const Model& model, const std::vector<double>& shell_mass,
+                       const TiedNodes& ties) {
     for (Body& load : body_) {
         if (load.parts.empty()) continue;
         std::vector<double> all(model.x.size(), 0.0);
@@ -98,6 +100,8 @@ void Loads::share_mass(const Model& model, const std::vector<double>& shell_mass
                     load.share[shell.nodes[k]] += shell_mass[s] / corners;
             }
         }
+        ties.share_mass(all);
+        ties.share_mass(load.share);
         for (std::size_t n = 0; n < all.size(); ++n)
             if (all[n] > 0.0) load.share[n] /= all[n];
     }

@@ -9,15 +9,19 @@
 
 namespace corpuscle {
 
-/// Loads that the deck prescribes: base acceleration and pressure on facets.
+class TiedNodes;
+
+/// Loads that the deck prescribes: base acceleration, pressure on facets, forces on nodes.
 class Loads {
 public:
     /// @param model  whose loads on bodies, facets and nodes it takes
     explicit Loads(const Model& model);
 
-    /// Which share of each node's mass the parts of a load on some parts have.
+    /// Which share of each node's mass, with that of tied nodes that it bears, the parts of a load
+    /// on some parts have.
     /// @param shell_mass  E                                                            [kg]
-    void share_mass(const Model& model, const std::vector<double>& shell_mass);
+    void share_mass(const Model& model, const std::vector<double>& shell_mass,
+                    const TiedNodes& ties);
 
     /// Whether the model has none: find_force() would give 0.
     [[nodiscard]] bool empty() const { return body_.empty() && pressure_.empty() && node_.empty(); }

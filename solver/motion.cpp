@@ -24,7 +24,7 @@ void SceneState::find_damping() {
     parallel::for_each(nodes.size(), [&](std::size_t n) {
         Vec3& f = forces.damping.f[n];
         f = -d * nodes.mass[n] * nodes.v[n];
-        if (!(nodes.mass[n] > 0.0)) return;  // a rigid body's
+        if (!(nodes.mass[n] > 0.0)) return;  // of a rigid body, or tied
         for (std::size_t k = 0; k < own.size(); ++k)
             f -= own[k] * forces.damped_mass[k][n] * nodes.v[n];
     });
@@ -35,10 +35,11 @@ double SceneState::part_damping(std::size_t k) const {
     return damping.scale * model.curves[damping.curve](clock.t);
 }
 
-/// Mass that the shells of each damped part give to nodes; those of rigid parts are damped as one.
+/// Mass that the shells of each damped part give to nodes, and of tied nodes to those that bear it;
+/// those of rigid parts are damped as one.
 void SceneState::find_damped_mass() {
     forces.damped_mass.assign(model.part_dampings.size(), std::vector<double>(nodes.size(), 0.0));
-    for (std::size_t k = 0; k < forces.damped_mass.size(); ++k)
+    for (std::size_t k = 0; k < forces.damped_mass.size(); ++k) {
         for (std::size_t s = 0; s < model.shells.size(); ++s) {
             const Shell& shell = model.shells[s];
             if (shell.part != model.part_dampings[k].part) continue;
@@ -46,6 +47,8 @@ void SceneState::find_damped_mass() {
             for (int c = 0; c < corners; ++c)
                 forces.damped_mass[k][shell.nodes[c]] += cloth.shell_mass[s] / corners;
         }
+        ties.share_mass(forces.damped_mass[k]);
+    }
 }
 
 /// What cloth and bodies may touch until t + dt.

@@ -82,7 +82,7 @@ void SceneState::build_cloth() {
     for (const NodeMass& added : model.node_masses) nodes.mass[added.node] += added.mass;
     cloth.shell_mass = fabric::shell_mass(setup);
     find_damped_mass();
-    loads.share_mass(model, cloth.shell_mass);
+    loads.share_mass(model, cloth.shell_mass, ties);
     cloth.active_shells =
         static_cast<std::size_t>(std::count(cloth.active.begin(), cloth.active.end(), 1));
     if (cloth.active_shells > 0) cloth.membranes = membranes_now();
