@@ -5,10 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
 #include "solver/base/error.hpp"
+#include "solver/scene/held_ties.hpp"
 #include "solver/scene/rims.hpp"
 
 namespace corpuscle {
@@ -62,11 +64,28 @@ std::string name_of(const Model& model, Index part) {
                            : fmt::format("part {} \"{}\"", p.id, p.title);
 }
 
+/// Supports and motions that tied nodes have and their edges' ends have not do not count.
+void let_go(Model& model, const Bag& bag, const std::vector<TiedNode>& ties) {
+    const HeldTies holds(model);
+    std::vector<TiedNode> lost;
+    std::copy_if(ties.begin(), ties.end(), std::back_inserter(lost),
+                 [&](const TiedNode& tie) { return holds.is_lost(tie); });
+    for (const TiedNode& tie : lost) {
+        release(model, tie.node);
+        model.warnings.push_back(fmt::format(
+            "{}: node {} hangs on edge {}-{} and is tied to it: the support or motion that it has "
+            "and nodes {} and {} have not does not count; give them the same, or join the meshes",
+            bag.name(), model.node_id[tie.node], model.node_id[tie.ends[0]],
+            model.node_id[tie.ends[1]], model.node_id[tie.ends[0]], model.node_id[tie.ends[1]]));
+    }
+}
+
 /// Nodes that hang on free edges of the bag, tied from now on.
 void tie_hanging_nodes(Model& model, const Bag& bag) {
     const std::vector<TiedNode> ties = hanging_nodes(model, free_edges(model, bag.shells()));
     if (ties.empty()) return;
     model.tied_nodes.insert(model.tied_nodes.end(), ties.begin(), ties.end());
+    let_go(model, bag, ties);
     std::string which;
     constexpr std::size_t FEW = 5;
     for (std::size_t k = 0; k < std::min(FEW, ties.size()); ++k)

@@ -15,6 +15,7 @@
 #include "solver/base/error.hpp"
 #include "solver/bodies/rigid_parts.hpp"
 #include "solver/scene/bag_walls.hpp"
+#include "solver/scene/held_ties.hpp"
 #include "solver/scene/reference_geometry.hpp"
 
 namespace corpuscle {
@@ -178,14 +179,23 @@ void SceneState::join_bodies() {
             taken, before));
 }
 
-/// Nodes of rigid bodies ride on these alone.
+/// Nodes of rigid bodies ride on these alone, and tied nodes on their edges' ends.
 void SceneState::check_ties() {
-    for (const TiedNode& tie : ties.all())
-        if (!bodies.of_node.empty() && bodies.of_node[tie.node] >= 0)
-            throw InputError(fmt::format(
-                "node {} is tied to nodes {} and {} and of a rigid part, expected one of the two",
-                model.node_id[tie.node], model.node_id[tie.ends[0]], model.node_id[tie.ends[1]]));
-    if (!ties.empty()) met_mass = ties.met_mass(nodes.mass);
+    if (ties.empty()) return;
+    const HeldTies holds(model);
+    std::vector<std::string> faults;
+    for (const TiedNode& tie : ties.all()) {
+        const bool is_of_body = !bodies.of_node.empty() && bodies.of_node[tie.node] >= 0;
+        if (!is_of_body && !holds.is_lost(tie)) continue;
+        faults.push_back(fmt::format(
+            "node {} is tied to nodes {} and {} and {}", model.node_id[tie.node],
+            model.node_id[tie.ends[0]], model.node_id[tie.ends[1]],
+            is_of_body ? "of a rigid part, expected one of the two"
+                       : "held or moved as these are not: it goes where they go, expected the "
+                         "same support or motion on both of them, or none on it"));
+    }
+    if (!faults.empty()) throw InputError(std::move(faults));
+    met_mass = ties.met_mass(nodes.mass);
 }
 
 /// 1 for nodes that supports, motions, rigid bodies or other nodes carry in every direction.
