@@ -126,7 +126,7 @@ struct AirbagSample {
 /// One row of every history; lists are in the order of the RecordLayout.
 struct Sample {
     double time = 0;                    ///< t                                               [s]
-    double dt = 0;                      ///< of the step ahead                               [s]
+    double dt = 0;                      ///< of the step that led to t                       [s]
     std::int64_t step = 0;              ///< steps made so far
     EnergyBooks energy;                 ///< the ledger at t                                 [J]
     std::vector<AirbagSample> airbags;  ///< by bag

@@ -181,9 +181,9 @@ private:
     std::vector<Vec3> held_moves_, held_turns_;  ///< axes along which it is held now, independent;
                                                  ///< those of moves orthonormal
 
-    Vec3 centre_;  ///< at t, moved to t + dt by the next advance
-    Vec3 next_centre_;
-    Eigen::Quaterniond turn_, next_turn_;
+    Vec3 centre_;       ///< at t, or where the last step began until arrive()        [m]
+    Vec3 next_centre_;  ///< where that step leads: centre_ from arrive() on            [m]
+    Eigen::Quaterniond turn_, next_turn_;  ///< R, likewise
     Vec3 velocity_ = Vec3::Zero();
     Vec3 acceleration_ = Vec3::Zero();
     Vec3 angular_momentum_ = Vec3::Zero();
