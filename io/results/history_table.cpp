@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include <cassert>
-#include <set>
 #include <type_traits>
 
 #include "solver/base/error.hpp"
@@ -227,6 +226,21 @@ void visit(const RecordLayout& layout, const Sample& s, const Sample& before, au
 }
 
 }  // namespace
+
+std::set<std::string> vector_histories() {
+    RecordLayout one;  // of each kind
+    one.airbags.emplace_back().id = 1;
+    one.parts = one.rigid_bodies = one.walls = one.moving_walls = one.contacts = one.joints =
+        one.history_nodes = {1};
+    one.sensors = 1;
+    const Sample none = blank(one);
+    std::set<std::string> names;
+    visit(one, none, none,
+          [&]<class Value>(const std::string& path, Quantity, const char*, const Value&) {
+              if (std::is_same_v<Value, Vec3>) names.insert(path.substr(path.rfind('/') + 1));
+          });
+    return names;
+}
 
 HistoryTable::HistoryTable(const RecordLayout& layout) {
     std::set<std::string> taken;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,10 @@
 #include "solver/records.hpp"
 
 namespace corpuscle::io {
+
+/// Names of the histories that have three numbers a row, as the last word of their path: "force",
+/// "velocity", ... No history of one number is called so.
+[[nodiscard]] std::set<std::string> vector_histories();
 
 /// Every history of a run, one column each, in memory: a run's histories are small (1000 samples of
 /// 200 columns are 1.6 MB), and so each version of the results holds all of them, whole.

@@ -6,6 +6,7 @@
 
 #include "io/deck_parameters.hpp"
 #include "solver/base/error.hpp"
+#include "tools/study/history_response.hpp"
 #include "tools/study/outcome.hpp"
 
 namespace corpuscle::study {
@@ -34,12 +35,17 @@ void expect_known_names(const Study& study) {
     std::vector<std::string> faults;
     if (study.meshes.empty()) look_into(study.deck, study, faults);
     for (const Mesh& mesh : study.meshes) look_into(mesh.deck, study, faults);
-    for (const std::string& response : study.responses)
+    for (const std::string& response : study.responses) {
         if (!has_form_of_response(response))
             faults.push_back(fmt::format(
                 "{}: responses = {}, expected BODY.RESPONSE, as 100.hic15, or max:, min: "
                 "or end: and a history",
                 study.file.string(), response));
+        const auto history = history_response(response);
+        if (const std::string why = history ? wrong_part(*history) : ""; !why.empty())
+            faults.push_back(
+                fmt::format("{}: responses = {}: {}", study.file.string(), response, why));
+    }
     if (!faults.empty()) throw InputError(faults);
 }
 

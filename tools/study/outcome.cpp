@@ -15,6 +15,7 @@
 #include "io/text/units.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/vec.hpp"
+#include "tools/study/history_response.hpp"
 
 namespace corpuscle::study {
 namespace {
@@ -34,29 +35,22 @@ struct Value {
     std::string unit;
 };
 
-/// "max:/history/..." or "PID.NAME". @throws SystemError where the results have no such thing
+/// Of a history, or "PID.NAME". @throws SystemError where the results have no such thing
 Value find(const io::Hdf5Reader& results, const std::string& response) {
-    const std::size_t colon = response.find(':');
-    if (colon == std::string::npos) {
-        std::string path = "/responses/" + response;
-        std::replace(path.begin(), path.end(), '.', '/');
-        // a body that met nothing has no time to contact: that is an answer
-        const bool is_known = results.has(path.substr(0, path.rfind('/'))) &&
-                              is_response(response.substr(response.find('.') + 1));
-        if (!results.has(path) && is_known) return {NaN, ""};
-        if (!results.has(path)) throw SystemError(fmt::format("no response {}", response));
-        return {results.read<double>(path).at(0), results.text(path, "unit")};
+    if (const auto history = history_response(response)) {
+        const double value = value_of(*history, results);
+        const auto [factor, unit] =
+            io::spoken(results.text(history->path, "unit"), results.text("/", "unit_system"));
+        return {factor * value, unit};
     }
-    const std::string how = response.substr(0, colon), path = response.substr(colon + 1);
-    if (!results.has(path) || results.is_group(path))
-        throw SystemError(fmt::format("the results hold no {}", path));
-    const std::vector<double> values = results.read<double>(path);
-    if (values.empty()) throw SystemError(fmt::format("{} is empty", path));
-    const auto [factor, unit] =
-        io::spoken(results.text(path, "unit"), results.text("/", "unit_system"));
-    if (how == "max") return {factor * *std::max_element(values.begin(), values.end()), unit};
-    if (how == "min") return {factor * *std::min_element(values.begin(), values.end()), unit};
-    return {factor * values.back(), unit};
+    std::string path = "/responses/" + response;
+    std::replace(path.begin(), path.end(), '.', '/');
+    // a body that met nothing has no time to contact: that is an answer
+    const bool is_known = results.has(path.substr(0, path.rfind('/'))) &&
+                          is_response(response.substr(response.find('.') + 1));
+    if (!results.has(path) && is_known) return {NaN, ""};
+    if (!results.has(path)) throw SystemError(fmt::format("no response {}", response));
+    return {results.read<double>(path).at(0), results.text(path, "unit")};
 }
 
 void read_responses(const Study& study, const fs::path& folder, Outcome& outcome) {
@@ -116,11 +110,7 @@ std::string key_of(const Study& study, const Row& row) {
 }
 
 bool has_form_of_response(const std::string& response) {
-    if (const std::size_t colon = response.find(':'); colon != std::string::npos) {
-        const std::string how = response.substr(0, colon);
-        return (how == "max" || how == "min" || how == "end" || how == "last") &&
-               colon + 1 < response.size();
-    }
+    if (history_response(response)) return true;
     const std::size_t dot = std::min(response.find('.'), response.size());
     return io::parse_integer(response.substr(0, dot)).has_value() && dot < response.size() &&
            is_response(response.substr(dot + 1));

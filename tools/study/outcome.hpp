@@ -38,7 +38,7 @@ struct Outcome {
 /// NAME=VALUE, the fixed ones first.
 [[nodiscard]] std::vector<std::string> definitions_of(const Study& study, const Row& row);
 
-/// "BODY.RESPONSE", or "max:", "min:" or "end:" and the path of a history.
+/// "BODY.RESPONSE", or what history_response() knows.
 [[nodiscard]] bool has_form_of_response(const std::string& response);
 
 /// Puts the end of a run on the disk, in one stroke.
