@@ -79,6 +79,10 @@ TEST_CASE("points come from a CSV", "[study]") {
     CHECK(study::points(s) == std::vector<std::vector<double>>{{2.5, 1000}, {3, 2000}});
     CHECK(study::definitions_of(s, study::rows(s)[0]) ==
           std::vector<std::string>{"SPEED=2.5", "NP=1000"});
+    desk.put("p.csv", "\xEF\xBB\xBFSPEED,NP\n2,7\n");
+    CHECK(desk.study(HEAD + "plan = \"points\"\npoints = \"p.csv\"\n").factors[0].name == "SPEED");
+    CHECK(desk.study("\xEF\xBB\xBF" + HEAD + "plan = \"points\"\npoints = \"p.csv\"\n").listed ==
+          std::vector<std::vector<double>>{{2, 7}});
     desk.put("p.csv", "SPEED,NP\n2,x\n3\n");
     const auto faults = desk.faults(HEAD + "plan = \"points\"\npoints = \"p.csv\"\n");
     REQUIRE(faults.size() == 2);
