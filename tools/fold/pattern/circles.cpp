@@ -132,7 +132,7 @@ Sheet cut_rim(double radius, double size, const Sheet& whole) {
         improve(sheet, size, {{{RIM, [&](Vec3& X) { settle(rim, X); }}}, {}});
         drop_loose_nodes(sheet);
         const double found = area_of(sheet, CLOTH);
-        rim.radius *= std::sqrt(wanted / found);
+        if (found > 0.0) rim.radius *= std::sqrt(wanted / found);
         choice.offer(std::abs(found / wanted - 1.0), std::move(sheet));
     }
     return choice.best();

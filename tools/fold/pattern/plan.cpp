@@ -166,6 +166,11 @@ TetherStrip::TetherStrip(const Tether& t) {
 Plan make_plan(const Recipe& r, const PlanLines& lines, bool is_alike) {
     check_inside(r);
     const Sheet rim = outline(r, lines);
+    if (rim.cells.empty())
+        throw InputError(fmt::format(
+            "{}: [pattern] element = {}: no cell of that size lies within the disc of diameter {}, "
+            "expected smaller elements",
+            r.file, r.pattern.element, r.pattern.diameter));
     std::vector<Cut> front = cuts(r, true), back = cuts(r, false);
     const double size = r.pattern.element;
     Plan plan{rim, rim, rim};

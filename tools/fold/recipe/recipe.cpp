@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 
 #include "solver/base/error.hpp"
@@ -14,6 +15,20 @@
 
 namespace corpuscle::fold {
 namespace {
+
+/// Of both panels: twenty times a large bag's.
+constexpr double MOST_CELLS = 1e6;
+
+/// A mesh must fit into the machine before it is made.
+void check_cells(TableReader& at, const Pattern& p) {
+    const bool is_disc = p.kind == PatternKind::DISC;
+    const double area =
+        is_disc ? 0.25 * std::numbers::pi * p.diameter * p.diameter : p.length * p.width;
+    const double least = std::sqrt(2.0 * area / MOST_CELLS);
+    if (p.element < 0.999 * least)  // what the message rounds is good enough
+        at.fault("element",
+                 fmt::format("{:.4g} or more, for {:.0f} cells in all at most", least, MOST_CELLS));
+}
 
 std::vector<int> read_parts_of(TableReader& at, const char* key) {
     std::vector<int> all;
@@ -52,6 +67,7 @@ Pattern read_pattern(const toml::table& table, RecipeFaults& faults) {
     p.gap = at.positive("gap");
     p.closing = at.positive_or("closing", 1.5 * p.element);
     p.band = at.positive_or("band", p.element);
+    if (p.kind != PatternKind::DECK) check_cells(at, p);
     at.finish();
     return p;
 }

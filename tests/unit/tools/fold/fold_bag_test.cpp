@@ -203,3 +203,21 @@ TEST_CASE("a pack says by how much it does not fit", "[fold]") {
     CHECK(fit(found, {110, 115, 30}) ==
           "does not fit into the package of 110 x 115 x 30: too great in width by 5, height by 10");
 }
+
+TEST_CASE("a disc smaller than its elements is refused, with the field", "[fold]") {
+    const auto element = GENERATE(200.0, 300.0, 400.0, 500.0, 600.0, 1000.0, 5000.0);
+    CAPTURE(element);
+    const Recipe recipe =
+        parse_recipe("[pattern]\nkind = \"disc\"\ndiameter = 600\ngap = 0.7\nelement = " +
+                         std::to_string(element) + "\n",
+                     "bag.toml");
+    try {
+        const Bag bag = fold::fold(recipe);
+        CHECK(element < 1000.0);
+        CHECK(area_of(bag, 1) > 0.5 * disc(600));
+    } catch (const InputError& error) {
+        CHECK(element > 250.0);
+        CHECK_THAT(error.what(), Catch::Contains("bag.toml: [pattern] element = ") &&
+                                     Catch::Contains("expected smaller elements"));
+    }
+}

@@ -79,3 +79,17 @@ TEST_CASE("values of another kind are faults, not numbers", "[fold]") {
     CHECK(faults("[pattern]\nkind = \"star\"\nelement = 12\ngap = 0.7\n").size() == 2);
     CHECK(faults(PATTERN + "fold = 3\n").size() == 1);
 }
+
+TEST_CASE("elements that are too small for the machine are refused before they are made",
+          "[fold]") {
+    const auto of = [](const std::string& pattern) {
+        return faults("[pattern]\n" + pattern + "\ngap = 0.7\n");
+    };
+    const auto disc = of("kind = \"disc\"\ndiameter = 600\nelement = 0.01");
+    REQUIRE(disc.size() == 1);
+    CHECK(disc[0] ==
+          "bag.toml:4: [pattern] element = 0.01, expected 0.752 or more, for 1000000 cells in all "
+          "at most");
+    CHECK(of("kind = \"rectangle\"\nlength = 1000\nwidth = 500\nelement = 0.99").size() == 1);
+    CHECK(of("kind = \"rectangle\"\nlength = 1000\nwidth = 500\nelement = 1.01").empty());
+}
