@@ -167,12 +167,24 @@ private:
                                 id, 100.0 * of[0] / of[1]));
     }
 
+    /// Is the bag a tank, all of whose closing nodes are held or of rigid bodies?
+    [[nodiscard]] bool is_stiff(const gas::BagWalls& walls) const {
+        const std::vector<std::uint8_t> held = simulation_.scene().held_nodes();
+        return std::all_of(
+            walls.triangles.begin(),
+            walls.triangles.begin() + static_cast<std::ptrdiff_t>(walls.closing),
+            [&](const Triangle& t) { return held[t[0]] && held[t[1]] && held[t[2]]; });
+    }
+
     void bag(int id, const gas::BagWalls& walls, double volume, double surface, double p_atm,
              const Filling& in, const Filling& inside) {
-        const double full = full_volume(volume, surface);
+        const bool is_tank = is_stiff(walls);
+        const double full = is_tank ? volume : full_volume(volume, surface);
         const double litre = 1e3 * std::pow(si_.length, 3.0), kPa = 1e-3 * si_.pressure();
-        say(fmt::format("airbag {}: {} now, some {} full", id, told(volume, litre, "l", is_known_),
-                        told(full, litre, "l", is_known_)));
+        const std::string now = told(volume, litre, "l", is_known_);
+        say(is_tank ? fmt::format("airbag {}: {}, of walls that are held", id, now)
+                    : fmt::format("airbag {}: {} now, some {} full", id, now,
+                                  told(full, litre, "l", is_known_)));
         advise_on_compression(walls);
         if (in.mass > 0.0)
             say(fmt::format(
@@ -187,7 +199,7 @@ private:
         say(fmt::format("  if nothing leaves: {} gauge in that volume",
                         told(p, kPa, "kPa", is_known_)));
         const double r = std::cbrt(0.75 * full / std::numbers::pi);
-        const double strain = p * r / (2.0 * stiffness(walls));
+        const double strain = is_tank ? 0.0 : p * r / (2.0 * stiffness(walls));
         if (strain > 0.0) say(fmt::format("  cloth strains by {:.3g} % then", 100.0 * strain));
         if (strain > MOST_STRAIN)
             warn(

@@ -129,6 +129,14 @@ TEST_CASE("check says what a person can judge, and what cannot be", "[check]") {
         Contains("airbag 7: Cp of its gas is 0.00100") && Contains("1e+06 times that would do"));
 }
 
+TEST_CASE("check knows a tank, whose walls are held, from a bag that fills", "[check]") {
+    using Catch::Contains;
+    const std::string tank =
+        check(std::filesystem::path(CORPUSCLE_MODELS) / "tank_test/tank_test.k");
+    CHECK_THAT(tank, Contains("l, of walls that are held") && Contains("gauge in that volume"));
+    CHECK_THAT(tank, !Contains(" full") && !Contains("gauge in that volume: -"));
+}
+
 TEST_CASE("pounds and inches are spoken of in everyday units, however they are said", "[check]") {
     using Catch::Contains;
     const test::DeckFolder folder;
