@@ -1,11 +1,15 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <fstream>
 #include <set>
+#include <string>
 #include "io/results/hdf5.hpp"
 #include "io/results/results_file.hpp"
+#include "io/text/text.hpp"
 #include "solver/base/error.hpp"
+#include "tests/places.hpp"
 #include "tests/unit/io/results/results_file_setup.hpp"
 #include "tests/unit/io/results/results_scene.hpp"
 
@@ -35,6 +39,28 @@ TEST_CASE("the root says who ran what and how it ended", "[io]") {
     CHECK(file.number<std::uint64_t>("/", "seed") == 18446744073709551615ULL);
     CHECK(file.number<int>("/", "threads") == 2);
     CHECK(file.text("/", "termination") == termination);
+}
+
+TEST_CASE("FORMAT.md counts its rows by formats up to the one that is written", "[io]") {
+    const scene::Folder folder("format");
+    const ResultsFile results(folder.path, scene::info(), scene::layout());
+    const int written = Hdf5Reader(folder.path / "results.h5").number<int>("/", "format");
+    std::ifstream page(std::filesystem::path(CORPUSCLE_MODELS).parent_path() / "io/FORMAT.md");
+    bool is_table = false;
+    std::size_t rows = 0;
+    for (std::string line; std::getline(page, line);) {
+        if (line.empty()) is_table = false;
+        if (is_table && !line.starts_with("|---")) {
+            CAPTURE(line);
+            const std::size_t cell = line.rfind('|', line.size() - 2) + 1;
+            const auto since = io::parse_integer(line.substr(cell, line.size() - 1 - cell));
+            CHECK((since && *since >= 1 && *since <= written));
+            CHECK(line.find(" | 1 | ") == std::string::npos);  // a shape of one number is "scalar"
+            ++rows;
+        }
+        if (line.ends_with("| since |")) is_table = true;
+    }
+    CHECK(rows > 80);
 }
 
 TEST_CASE("every dataset has a unit and a description, in the deck's units", "[io]") {
