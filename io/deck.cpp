@@ -158,6 +158,14 @@ void settle_units(const std::string& said, Model& model, Faults& faults) {
                     guess, unit_systems()));
 }
 
+/// What -D and *PARAMETER say of the whole deck, but for its units.
+void take_settings(Parameters& parameters, Faults& faults, Draft& draft) {
+    draft.dialect = dialect(parameters, faults);
+    draft.collision = collision(parameters, faults);
+    draft.mean_free_path = mean_free_path(draft.collision, parameters, faults);
+    closing(parameters, faults, draft.model);
+}
+
 /// By Numbered::Kind, how many the model has.
 std::array<std::size_t, 4> counts_of_numbered(const Model& model) {
     return {model.bags.size(), model.uniform_bags.size(), model.contacts.size(),
@@ -209,11 +217,8 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options, D
     model.deck = file.string();
     model.unit_system = "consistent";
     Draft draft(model);
-    draft.dialect = dialect(parameters, faults);
     draft.until = options.until;
-    draft.collision = collision(parameters, faults);
-    draft.mean_free_path = mean_free_path(draft.collision, parameters, faults);
-    closing(parameters, faults, model);
+    take_settings(parameters, faults, draft);
     const std::string said_units = units(parameters, faults);
     model.fingerprint = scene_fingerprint(text, parameters);
     std::vector<Task> tasks = keywords::sort_out(text, parameters, faults, draft);

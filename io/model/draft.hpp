@@ -94,6 +94,13 @@ struct DraftNames {
         transformations{"*DEFINE_TRANSFORMATION", IdKind::DEFINE},
         cpm_vents{"*DEFINE_CPM_VENT", IdKind::DEFINE},
         cpm_chambers{"*DEFINE_CPM_CHAMBER", IdKind::DEFINE};
+    std::vector<Numbered> numbered;  ///< in the order of the deck; id 0: open until number_things()
+};
+
+/// What the run asks of the whole deck.
+struct DraftOptions {
+    Dialect dialect = Dialect::TODAY;
+    double until = 0.0;  ///< as DeckOptions                                          [s]
 };
 
 /// Members of sets, in the order of their names.
@@ -122,13 +129,10 @@ struct CurveUse {
 
 /// A model under construction: what keywords refer to each other by, and what the model itself does
 /// not keep.
-struct Draft : DraftNames, DraftSets, DraftAirbags {
+struct Draft : DraftNames, DraftOptions, DraftSets, DraftAirbags {
     explicit Draft(Model& under_construction) : model(under_construction) {}
 
     Model& model;
-    Dialect dialect = Dialect::TODAY;
-    double until = 0.0;  ///< as DeckOptions                                          [s]
-
     std::vector<Section> section;
     std::vector<std::uint8_t> part_has_solids;  ///< by part row
     std::vector<Index> part_section;            ///< by part row; -1: none
@@ -149,7 +153,6 @@ struct Draft : DraftNames, DraftSets, DraftAirbags {
     std::vector<std::pair<Index, Index>> local_constraints;  ///< rigid material, its axes: rows
     Points vector;                                           ///< head - tail
 
-    std::vector<Numbered> numbered;  ///< in the order of the deck; id 0: open until number_things()
     std::vector<Place> motion_places;  ///< of the cards of Model::motions
     std::vector<CurveUse> curve_uses;
 
