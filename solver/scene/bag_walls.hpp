@@ -10,10 +10,10 @@
 
 namespace corpuscle {
 
-/// The facets that enclose a bag's gas, and those inside it, in triangles, with their parts. Pairs of
-/// closing facets that have all three nodes in common, as in the corner of a flat bag whose panels
-/// share their rim, enclose nothing: with Model::closes_bags they are left out where edges would else
-/// belong to four facets.
+/// The facets that enclose a bag's gas, and those inside it, in triangles, with their parts. Pairs
+/// of closing facets that have all three nodes in common, as in the corner of a flat bag whose
+/// panels share their rim, enclose nothing: with Model::closes_bags they are left out where edges
+/// would else belong to four facets.
 /// @param reference  corners of each shell in its reference shape                           [m]
 [[nodiscard]] gas::BagWalls bag_walls(const Model& model, const gas::BagCard& card,
                                       const std::vector<std::array<Vec3, 4>>& reference);

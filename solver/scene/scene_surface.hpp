@@ -19,8 +19,8 @@ struct SceneTriangles {
 /// The triangles of the parts that `wanted[part row]` marks. A quad is cut from its first node to
 /// its third; from its second to its fourth where the first way is also a side or a diagonal of
 /// another shell (the corner of a flat bag whose two panels share their rim: both would be cut
-/// between the same two nodes, and four triangles meet in one edge). Nodes that are tied in one place
-/// count as one, and edges are cut at nodes that are tied to them.
+/// between the same two nodes, and four triangles meet in one edge). Nodes that are tied in one
+/// place count as one, and edges are cut at nodes that are tied to them.
 [[nodiscard]] SceneTriangles triangles_of(const Model& model, const std::vector<bool>& wanted);
 
 }  // namespace corpuscle
