@@ -107,9 +107,13 @@ fs::path ResultsFile::part_file(std::string_view name) const {
 
 void ResultsFile::clear_away() const {
     try {
-        for (const char* old : {"results.h5", "results.xdmf", "results.parts"})
-            fs::remove_all(folder_ / old);
-        fs::create_directories(folder_ / "results.parts");
+        // at any instant something there is of this program: a later run knows the folder as its own
+        const fs::path parts = folder_ / "results.parts";
+        fs::create_directories(parts);
+        for (const char* old : {"results.h5", "results.xdmf"}) fs::remove_all(folder_ / old);
+        const std::vector<fs::directory_entry> old(fs::directory_iterator{parts},
+                                                   fs::directory_iterator{});
+        for (const fs::directory_entry& part : old) fs::remove_all(part.path());
     } catch (const fs::filesystem_error& why) {
         throw SystemError(fmt::format("cannot make the results folder {}: {}", folder_.string(),
                                       why.code().message()));

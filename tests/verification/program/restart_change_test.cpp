@@ -122,6 +122,24 @@ std::vector<double> times_of(const std::string& text) {
 
 }  // namespace
 
+TEST_CASE("a terminal that hangs up ends a run behind a checkpoint, and not one under nohup",
+          "[restart]") {
+    const bool is_heeded = GENERATE(true, false);
+    const test::DeckFolder folder;
+    const fs::path here = folder.write("bag.k", floating_bag("")).parent_path();
+    const auto [status, text] = test::shell(
+        "cd '" + here.string() + "'; " + (is_heeded ? "" : "trap '' HUP; ") +
+        CORPUSCLE_PROGRAM
+        " run bag.k -q -o out >said 2>&1 & i=0; "
+        "while [ ! -e out/checkpoint ] && [ $i -lt 3000 ]; do sleep 0.02; i=$((i+1)); done; "
+        "kill -HUP $!; " +
+        (is_heeded ? "" : "sleep 0.5; grep '^State' /proc/$!/status; kill -TERM $!; ") + "wait $!");
+    CAPTURE(text);
+    CHECK(status == 1);
+    if (!is_heeded) CHECK_THAT(text, Contains("State") && !Contains("zombie"));
+    CHECK(io::read_checkpoint(here / "out").has_value());
+}
+
 TEST_CASE("a restart to before its checkpoint is refused, and the run can still go on",
           "[restart]") {
     const KilledRun run(every("GLSTAT", "5e-4"));
