@@ -103,13 +103,11 @@ public:
     /// way at which it enters and leaves; until it returns true: did it?
     template <class Visit>
     bool any_slab(const Vec3& from, const Vec3& to, Visit&& visit) const {
-        const auto a = small(from), b = small(to);
-        if (!((to - from).cwiseAbs().maxCoeff() <= size_)) return any_slab_far(from, to, visit);
-        return walk(from, to, [&](std::size_t cell, double enters, double leaves) {
-            const Slab& here = slab(cell);
-            return here.begin != here.end && !here.is_missed_by(a, b) &&
-                   visit(here, enters, leaves);
-        });
+        const double far = (to - from).cwiseAbs().maxCoeff() / size_;
+        if (far <= 1.0) return any_slab_near(from, to, visit);
+        constexpr double MOST_PIECES = 10000.0;  // of the grid's size: a way of no sense
+        return far <= MOST_PIECES ? any_slab_in_pieces(from, to, std::ceil(far), visit)
+                                  : any_slab_in_box(from, to, visit);
     }
     /// Whether a short straight way is free of facets as long as the lists hold for them; false where
     /// that is not known.
@@ -170,10 +168,31 @@ private:
         }
     }
 
-    /// For ways longer than the grid, where single precision would not do: all cells that their box
-    /// overlaps, in any order.
     template <class Visit>
-    bool any_slab_far(const Vec3& from, const Vec3& to, Visit&& visit) const {
+    bool any_slab_near(const Vec3& from, const Vec3& to, Visit&& visit) const {
+        const auto a = small(from), b = small(to);
+        return walk(from, to, [&](std::size_t cell, double enters, double leaves) {
+            const Slab& here = slab(cell);
+            return here.begin != here.end && !here.is_missed_by(a, b) &&
+                   visit(here, enters, leaves);
+        });
+    }
+
+    /// For ways longer than the grid, where single precision would not do: piece by piece.
+    template <class Visit>
+    bool any_slab_in_pieces(const Vec3& from, const Vec3& to, double pieces, Visit&& visit) const {
+        const auto at = [&](double k) { return Vec3(from + k / pieces * (to - from)); };
+        for (double k = 0.0; k < pieces; ++k)
+            if (any_slab_near(at(k), at(k + 1.0), [&](const Slab& slab, double in, double out) {
+                    return visit(slab, (k + in) / pieces, (k + out) / pieces);
+                }))
+                return true;
+        return false;
+    }
+
+    /// All cells that the way's box overlaps, in any order.
+    template <class Visit>
+    bool any_slab_in_box(const Vec3& from, const Vec3& to, Visit&& visit) const {
         std::array<int, 3> first, last;
         for (int k = 0; k < 3; ++k) {
             first[k] = grid_.along(k, std::min(from[k], to[k]));

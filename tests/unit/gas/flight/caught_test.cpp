@@ -4,6 +4,7 @@
 // Particles that bounce more than a thousand times in a step.
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <numeric>
 
 #include "gas/enclosure/enclosure.hpp"
@@ -75,4 +76,30 @@ TEST_CASE("a particle that bounces millions of times in a step is lost, others a
     for (const Hit& hit : hits)
         if (who.empty() || who.back() != hit.who) who.push_back(hit.who);
     CHECK(who == std::vector<Index>{0, 2});
+}
+
+TEST_CASE("a particle that flies many times the bag's size in a step meets every wall on its way",
+          "[gas][flight]") {
+    const shapes::Shape shape = shapes::box(Vec3(0.1, 0.1, 0.1), 8);
+    FacetLists lists(shape.triangles, shape.x, FacetLists::Of::EIGHTS);
+    lists.build(Grid::over(Vec3::Constant(-0.01), Vec3::Constant(0.11), 1e-3, 10000000), shape.x,
+                shape.x, 0.0);
+    const Vec3 start(0.03, 0.04, 0.05);
+    const Vec3 way(3.72, -1.31, 4.17);
+    Particles gas;
+    gas.add(start, way / 1e-6, 0.0, 0, 0);
+    FlightResult flight;
+    std::size_t looked_at = 0;
+    (void)lists.any_slab(start, start + way, [&](const auto&, double, double) {
+        ++looked_at;
+        return false;
+    });
+    CHECK(looked_at < 20000);  // of 1.7 million cells those on the way
+    fly(lists, shape.x, shape.x, 1e-6, std::vector<double>{1.0}, {}, gas, flight);
+    for (int a = 0; a < 3; ++a) {
+        const double period = std::fmod(std::fmod(start[a] + way[a], 0.2) + 0.2, 0.2);
+        CHECK(gas.x[0][a] == Approx(period < 0.1 ? period : 0.2 - period).margin(1e-4));
+    }
+    CHECK(gas.v[0].norm() == Approx(way.norm() / 1e-6));
+    CHECK(all_hits(flight).size() == 37 + 13 + 42);
 }
