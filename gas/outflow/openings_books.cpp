@@ -89,7 +89,8 @@ void Openings::keep_to_balance(double dt, std::span<const double> volume) {
             if (is_driven(opening)) out += dt * (opening.flow + opening.air_flow);
             in += dt * opening.intake;
         }
-        const double most_out = excess * volume[room], most_in = lack * volume[room];
+        const double room_for = std::max(0.0, volume[room]);
+        const double most_out = excess * room_for, most_in = lack * room_for;
         for (Opening& opening : openings_) {
             if (opening.room != static_cast<Index>(room)) continue;
             if (out > most_out && is_driven(opening)) opening.air_flow *= most_out / out;

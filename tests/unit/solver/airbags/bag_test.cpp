@@ -276,8 +276,8 @@ TEST_CASE("rough walls feel the gas's pressure, nothing of what hits give along 
         simulation.step([&](Simulation& at_t) {
             if (!is_full && at_t.time() > 1e-3) {
                 is_full = true;
-                at_t.sample();
-                at_t.frame();
+                static_cast<void>(at_t.sample());
+                static_cast<void>(at_t.frame());
             }
         });
     simulation.close([&](Simulation& at_end) {
