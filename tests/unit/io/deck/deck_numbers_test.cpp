@@ -26,7 +26,7 @@ const std::string WALL = "0\n0,0,-1,0,0,0\n", SURFACE = "1,0,3\n\n\n";
 std::string wall(int id) {
     return "*RIGIDWALL_PLANAR_ID\n" + std::to_string(id) + ",wall\n" + WALL;
 }
-std::string contact(int id) {
+std::string numbered_contact(int id) {
     return "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n" + std::to_string(id) + ",cloth\n" + SURFACE;
 }
 const std::string A_WALL = "*RIGIDWALL_PLANAR\n" + WALL,
@@ -41,14 +41,15 @@ std::string uniform(const std::string& id) {
 }  // namespace
 
 TEST_CASE("contacts and walls without a number get their place, or the next that is free", "[io]") {
-    CHECK(ids(read_small(A_CONTACT + contact(5) + A_CONTACT).contacts) == Ids{1, 5, 3});
+    CHECK(ids(read_small(A_CONTACT + numbered_contact(5) + A_CONTACT).contacts) == Ids{1, 5, 3});
     CHECK(ids(read_small(A_WALL + wall(5) + A_WALL).walls) == Ids{1, 5, 3});
-    CHECK(ids(read_small(A_CONTACT + contact(1)).contacts) == Ids{2, 1});
+    CHECK(ids(read_small(A_CONTACT + numbered_contact(1)).contacts) == Ids{2, 1});
     CHECK(ids(read_small(wall(2) + A_WALL).walls) == Ids{2, 3});
     CHECK(ids(read_small(A_WALL + A_WALL + wall(1) + wall(2)).walls) == Ids{3, 4, 1, 2});
-    CHECK(ids(read_small(contact(0) + contact(1)).contacts) == Ids{2, 1});
+    CHECK(ids(read_small(numbered_contact(0) + numbered_contact(1)).contacts) == Ids{2, 1});
     CHECK(contains(only_fault(wall(2) + wall(2)), "has id 2, as another wall has"));
-    CHECK(contains(only_fault(contact(3) + contact(3)), "has id 3, as another contact has"));
+    CHECK(contains(only_fault(numbered_contact(3) + numbered_contact(3)),
+                   "has id 3, as another contact has"));
 }
 
 TEST_CASE("bags without a number get one that no bag of either kind has", "[io]") {
