@@ -54,13 +54,15 @@ struct Contact {
 /// A pair within reach that does not push, with what a Contact has of its candidate: its gap is
 /// rest or more, or the cloth beside its places is nearer (exposure 0).
 struct NearPair {
-    Pair nodes;
-    Index memory;  ///< row, or -1
-    int card, side;
+    Pair nodes;        ///< rows
+    Index memory;      ///< row, or -1
+    int card;          ///< row, as in Contact
+    int side;          ///< as in Contact
     std::size_t pair;  ///< candidate row
-    double gap, rest;  ///< [m]
+    double gap;        ///< [m]
+    double rest;       ///< [m]
     double modulus;    ///< [Pa]
-    Nearest places;
+    Nearest places;    ///< nearest points of the two
 };
 
 /// Contacts of a step, filled by chunks of candidates in parallel and read in the candidates'
@@ -79,15 +81,18 @@ public:
         }
         for (std::size_t c = used_; c < chunk_.size(); ++c) clear_chunk(c);
     }
+    /// Empties a chunk.
     void clear_chunk(std::size_t c) {
         chunk_[c].clear();
         near_[c].clear();
         columns_[c].clear();
     }
+    /// In use.
     [[nodiscard]] std::size_t chunks() const { return used_; }
 
     /// That push; and pairs that were only near when found, and then came too near too fast.
     [[nodiscard]] std::vector<Contact>& chunk(std::size_t c) { return chunk_[c]; }
+    /// The same.
     [[nodiscard]] const std::vector<Contact>& chunk(std::size_t c) const { return chunk_[c]; }
     /// Adds one to a chunk, of this column and this pair.
     Contact& add(std::size_t c, std::uint16_t column, const Contact& contact, const NearPair& of) {
@@ -106,6 +111,7 @@ public:
     [[nodiscard]] const auto& columns(std::size_t c) const { return columns_[c]; }
     /// The others within reach.
     [[nodiscard]] std::vector<NearPair>& near(std::size_t c) { return near_[c]; }
+    /// The same.
     [[nodiscard]] const std::vector<NearPair>& near(std::size_t c) const { return near_[c]; }
 
     /// body(contact), one after the other, always in the same order.
