@@ -215,9 +215,6 @@ void Candidates::sort_memories() {
     merging_.keys.resize(sorted_);
     parallel::for_each(
         sorted_, [&](std::size_t m) { merging_.keys[m] = memories_[m].key; }, MEMORIES);
-    merging_.owing.clear();
-    for (const PairMemory& memory : memories_)
-        if (memory.owed > 0.0) merging_.owing.push_back(memory.key);
 }
 
 /// Forgets the memories of pairs that are not in the list any more.

@@ -67,8 +67,8 @@ void Candidates::list(const Pair& pair, std::uint64_t key, const TrianglePair& w
         gap = apart.norm();
         approach = closing_rate(pair, apart, gap, ahead.now, ahead.life);
     }
-    // only what is near, or owes, has anything to remember
-    const bool may_know = ahead.is_build && (gap <= reach_ * thickness || owes(key));
+    // only what is near has anything to remember
+    const bool may_know = ahead.is_build && gap <= reach_ * thickness;
     const Index memory = may_know ? find_memory(key) : -1;
     const int side = cloth_.rules.side_of(card, p, q);
     VerletEntry watch{gap, rounded_up(reach_ * thickness), rounded_up(approach), where.a, where.b};

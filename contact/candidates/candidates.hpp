@@ -235,9 +235,6 @@ private:
     void sort_memories();
     void forget_parted_pairs();
     [[nodiscard]] Index find_memory(std::uint64_t key) const;
-    [[nodiscard]] bool owes(std::uint64_t key) const {
-        return std::binary_search(merging_.owing.begin(), merging_.owing.end(), key);
-    }
     void give_gentle_gaps(const std::vector<std::uint64_t>& keys, const Points& x, double t);
     bool give_gentle_gap(std::size_t i, const Points& x, double t, int card_before = Rules::NONE);
     void meet_gently(const Points& x, double t);
@@ -269,8 +266,7 @@ private:
         std::vector<std::size_t> kept;  ///< rows of those in order that say something
         parallel::Gathered<std::size_t> found;
         std::vector<PairMemory> merged;
-        std::vector<std::uint64_t> keys;   ///< of all, at the last build
-        std::vector<std::uint64_t> owing;  ///< of those that owe energy
+        std::vector<std::uint64_t> keys;  ///< of all, at the last build
     };
 
     const Cloth& cloth_;
