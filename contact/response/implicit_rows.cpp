@@ -171,7 +171,9 @@ double ImplicitResponse::owed_after(double after, const Row& row) {
     const bool is_fast = c.owed > 0.0 || -row.rate > HIT * speed;
     const bool is_hit = is_fast && -row.rate * row.dt > HIT * row.rest;
     if (!is_hit && row.owed == 0.0) return c.owed;
-    const double mean = 0.5 * (row.rate + after), end = row.gap + row.dt * after;
+    const double mean = 0.5 * (row.rate + after);
+    const double moved = row.gap + row.dt * after;
+    const double end = moved > 0.0 ? moved : row.floor;  // sweeps may end before they converge
     const double damping = row.heft * row.dt - row.mass;  // span C
     const double by_dashpot = std::clamp(-damping * after, 0.0, row.impulse);
     const double taken =

@@ -15,15 +15,6 @@ std::vector<std::pair<Index, Index>> self_pairs(std::span<const Box> boxes) {
     return found;
 }
 
-std::vector<std::pair<Index, Index>> pairs(std::span<const Box> a, std::span<const Box> b) {
-    std::vector<std::pair<Index, Index>> found;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        for (std::size_t j = 0; j < b.size(); ++j)
-            if (a[i].overlaps(b[j]))
-                found.emplace_back(static_cast<Index>(i), static_cast<Index>(j));
-    return found;
-}
-
 std::vector<std::pair<Index, Index>> crossings(std::span<const Triangle> triangles,
                                                std::span<const Vec3> x) {
     std::vector<std::pair<Index, Index>> found;

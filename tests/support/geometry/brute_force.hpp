@@ -15,10 +15,6 @@ namespace corpuscle::contact::brute_force {
 /// All overlapping pairs i < j, sorted.
 [[nodiscard]] std::vector<std::pair<Index, Index>> self_pairs(std::span<const Box> boxes);
 
-/// All overlapping pairs (row in a, row in b), sorted.
-[[nodiscard]] std::vector<std::pair<Index, Index>> pairs(std::span<const Box> a,
-                                                         std::span<const Box> b);
-
 /// All pairs i < j of triangles without a common node that cross, sorted.
 [[nodiscard]] std::vector<std::pair<Index, Index>> crossings(std::span<const Triangle> triangles,
                                                              std::span<const Vec3> x);

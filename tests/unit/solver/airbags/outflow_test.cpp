@@ -17,20 +17,25 @@
 using namespace corpuscle;
 using namespace outflow_setup;
 
+namespace {
+
+constexpr double H = 1250.0;  ///< of the wall that is cooled                          [W/(m^2 K)]
+
+/// A tank of 3 000 particles that loses heat through its first part.
+Model cooled_tank(const gas::HeatCard& heat) {
+    Model model = tank(3000);
+    model.end_time = 16.5e-3;
+    model.bags[0].heat = {heat};
+    return model;
+}
+
+}  // namespace
+
 // The state at a patch of the wall comes from its hits: one run scatters by 0.1 %, and the gas that
 // hits is 0.05 % of T colder than the room.
 TEST_CASE("a tank cools by Newton's law and books its heat", "[solver][heat]") {
-    constexpr double H = 1250.0;  // [W/(m^2 K)]
     constexpr int SEEDS = 8;
-    Model model = tank(3000);
-    model.end_time = 16.5e-3;
-    const bool by_curve = GENERATE(false, true);
-    gas::HeatCard heat{{0}, by_curve ? 0.0 : H, -1};
-    if (by_curve) {
-        heat.curve = static_cast<Index>(model.curves.size());
-        model.curves.push_back({99, {0.0, 1.0}, {H, H}});
-    }
-    model.bags[0].heat = {heat};
+    const Model model = cooled_tank({{0}, H, -1});
     const double moles = 2.5e-3 / 0.028, C = moles * (28.0 - GAS_CONSTANT);
     const double area = 0.06 - 0.5 * 2 * 0.025 * 0.025;
     double fallen = 0.0, exact = 0.0;
@@ -51,6 +56,22 @@ TEST_CASE("a tank cools by Newton's law and books its heat", "[solver][heat]") {
     }
     CHECK(exact > 10.0);
     CHECK(fallen == Approx(exact).epsilon(0.01));
+}
+
+TEST_CASE("a curve of heat that stays at a value cools as that value does", "[solver][heat]") {
+    Model by_curve = cooled_tank({{0}, 0.0, 0});
+    by_curve.bags[0].heat[0].curve = static_cast<Index>(by_curve.curves.size());
+    by_curve.curves.push_back({99, {0.0, 1.0}, {H, H}});
+    std::vector<double> lost;
+    for (Model model : {cooled_tank({{0}, H, -1}), by_curve}) {
+        model.end_time = 4e-3;
+        Simulation simulation(std::move(model));
+        Watch watch;
+        run_until(simulation, 4e-3, watch);
+        lost.push_back(simulation.sample().airbags[0].parts[0].heat_lost);
+    }
+    CHECK(lost[0] > 0.0);
+    CHECK(lost[1] == lost[0]);
 }
 
 TEST_CASE("a vent with PPOP opens at that gauge pressure and stays open", "[solver][vents]") {
