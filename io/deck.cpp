@@ -196,7 +196,7 @@ void check_whole(Draft& draft, const DeckText& text, Faults& faults) {
     if (!has_termination)
         faults.fault(text.end, "*CONTROL_TERMINATION is missing, expected ENDTIM > 0");
     if (model.shells.empty()) faults.fault(text.end, "*ELEMENT_SHELL is missing, expected a mesh");
-    if (draft.frame_count > 0 && std::isnan(model.output.frames))
+    if (draft.frame_count > 0)  // goes before DT
         model.output.frames = model.end_time / draft.frame_count;
     auto& history = model.history_nodes;
     std::sort(history.begin(), history.end());

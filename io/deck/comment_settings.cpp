@@ -19,6 +19,7 @@ constexpr std::array<std::string_view, 5> NAMES{"CLOSE", "COLLISION", "DIALECT",
 
 /// What stands behind the mark, where the line is a comment that begins with it.
 std::string_view settings_of(std::string_view line) {
+    line = without_mark(line);
     if (!line.starts_with('$')) return {};
     line.remove_prefix(std::min(line.find_first_not_of("$#"), line.size()));
     line = trim(line);

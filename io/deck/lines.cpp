@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "io/deck/keyword_reader.hpp"
+#include "io/text/text.hpp"
 
 namespace corpuscle::io {
 
 namespace {
 
 constexpr std::size_t TAB_STOP = 8;
-constexpr std::string_view BYTE_ORDER_MARK = "\xEF\xBB\xBF";
 
 /// Fixed cards mean what they look like in an editor.
 std::string expand_tabs(const std::string& text) {
@@ -35,8 +35,7 @@ std::vector<Line> split_lines(std::string& text) {
     if (text.find('\t') != std::string::npos) text = expand_tabs(text);
     std::vector<Line> lines;
     lines.reserve(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1);
-    std::string_view rest = text;
-    if (rest.starts_with(BYTE_ORDER_MARK)) rest.remove_prefix(BYTE_ORDER_MARK.size());
+    std::string_view rest = without_mark(text);
     for (std::uint32_t number = 1; !rest.empty(); ++number) {
         const std::size_t end = rest.find('\n');
         std::string_view line = rest.substr(0, end);

@@ -16,6 +16,8 @@ bool has_option(std::string_view keyword, std::string_view option) {
     return keyword.find(option) != std::string_view::npos;
 }
 
+constexpr std::string_view DUPLICATION = "PARAMETER_DUPLICATION";
+
 struct Name {
     char type = ' ';  ///< R, I, C
     std::string name;
@@ -74,6 +76,13 @@ public:
             if (!trim(text).empty())
                 expression(text, {block.place.file, block.lines[i].number}, block);
         }
+    }
+
+    /// DFLAG of *PARAMETER_DUPLICATION: for the definitions behind it.
+    void duplication() {
+        if (!cards_.more()) return;
+        Card card = cards_.next("DFLAG=1");
+        parameters_.set_duplication(card.choice("DFLAG", {1, 2, 3, 4, 5}));
     }
 
 private:
@@ -150,9 +159,21 @@ private:
         }
         if (const Parameter* first = parameters_.define(name.name, p, is_local_);
             first != nullptr && !is_same(*first, p))  // as of a file that is included twice
-            cards_.faults().warn(
-                p.place, fmt::format("*{} {} is ignored: {} has it already", cards_.block().keyword,
-                                     name.name, cards_.faults().where(first->place)));
+            complain_of_second(name.name, p.place, first->place);
+    }
+
+    void complain_of_second(const std::string& name, Place second, Place first) {
+        const int flag = parameters_.duplication();
+        if (flag == 5) return;
+        Faults& faults = cards_.faults();
+        const std::string what = fmt::format("*{} {}", cards_.block().keyword, name);
+        const std::string where = faults.where(first);
+        if (flag == 1)
+            return faults.warn(second,
+                               fmt::format("{} is ignored: {} has it already", what, where));
+        faults.fault(second,
+                     fmt::format("{}, expected one definition of a name: {} has it already{}", what,
+                                 where, flag == 3 ? "" : ", and DFLAG 2 and 4 are not supported"));
     }
 
     Cards cards_;
@@ -165,6 +186,7 @@ private:
 bool is_parameter_keyword(std::string_view keyword) {
     constexpr std::string_view BASE = "PARAMETER";
     if (!keyword.starts_with(BASE)) return false;
+    if (keyword == DUPLICATION) return true;
     std::string_view rest = keyword.substr(BASE.size());
     while (!rest.empty()) {
         const auto end = std::min(rest.find('_', 1), rest.size());
@@ -178,7 +200,9 @@ bool is_parameter_keyword(std::string_view keyword) {
 void read_parameters(const Block& block, Parameters& parameters, Faults& faults) {
     faults.begin_block();
     Definitions definitions(block, parameters, faults);
-    if (has_option(block.keyword, "_EXPRESSION"))
+    if (block.keyword == DUPLICATION)
+        definitions.duplication();
+    else if (has_option(block.keyword, "_EXPRESSION"))
         definitions.expressions(block);
     else
         definitions.values();

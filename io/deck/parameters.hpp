@@ -42,6 +42,11 @@ public:
     /// @returns the earlier definition that stays, or nullptr when this one is taken
     const Parameter* define(std::string_view name, Parameter parameter, bool local);
 
+    /// DFLAG of *PARAMETER_DUPLICATION, 1 to 5: what becomes of a second definition.
+    void set_duplication(int flag) { duplication_ = flag; }
+    /// Likewise, 1 at first.
+    [[nodiscard]] int duplication() const { return duplication_; }
+
     [[nodiscard]] const Parameter* find(std::string_view name, std::uint32_t from_file) const;
     /// Number of an expression's name.
     [[nodiscard]] std::optional<Value> value(std::string_view name, std::uint32_t from_file) const;
@@ -65,6 +70,7 @@ private:
     std::vector<Override> overrides_;
     std::vector<File> files_;
     std::map<std::string, Parameter> global_;
+    int duplication_ = 1;
 };
 
 }  // namespace corpuscle::io

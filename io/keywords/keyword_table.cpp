@@ -64,6 +64,8 @@ rigid
 0,1
 *DEFINE_CPM_VENT
 1,1
+*DEFINE_CPM_NPDATA
+1,1
 )";
 
 /// Cards that bring readers to all their fields.
@@ -87,7 +89,7 @@ const std::pair<const char*, const char*> EXAMPLES[] = {
      "2,1,1,1,2,3,0,0\n1,0,1,0.1,1,1,1,1\n1,0,0.7,1,1,1,1\n1e5,293,0.028,29,0,0,100,1\n"
      "1,1,0.028,29,0,0,1\n1,1.0,-3,30,1,1,1,1\n0.1\n"},
     {"AIRBAG_PARTICLE",
-     "1,1,1,1,0,2,-1\n1000,1,1,293,1e5,2\n0,1,1\n1,0,-1,-1\n1,1,-1,-1\n"
+     "1,1,1,1,0,3,-1\n1000,1,1,293,1e5,2\n0,1,1\n1,0,-1,-1\n1,1,-1,-1\n1,2,1\n"
      "1,0,-1\n1,1,1,1,1\n1,1,0.028,29,0,0,1\n1,1.0,1,30,1\n"},
     {"AIRBAG_SIMPLE_AIRBAG_MODEL", "1,1\n0,0,1,1,1,1,1,1\n1,1,1,1,1,1\n"},
     {"AIRBAG_SIMPLE_AIRBAG_MODEL", "1,1\n1,1.4,300,1,-1,-1,1e5,1.2\n"},
@@ -106,6 +108,7 @@ const std::pair<const char*, const char*> EXAMPLES[] = {
     {"SET_PART_GENERAL", "9\nSET,1\n"},
     {"SET_SHELL_GENERAL", "9\nPART,1\nSET,1\n"},
     {"SET_SEGMENT_GENERAL", "9\nSHELL,1\nSET_SHELL,1\nSET,1\n"},
+    {"DEFINE_CPM_NPDATA", "9,-1,-1\n"},
     {"DEFINE_CPM_CHAMBER", "9,1\n1,1,2,1\n1,0,1\n1,1,1\n"},
     {"AIRBAG_WANG_NEFSKE",
      "1,1\n0,0,1,1,1,1,1,1\n1,1,1,1,1,1,1,1\n1,1,1,1,1,1,1,1\n\n"

@@ -31,8 +31,13 @@ bool is_output(std::string_view keyword) {
 }  // namespace
 
 std::string did_you_mean(std::string_view keyword) {
-    std::vector<std::string_view> names = {
-        "INCLUDE", "INCLUDE_TRANSFORM", "PARAMETER", "PARAMETER_EXPRESSION", "KEYWORD", "END"};
+    std::vector<std::string_view> names = {"INCLUDE",
+                                           "INCLUDE_TRANSFORM",
+                                           "PARAMETER",
+                                           "PARAMETER_EXPRESSION",
+                                           "PARAMETER_DUPLICATION",
+                                           "KEYWORD",
+                                           "END"};
     for (const Keyword& entry : all())
         for_each_word(entry.names, [&](std::string_view name) { names.push_back(name); });
     for_each_word(harmless_beginnings(), [&](std::string_view name) { names.push_back(name); });

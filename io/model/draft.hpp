@@ -93,6 +93,7 @@ struct DraftNames {
         coordinates{"*DEFINE_COORDINATE", IdKind::DEFINE},
         transformations{"*DEFINE_TRANSFORMATION", IdKind::DEFINE},
         cpm_vents{"*DEFINE_CPM_VENT", IdKind::DEFINE},
+        cpm_npdata{"*DEFINE_CPM_NPDATA", IdKind::DEFINE},
         cpm_chambers{"*DEFINE_CPM_CHAMBER", IdKind::DEFINE};
     std::vector<Numbered> numbered;  ///< in the order of the deck; id 0: open until number_things()
 };
@@ -111,12 +112,20 @@ struct DraftSets {
     std::vector<std::vector<std::array<Index, 4>>> segment_set;  ///< node rows
 };
 
+/// What a part exchanges with the gas; its parts are known later.
+struct PartExchange {
+    gas::HeatCard heat;
+    gas::FrictionCard friction;
+    bool is_rough = false;  ///< friction counts
+};
+
 /// Of airbags, until their keywords are all read.
 struct DraftAirbags {
     std::optional<gas::CollisionModel> collision;  ///< of all bags; none: the default
     double mean_free_path = NaN;                   ///< of that model; NaN: its default      [m]
     double force_decay = 1.0;  ///< SFFDC of *CONTROL_CPM, for bags that have none of their own  [-]
     std::vector<gas::VentCard> cpm_vent;                     ///< without parts
+    std::vector<PartExchange> cpm_exchange;                  ///< of *DEFINE_CPM_NPDATA
     std::vector<std::vector<gas::ChamberCard>> cpm_chamber;  ///< of one bag each
 };
 

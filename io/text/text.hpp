@@ -13,6 +13,13 @@ namespace corpuscle::io {
 [[nodiscard]] std::string_view trim(std::string_view text);
 [[nodiscard]] std::string upper(std::string_view text);
 
+/// UTF-8's byte order mark, with which some programs begin a file.
+inline constexpr std::string_view BYTE_ORDER_MARK = "\xEF\xBB\xBF";
+/// What is behind it, or all.
+[[nodiscard]] inline std::string_view without_mark(std::string_view text) {
+    return text.starts_with(BYTE_ORDER_MARK) ? text.substr(BYTE_ORDER_MARK.size()) : text;
+}
+
 /// Calls word(view) for every blank-separated word.
 template <class Word>
 void for_each_word(std::string_view text, Word&& word) {

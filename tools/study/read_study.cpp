@@ -24,7 +24,6 @@ using fold::RecipeFaults;
 using fold::TableReader;
 
 constexpr int MOST_RUNS = 100000;
-constexpr std::string_view UTF8_MARK = "\xEF\xBB\xBF";  ///< that some programs begin a file with
 
 toml::table parse(const fs::path& file) {
     std::ifstream in(file);
@@ -99,7 +98,7 @@ void read_points(Study& study, const fs::path& file, RecipeFaults& faults) {
         if (!line.empty() && line.back() == '\r') line.pop_back();
     };
     strip();
-    if (line.starts_with(UTF8_MARK)) line.erase(0, UTF8_MARK.size());
+    if (line.starts_with(io::BYTE_ORDER_MARK)) line.erase(0, io::BYTE_ORDER_MARK.size());
     for (const std::string_view name : cells(line))
         study.factors.push_back({std::string(name), {}, 0.0, 0.0, false});
     for (std::size_t number = 2; std::getline(in, line); ++number) {

@@ -31,6 +31,23 @@ const gas::VentCard* defined_vent(Card& c, const Draft& draft, double C23) {
     return nullptr;
 }
 
+/// What an NPDATA row and *DEFINE_CPM_NPDATA share.
+PartExchange exchange(Card& c, const Draft& draft) {
+    PartExchange of;
+    value_or_curve(c, "HCONV", draft.curves, of.heat.coefficient, of.heat.curve);
+    of.is_rough = friction(c, "PFRIC", draft, of.friction);
+    return of;
+}
+
+/// The *DEFINE_CPM_NPDATA that HCONV names.
+PartExchange defined_exchange(Card& c, const Draft& draft) {
+    c.harmless("PFRIC SDFBLK KP INIP CP");  // those of *DEFINE_CPM_NPDATA count
+    const Registry::Entry* entry = c.named("HCONV", c.real("HCONV"), draft.cpm_npdata);
+    if (entry != nullptr) return draft.cpm_exchange[static_cast<std::size_t>(entry->row)];
+    c.fault("HCONV", "the id of a *DEFINE_CPM_NPDATA of the deck, with STYPEH 2 and 3");
+    return {};
+}
+
 }  // namespace
 
 void vent(Cards& cards, const Draft& draft, gas::BagCard& bag) {
@@ -91,17 +108,25 @@ void define_cpm_vent(Cards& cards, Draft& draft) {
     draft.cpm_vent.push_back(vent);
 }
 
+void define_cpm_npdata(Cards& cards, Draft& draft) {
+    if (cards.has("TITLE")) cards.title();
+    {
+        Card c = cards.next("ID HCONV PFRIC SDFBLK=1 KP INIP CP PSFDCF");
+        c.new_id("ID", draft.cpm_npdata, draft.cpm_exchange.size());
+        draft.cpm_exchange.push_back(exchange(c, draft));
+    }
+    if (cards.more()) cards.next("HCINT CDEXT");
+}
+
 void part_data(Cards& cards, const Draft& draft, gas::BagCard& bag) {
     Card c = cards.next("SIDH STYPEH HCONV PFRIC SDFBLK=1 KP INIP CP");
-    const int type = c.choice("STYPEH", {0, 1}, {2, 3});
-    const Index row = c.row("SIDH", type == 0 ? draft.parts : draft.part_sets);
-    gas::HeatCard heat;
-    value_or_curve(c, "HCONV", draft.curves, heat.coefficient, heat.curve);
-    gas::FrictionCard rough;
-    const bool is_rough = friction(c, "PFRIC", draft, rough);
+    const int type = c.choice("STYPEH", {0, 1, 2, 3});
+    const bool is_part = type == 0 || type == 2;
+    const Index row = c.row("SIDH", is_part ? draft.parts : draft.part_sets);
+    auto [heat, rough, is_rough] = type < 2 ? exchange(c, draft) : defined_exchange(c, draft);
     if (row < 0) return;
     heat.parts = rough.parts =
-        type == 0 ? std::vector<Index>{row} : draft.part_set[static_cast<std::size_t>(row)];
+        is_part ? std::vector<Index>{row} : draft.part_set[static_cast<std::size_t>(row)];
     for (const Index part : heat.parts)
         if (!holds(bag.external_parts, part) && !holds(bag.internal_parts, part))
             c.fault("SIDH", fmt::format("parts of the bag; part {} is none",

@@ -87,6 +87,13 @@ void options(Cards& cards, const Draft& draft, contact::ContactCard& contact) {
     {
         Card c = cards.next("SOFT SOFSCL=0.1 LCIDAB MAXPAR=1.025 SBOPT=2 DEPTH=2 BSORT FRCFRQ=1");
         contact.thickness_curve = c.row_or_none("LCIDAB", draft.curves);
+        if (contact.thickness_curve >= 0)
+            for (const double t :
+                 draft.model.curves[static_cast<std::size_t>(contact.thickness_curve)].y)
+                if (!(t > 0.0)) {
+                    c.fault("LCIDAB", "a curve of thicknesses above 0");
+                    break;
+                }
         c.noted("SOFT DEPTH SBOPT", ONE_METHOD);
         c.harmless("SOFSCL MAXPAR BSORT FRCFRQ");
     }

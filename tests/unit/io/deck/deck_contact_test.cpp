@@ -1,5 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 
 #include "deck_scene.hpp"
@@ -84,6 +85,17 @@ TEST_CASE("a scale of the shells' own thickness counts where a side has one thic
                    "(SFSAT) = 2.0, expected 1, or parts of one thickness"));
     const ContactCard given = contact_of(head + "1,2,3,3\n\n0,0,0.4,0,2.0\n");
     CHECK(given.thickness == 0.4);
+}
+
+TEST_CASE("a curve of contact thicknesses stays above 0", "[io]") {
+    const auto deck = [](const char* least) {
+        return fmt::format(
+            "*DEFINE_CURVE\n17\n0,{}\n1,0.3\n*CONTACT_AIRBAG_SINGLE_SURFACE\n1,0,3\n"
+            "\n\n2,0.1,17\n",
+            least);
+    };
+    CHECK(contact_of(deck("0.1")).thickness_curve == 1);
+    CHECK(contains(only_fault(deck("0")), "(LCIDAB) = 17, expected a curve of thicknesses above 0"));
 }
 
 TEST_CASE("*PART_CONTACT gives a part its contact thickness", "[io]") {

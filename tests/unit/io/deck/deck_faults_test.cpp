@@ -256,6 +256,7 @@ TEST_CASE("settings in a comment are those of -D, which goes before them", "[io]
     CHECK(folder.read("$ corpuscle: UNITS = lbf-in-s, CLOSE = no\n" + small_deck(cloth))
               .unit_system == "lbf-in-s-K");
     CHECK_FALSE(folder.read("$# corpuscle: CLOSE=no\n" + small_deck("")).closes_bags);
+    CHECK_FALSE(folder.read("\xEF\xBB\xBF$ corpuscle: CLOSE = no\n" + small_deck("")).closes_bags);
     io::DeckOptions options;
     options.overrides = {{"UNITS", "g-mm-ms"}};
     CHECK(folder.read("$ corpuscle: UNITS = SI\n" + small_deck(""), options).unit_system ==

@@ -1,5 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 
 #include "deck_scene.hpp"
@@ -171,6 +172,30 @@ TEST_CASE("the first definition of a parameter stays, and the second is a warnin
     CHECK(model.output.glstat == 0.5);
     REQUIRE(model.warnings.size() == 1);
     CHECK(contains(model.warnings[0], "deck.k:33: *PARAMETER DT is ignored"));
+}
+
+TEST_CASE("*PARAMETER_DUPLICATION says what becomes of a second definition", "[io]") {
+    const DeckFolder folder;
+    const auto deck = [](int flag, const char* second = "0.25") {
+        return small_deck(
+            fmt::format("*PARAMETER_DUPLICATION\n{}\n*PARAMETER\nR dt, 0.5\n"
+                        "*PARAMETER\nR dt, {}\n*DATABASE_GLSTAT\n&dt\n",
+                        flag, second));
+    };
+    CHECK(any_contains(folder.read(deck(1)).warnings, "*PARAMETER DT is ignored"));
+    const Model silent = folder.read(deck(5));
+    CHECK(silent.output.glstat == 0.5);
+    CHECK(silent.warnings.empty());
+    const auto fault = [&](int flag) {
+        const auto faults = folder.faults(deck(flag));
+        REQUIRE(faults.size() == 1);
+        return faults[0];
+    };
+    CHECK(fault(3) ==
+          "deck.k:35: *PARAMETER DT, expected one definition of a name: deck.k:33 has it already");
+    for (const int flag : {2, 4}) CHECK(contains(fault(flag), "DFLAG 2 and 4 are not supported"));
+    CHECK(folder.read(deck(3, "0.5")).output.glstat == 0.5);
+    CHECK(contains(folder.faults(deck(6)).at(0), "(DFLAG) = 6, expected 1 or 2 or 3 or 4 or 5"));
 }
 
 TEST_CASE("a local parameter is seen in its file and below, and hides a global one", "[io]") {

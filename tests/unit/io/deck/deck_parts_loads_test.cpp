@@ -1,5 +1,7 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -185,6 +187,16 @@ TEST_CASE("control and output", "[io]") {
     REQUIRE(model.notes.size() == 3);  // with that units are not known
     CHECK(contains(model.notes[1], "deck.k:44: *DATABASE_BINARY_D3THDT is not read"));
     CHECK(contains(model.notes[2], "deck.k:46: *CONTROL_ENERGY is not read"));
+}
+
+TEST_CASE("a number of frames goes before the time between them", "[io]") {
+    const DeckFolder folder;
+    const auto frames = [&](const char* cards) {
+        return folder.read(small_deck(fmt::format("*DATABASE_BINARY_D3PLOT\n{}\n", cards)))
+            .output.frames;
+    };
+    CHECK(frames("0.1") == 0.1);
+    CHECK(frames("0.1,0,0,20") == Approx(0.05));
 }
 
 TEST_CASE("the reference geometry may be scaled about a node", "[io]") {

@@ -130,7 +130,25 @@ TEST_CASE("AIRBAG_PARTICLE: NPDATA rows cool the gas", "[io]") {
     };
     CHECK(contains(fault("1,0,25.0,1.1"), "(PFRIC) = 1.1"));
     CHECK(contains(fault("1,0,25.0,,,,1"), "(INIP) = 1"));
-    CHECK(contains(fault("1,2,25.0"), "(STYPEH) = 2"));
+    CHECK(contains(fault("1,2,25.0"), "(HCONV) = 25.0, expected the id of a *DEFINE_CPM_NPDATA"));
+}
+
+TEST_CASE("DEFINE_CPM_NPDATA: STYPEH 2 and 3 name one, wherever it stands", "[io]") {
+    const DeckFolder folder;
+    const auto read = [&](const std::string& cards, const std::string& rows) {
+        return vented("*DEFINE_CPM_NPDATA\n" + cards, rows, 0, 2);
+    };
+    const gas::BagCard bag = folder.read(read("8,25.0,0.3\n", "1,2,8\n12,3,8\n")).bags.at(0);
+    REQUIRE(bag.heat.size() == 2);
+    CHECK(bag.heat[0].parts == std::vector<Index>{0});
+    CHECK(bag.heat[0].coefficient == 25.0);
+    CHECK(bag.heat[1].parts == std::vector<Index>{0, 1});
+    REQUIRE(bag.friction.size() == 2);
+    CHECK(bag.friction[0].factor == 0.3);
+    CHECK(bag.friction[1].parts == std::vector<Index>{0, 1});
+    CHECK(folder.read(read("8,25.0\n", "1,0,5.0\n1,0,5.0\n")).bags.at(0).heat.size() == 2);
+    CHECK(contains(only(folder.faults(read("8,25.0,,,,1\n", "1,2,8\n1,2,8\n"))), "(INIP) = 1"));
+    CHECK(contains(only(folder.faults(read("8,25.0\n,1\n", "1,2,8\n1,2,8\n"))), "(CDEXT) = 1"));
 }
 
 TEST_CASE("AIRBAG_PARTICLE: BLOCK says which holes contact closes", "[io]") {
