@@ -52,8 +52,8 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / "lo
             const std::string who = holder(handle_);
             close(handle_);
             throw InputError(
-                fmt::format("{} is in use by another run{}, expected a folder of its own for each "
-                            "run: -o DIR",
+                fmt::format("{} is in use by another run{}, expected a folder of its own for each: "
+                            "-o DIR",
                             folder.string(), who));
         }
         if (is_named(handle_, file_)) break;

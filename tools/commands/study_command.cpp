@@ -6,8 +6,10 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "io/system/atomic_file.hpp"
+#include "io/system/folder_lock.hpp"
 #include "io/text/progress.hpp"
 #include "io/text/text.hpp"
 #include "solver/base/cores.hpp"
@@ -100,6 +102,9 @@ int study(const StudyArguments& arguments) {
     if (!arguments.only_table) study::expect_known_names(study);
     std::filesystem::create_directories(study.folder);
     if (arguments.only_table) return tell(study);
+    const bool is_all = arguments.share.empty();
+    std::optional<io::FolderLock> lock;  // a share works beside others
+    if (is_all && !arguments.slurm) lock.emplace(study.folder);
     const study::Share share = share_of(arguments.share);
     const std::vector<study::Row> rows =
         missing(study::gather(study), share, arguments.retry_failed);
@@ -109,7 +114,6 @@ int study(const StudyArguments& arguments) {
                    study::submit(study, study::rows(study).size(), study::this_program(), options));
         return 0;
     }
-    const bool is_all = arguments.share.empty();
     if (is_all) {
         study::share_machine(study, rows.size(), {parallel::cores(), parallel::processors()});
         fmt::print(stderr, "{} runs, {} to make, {} at a time, {} thread{} each\n",

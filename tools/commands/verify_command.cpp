@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "io/system/atomic_file.hpp"
+#include "io/system/folder_lock.hpp"
 #include "solver/base/error.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/study/workers.hpp"
@@ -77,7 +78,7 @@ int verify_program(const VerifyArguments& arguments) {
     plan.workers = arguments.workers > 0
                        ? arguments.workers
                        : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    fs::create_directories(plan.folder);
+    const io::FolderLock lock(plan.folder);
     const std::vector<verify::Row> rows = verify::verify(
         cards, plan, [](const std::string& line) { fmt::print(stderr, "{}\n", line); });
     fmt::print("{}", table_text(rows, isatty(STDOUT_FILENO) != 0));

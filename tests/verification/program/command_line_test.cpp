@@ -195,6 +195,27 @@ TEST_CASE("a folder in use is left alone", "[io]") {
     CHECK(run(deck, "").first == 0);
 }
 
+TEST_CASE("a study's folder in use is left alone, and so are its runs", "[io][study]") {
+    const test::DeckFolder folder;
+    folder.write("deck.k", balloon(CLOTH, "&end", "*PARAMETER\nR end, 1e-6\n"));
+    const auto study =
+        folder.write("s.toml",
+                     "deck = \"deck.k\"\nresponses = [\"end:/history/airbag/1/mass\"]\n"
+                     "[factors]\nEND = [1e-6, 2e-6]\n");
+    const std::string words = "study '" + study.string() + "' -o '" + study.string() + ".out'";
+    {
+        const io::FolderLock lock(study.string() + ".out");
+        const auto [status, text] = program(words);
+        CAPTURE(text);
+        CHECK(status == 2);
+        CHECK_THAT(text, Contains("is in use by another run (process "));
+        CHECK_FALSE(std::filesystem::exists(study.string() + ".out/study.csv"));
+    }
+    const auto [status, text] = program(words);
+    CAPTURE(text);
+    CHECK(status == 0);
+}
+
 TEST_CASE("a file that may not grow any more is an error with results so far", "[io]") {
     const test::DeckFolder folder;
     const auto deck = folder.write(
