@@ -8,8 +8,11 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cstdlib>
+#include <fstream>
+#include <sstream>
 
 #include "io/system/confined.hpp"
+#include "io/text/text.hpp"
 #include "solver/base/archive.hpp"
 #include "solver/base/error.hpp"
 
@@ -87,10 +90,30 @@ void list(Archive& archive, ImportedMesh& mesh) {
     archive(mesh.x, mesh.shells, mesh.part, mesh.part_names, mesh.mended);
 }
 
+/// The file's text behind its byte order mark; empty where it has none.
+std::string behind_mark(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::string mark(BYTE_ORDER_MARK.size(), ' ');
+    if (!in.read(mark.data(), static_cast<std::streamsize>(mark.size())) || mark != BYTE_ORDER_MARK)
+        return {};
+    std::ostringstream text;
+    text << in.rdbuf();
+    return std::move(text).str();
+}
+
+/// The file as assimp sees it, whose readers of OBJ and PLY do not know a byte order mark.
+const aiScene* read_scene(Assimp::Importer& importer, const std::filesystem::path& file) {
+    constexpr unsigned NO_POST_PROCESSING = 0;
+    const std::string text = behind_mark(file);
+    if (text.empty()) return importer.ReadFile(file.string(), NO_POST_PROCESSING);
+    return importer.ReadFileFromMemory(text.data(), text.size(), NO_POST_PROCESSING,
+                                       file.extension().string().c_str());
+}
+
 /// The mesh as assimp sees it, as bytes.
 std::vector<char> imported(const std::filesystem::path& file) {
     Assimp::Importer importer;
-    const aiScene* scene = importer.ReadFile(file.string(), /*post-processing=*/0);
+    const aiScene* scene = read_scene(importer, file);
     if (scene == nullptr || scene->mRootNode == nullptr)
         throw InputError(importer.GetErrorString());
     Collector collector(*scene);

@@ -54,6 +54,18 @@ TEST_CASE("decimals of the file come back as written, not as their nearest float
     CHECK(mesh.x == Points{{0.1, 0.2, 0.3}, {10.7, 0, 0}, {0, 1e-3, -2.54}});
 }
 
+TEST_CASE("a mesh behind a byte order mark is the same mesh", "[io]") {
+    const scene::Folder folder("marked");
+    const auto [name, text] = GENERATE(table<std::string, std::string>(
+        {{"c.obj", obj_cube()}, {"c.stl", stl_cube()}, {"c.ply", ply_cube()}}));
+    INFO(name);
+    const ImportedMesh plain = io::read_mesh(written(folder, name, text));
+    const ImportedMesh marked = io::read_mesh(written(folder, name, "\xEF\xBB\xBF" + text));
+    CHECK(marked.x == plain.x);
+    CHECK(marked.shells == plain.shells);
+    CHECK(marked.part_names == plain.part_names);
+}
+
 TEST_CASE("what cannot be read says so", "[io]") {
     const scene::Folder folder("bad_mesh");
     CHECK_THROWS_AS(io::read_mesh(folder.path / "nowhere.stl"), InputError);
