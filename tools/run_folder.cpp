@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/export/d3plot.hpp"
 #include "io/results/ascii_files.hpp"
 #include "io/results/hdf5.hpp"
 #include "solver/base/error.hpp"
@@ -69,13 +70,17 @@ bool is_among(const Names& names, const std::string& name) {
     return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
+/// d3plot, d3plot01 ...
+bool is_d3plot(const std::string& name) {
+    return name.starts_with("d3plot") &&
+           name.find_first_not_of("0123456789", 6) == std::string::npos;
+}
+
 /// Of exports, responses and the summary.
 bool is_export(const std::string& name) {
     constexpr std::array<std::string_view, 5> NAMES = {"binout", "history.csv", "history_fast.csv",
                                                        "responses.json", "run.json"};
-    const bool is_d3plot =
-        name.starts_with("d3plot") && name.find_first_not_of("0123456789", 6) == std::string::npos;
-    return is_d3plot || is_among(NAMES, name);
+    return is_d3plot(name) || is_among(NAMES, name);
 }
 
 /// Of the run itself.
@@ -108,6 +113,19 @@ bool holds_own_results(const fs::path& folder) {
            (summary.starts_with("{\"wall\": ") &&
             summary.find("\"parallel\": ") != std::string::npos) ||
            (fs::exists(folder / "results.h5") && is_of_this_program(folder / "results.h5"));
+}
+
+/// Of another program, whatever lies beside it: text files whose second line names another one.
+bool is_foreign(const fs::path& file) {
+    const std::string name = file.filename().string();
+    if (is_among(io::AsciiFiles::NAMES, name) && name != "cpm_sensor") {
+        const std::string text = beginning_of(file);
+        return std::count(text.begin(), text.end(), '\n') >= 2 &&
+               text.find("corpuscle, in the columns of ls-dyna") == std::string::npos;
+    }
+    if (!is_d3plot(name)) return false;
+    const std::string states_of = beginning_of(file.parent_path() / "d3plot");
+    return !states_of.empty() && !io::is_own_d3plot(states_of);
 }
 
 /// "a, b, ..." in alphabetical order, eight at most.
@@ -146,16 +164,21 @@ void remove_test(const fs::path& folder) {
 
 void expect_own_results(const fs::path& folder) {
     if (!fs::is_directory(folder)) return;
-    std::vector<std::string> found;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-        if (const std::string name = entry.path().filename().string();
-            is_export(name) || is_result(name))
-            found.push_back(name);
-    if (found.empty() || holds_own_results(folder)) return;
-    throw InputError(fmt::format(
-        "{} holds no results of corpuscle, but {}: a run would replace them; expected another "
-        "folder, -o DIR",
-        folder.string(), names_listed(std::move(found))));
+    std::vector<std::string> found, foreign;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (!is_export(name) && !is_result(name)) continue;
+        found.push_back(name);
+        if (is_foreign(entry.path())) foreign.push_back(name);
+    }
+    const auto refuse = [&](std::string_view what, std::vector<std::string> names) {
+        throw InputError(
+            fmt::format("{} holds {} {}: a run would replace them; expected another folder, -o DIR",
+                        folder.string(), what, names_listed(std::move(names))));
+    };
+    if (found.empty()) return;
+    if (!holds_own_results(folder)) refuse("no results of corpuscle, but", std::move(found));
+    if (!foreign.empty()) refuse("results of another program,", std::move(foreign));
 }
 
 void remove_old_exports(const fs::path& folder) {

@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <map>
 #include <optional>
 
@@ -23,6 +24,10 @@ using Lines = std::vector<double>;
 constexpr float END_MARK = -999999.0F;
 constexpr std::size_t STRESSES = 6, EXTRAS = 1, STRAINS = 12;  ///< strains: inner, outer face
 constexpr int IS_THERE = 1000, IS_NOT_THERE = 999;
+constexpr std::size_t RUN_TIME = 10, SOURCE = 12, RELEASE = 13;  ///< control words that stay 0
+/// Of LS-DYNA, as a number: readers tell word size and byte order by it.
+constexpr std::size_t VERSION = 14;
+constexpr float VERSION_HERE = 960.0F;
 
 class Writer {
 public:
@@ -82,8 +87,7 @@ private:
         word[44] = word[45] = word[46] = IS_NOT_THERE;  // plastic strain, resultants, thickness
         word[51] = parts;
         word[54] = particles_ ? particles_->flag() : 0;
-        // the release of LS-DYNA as a number: readers tell word size and byte order by it
-        word[14] = std::bit_cast<std::int32_t>(960.0F);
+        word[VERSION] = std::bit_cast<std::int32_t>(VERSION_HERE);
         for (std::size_t k = 10; k < word.size(); ++k) file.integer(word[k]);
     }
 
@@ -195,6 +199,17 @@ private:
 
 void write_d3plot(const Hdf5Reader& results, const D3plotFile& write, bool has_particles) {
     Writer(results, write, has_particles).write();
+}
+
+bool is_own_d3plot(std::string_view beginning) {
+    if (beginning.size() < 4 * (VERSION + 1)) return false;
+    const auto word = [&](std::size_t k) {
+        std::int32_t value = 0;
+        std::memcpy(&value, beginning.data() + 4 * k, 4);
+        return value;
+    };
+    return word(RUN_TIME) == 0 && word(SOURCE) == 0 && word(RELEASE) == 0 &&
+           word(VERSION) == std::bit_cast<std::int32_t>(VERSION_HERE);
 }
 
 }  // namespace corpuscle::io

@@ -87,6 +87,24 @@ TEST_CASE("a run refuses a folder with results of another program", "[io]") {
     CHECK(std::filesystem::is_empty(here / "theirs"));
 }
 
+TEST_CASE("another program's d3plot stays where it is beside results of corpuscle", "[io]") {
+    const test::DeckFolder folder;
+    const auto here = folder.write("deck.k", test::small_deck()).parent_path();
+    const std::string run = "run deck.k -o out --until 1e-3";
+    REQUIRE(corpuscle_in(here, run).first == 0);
+    REQUIRE(corpuscle_in(here, "export out --d3plot").first == 0);
+    const auto [status, text] = corpuscle_in(here, run);
+    CHECK(status == 0);
+    CHECK_THAT(text, Contains("removed: d3plot, d3plot01, "));
+    const std::string name = GENERATE("d3plot", "glstat");
+    const std::string theirs = "of another\nprogram\n";
+    const auto file = folder.write("out/" + name, theirs);
+    const auto [refused, told] = corpuscle_in(here, run);
+    CHECK(refused == 2);
+    CHECK_THAT(told, Contains("out holds results of another program, " + name + ":"));
+    CHECK(bytes_of(file) == theirs);
+}
+
 TEST_CASE("a run takes away exports of its own, not the tests of others", "[export]") {
     const test::DeckFolder folder;
     const auto here = folder.write("deck.k", test::small_deck()).parent_path();
