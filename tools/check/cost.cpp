@@ -9,8 +9,10 @@
 
 #include "gas/particles.hpp"
 #include "solver/base/parallel.hpp"
+#include "solver/scene/reference_geometry.hpp"
 #include "solver/simulation.hpp"
 #include "tools/check/filling.hpp"
+#include "tools/check/flat_cloth.hpp"
 
 namespace corpuscle::tools {
 namespace {
@@ -44,6 +46,12 @@ constexpr double CHOKED =
 
 constexpr int BINS = 100;  ///< of the run's time
 
+/// Of a bag without stress.
+double surface(const gas::BagGas& bag, const Model& model) {
+    return has_references(model) ? closing_area(bag.walls(), reference_corners(model))
+                                 : bag.enclosure().area(model.x);
+}
+
 /// A bag of particles as it fills.
 class FillingBag {
 public:
@@ -51,8 +59,7 @@ public:
         : bag_(bag),
           model_(model),
           start_volume_(bag.enclosure().volume(model.x)),
-          full_(can_grow ? full_volume(start_volume_, bag.enclosure().area(model.x))
-                         : start_volume_),
+          full_(can_grow ? full_volume(start_volume_, surface(bag, model)) : start_volume_),
           first_(bag.stable_step()),
           resident_(static_cast<double>(bag.particles().size())),
           all_(std::max(resident_, static_cast<double>(bag.card().particles))) {

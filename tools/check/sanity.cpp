@@ -15,14 +15,17 @@
 #include "gas/thermo/species.hpp"
 #include "io/text/units.hpp"
 #include "solver/base/constants.hpp"
+#include "solver/scene/reference_geometry.hpp"
 #include "solver/simulation.hpp"
 #include "tools/check/filling.hpp"
+#include "tools/check/flat_cloth.hpp"
 
 namespace corpuscle::tools {
 namespace {
 
 constexpr double MOST_STRAIN = 0.3;
-constexpr double SHORTENED = 0.95;  ///< area over the flat one: folds have taken of it
+constexpr double MOST_SHRUNK = 400.0;  ///< area without stress over that of the mesh
+constexpr double SHORTENED = 0.95;     ///< area over the flat one: folds have taken of it
 
 /// Factors from deck units to SI.
 struct ToSI {
@@ -41,7 +44,8 @@ std::string told(double value, double to_unit, const char* unit, bool is_known) 
 
 class Judge {
 public:
-    explicit Judge(const Simulation& simulation) : simulation_(simulation) {
+    explicit Judge(const Simulation& simulation)
+        : simulation_(simulation), flat_(reference_corners(simulation.model())) {
         const auto scale = io::scale_of(model().unit_system);
         is_known_ = scale.has_value();
         si_ = scale ? ToSI{scale->second, scale->metre, scale->kilogram} : ToSI{1.0, 1.0, 1.0};
@@ -49,6 +53,7 @@ public:
 
     Sanity judge() {
         cloth();
+        if (has_references(model())) references();
         for (const gas::BagGas& bag : simulation_.bags()) particle_bag(bag);
         for (const gas::UniformBag& bag : simulation_.uniform_bags()) uniform_bag(bag);
         return std::move(out_);
@@ -56,27 +61,6 @@ public:
 
 private:
     [[nodiscard]] const Model& model() const { return simulation_.model(); }
-    using Corners = std::array<Vec3, 4>;  ///< of a shell; a triangle's third stands twice
-    [[nodiscard]] static double area(const Corners& at) {
-        return 0.5 * (at[2] - at[0]).cross(at[3] - at[1]).norm();
-    }
-    [[nodiscard]] static Corners corners(const Shell& shell, const Points& x) {
-        const auto& n = shell.nodes;
-        return {x[n[0]], x[n[1]], x[n[2]], x[n[3]]};
-    }
-    [[nodiscard]] static double area(const Shell& shell, const Points& x) {
-        return area(corners(shell, x));
-    }
-    /// Stress-free corners of each shell.
-    [[nodiscard]] std::vector<Corners> flat_corners() const {
-        Points flat = model().x;
-        for (const ReferenceGeometry& reference : model().references)
-            for (const auto& [node, at] : reference.nodes) flat[node] = at;
-        std::vector<Corners> all;
-        for (const Shell& shell : model().shells) all.push_back(corners(shell, flat));
-        for (const ShellReference& own : model().shell_references) all[own.shell] = own.corners;
-        return all;
-    }
     [[nodiscard]] static double modulus(const fabric::Material& material) {
         if (const auto* cloth = std::get_if<fabric::FabricCard>(&material.card))
             return cloth->E_warp;
@@ -108,9 +92,11 @@ private:
             const fabric::Material& material = model().materials[part.material];
             if (std::isnan(modulus(material))) continue;
             is_used[part.material] = true;
-            all += area(shell, model().x);
+            const double flat =
+                area(flat_[static_cast<std::size_t>(&shell - model().shells.data())]);
+            all += flat;
             const auto* cloth = std::get_if<fabric::FabricCard>(&material.card);
-            mass += area(shell, model().x) * part.thickness *
+            mass += flat * part.thickness *
                     (cloth != nullptr ? cloth->density
                                       : std::get<fabric::ElasticCard>(material.card).density);
         }
@@ -131,6 +117,38 @@ private:
         }
     }
 
+    /// Of cloth that is stretched at the start, or far larger than its mesh: in other units, it may be.
+    void references() {
+        const std::vector<double> births = reference_births(model());
+        double now = 0.0, flat = 0.0, most = 1.0;
+        std::size_t stretched = 0, worst = 0;
+        for (std::size_t s = 0; s < flat_.size(); ++s) {
+            const Shell& shell = model().shells[s];
+            const fabric::Material& material =
+                model().materials[model().parts[shell.part].material];
+            const Corners start = corners(shell, model().x);
+            if (start == flat_[s] || std::isnan(modulus(material))) continue;
+            now += area(start);
+            flat += area(flat_[s]);
+            const auto* cloth = std::get_if<fabric::FabricCard>(&material.card);
+            const bool waits = (!births.empty() && births[s] > 0.0) ||
+                               (cloth != nullptr && cloth->restoration.any());
+            const double stretch = waits ? 1.0 : greatest_stretch(start, flat_[s]);
+            if (stretch > 1.0 + MOST_STRAIN) ++stretched;
+            if (stretch > most) worst = s, most = stretch;
+        }
+        if (stretched > 0)
+            warn(fmt::format(
+                "{} shells are stretched by more than {:.0f} % of their reference "
+                "geometry at the start, shell {} by {:.3g} %: is it in the mesh's units?",
+                stretched, 100.0 * MOST_STRAIN, model().shells[worst].id, 100.0 * (most - 1.0)));
+        if (flat > MOST_SHRUNK * now)
+            warn(
+                fmt::format("the reference geometry has {:.3g} times the area of its shells at the "
+                            "start, expected at most {:.0f}: is it in the mesh's units?",
+                            flat / now, MOST_SHRUNK));
+    }
+
     /// Least E h of the cloth that closes a bag.
     [[nodiscard]] double stiffness(const gas::BagWalls& walls) const {
         double least = INF;
@@ -145,7 +163,6 @@ private:
     /// Of cloth whose folds have shortened it: facets that resist compression do not crumple, and
     /// push as far as they reach.
     void advise_on_compression(const gas::BagWalls& walls) {
-        const std::vector<Corners> flat = flat_corners();
         std::map<int, std::array<double, 2>> areas;  // by material: now, flat
         for (std::size_t t = 0; t < walls.closing; ++t) {
             const Shell& shell = model().shells[walls.shell[t]];
@@ -155,8 +172,8 @@ private:
             if (cloth == nullptr) continue;
             const bool is_lined = !cloth->liner_waits && cloth->liner_E * cloth->liner_ratio > 0.0;
             if (!is_lined && cloth->no_compression) continue;
-            areas[material.id][0] += area(shell, model().x);
-            areas[material.id][1] += area(flat[walls.shell[t]]);
+            areas[material.id][0] += area(corners(shell, model().x));
+            areas[material.id][1] += area(flat_[walls.shell[t]]);
         }
         for (const auto& [id, of] : areas)
             if (of[0] < SHORTENED * of[1])
@@ -224,12 +241,19 @@ private:
                "J/(kg K)");
     }
 
+    /// Of the bag without stress.
+    template <class Bag>
+    [[nodiscard]] double surface(const Bag& bag) const {
+        return has_references(model()) ? closing_area(bag.walls(), flat_)
+                                       : bag.enclosure().area(model().x);
+    }
+
     void particle_bag(const gas::BagGas& bag) {
         const gas::BagCard& card = bag.card();
         for (const gas::InflowCard& flow : card.inflow)
             heat_capacity(card.id, gas::Species(flow.species, card.gas_constant, "gas"));
         const double volume = bag.enclosure().volume(model().x);
-        this->bag(card.id, bag.walls(), volume, bag.enclosure().area(model().x), card.p_atm,
+        this->bag(card.id, bag.walls(), volume, surface(bag), card.p_atm,
                   inflow_until(model(), card, card.all_in), air_in(card, volume));
     }
 
@@ -255,11 +279,11 @@ private:
         inside.energy = bag.gas().energy();
         inside.heat = bag.gas().mass() * gas.cv(T);
         inside.gas = bag.gas().mass() * (gas.cp(T) - gas.cv(T));
-        this->bag(card.id, bag.walls(), bag.gas().volume(), bag.enclosure().area(model().x),
-                  card.p_atm, in, inside);
+        this->bag(card.id, bag.walls(), bag.gas().volume(), surface(bag), card.p_atm, in, inside);
     }
 
     const Simulation& simulation_;
+    std::vector<Corners> flat_;  ///< stress-free, of each shell
     bool is_known_ = false;
     ToSI si_{1.0, 1.0, 1.0};
     Sanity out_;

@@ -105,6 +105,30 @@ TEST_CASE("check names folded cloth that resists compression", "[check]") {
     CHECK_THAT(check(decks / "wang_nefske_inflator_card.k"), !Contains("material 1 is folded"));
 }
 
+TEST_CASE("check knows cloth by its reference geometry", "[check]") {
+    using Catch::Contains;
+    const test::DeckFolder folder;
+    const auto decks = std::filesystem::path(CORPUSCLE_MODELS).parent_path() / "tests" / "decks";
+    std::ifstream in(decks / "cube.inc");
+    const std::string cube{std::istreambuf_iterator<char>(in), {}}, heading = "*ELEMENT_SHELL\n";
+    const auto shells = cube.find(heading) + heading.size();
+    const auto told = [&](const std::string& scale) {
+        return check(folder.write(
+            "scaled.k", "*KEYWORD\n*INCLUDE\n" + (decks / "wang_nefske_inflator_card.k").string() +
+                            "\n*AIRBAG_SHELL_REFERENCE_GEOMETRY_ID\n1," + scale + "," + scale +
+                            "," + scale + "\n" + cube.substr(shells, cube.rfind("*END") - shells) +
+                            "*END\n"));
+    };
+    const std::string twice = told("2");  // 0.0774 A^1.5 of 0.24 m^2
+    CHECK_THAT(twice,
+               Contains("cloth: 57.6 g on 0.24 m^2") && Contains("1 l now, some 9.1 l full"));
+    CHECK_THAT(twice, !Contains("of their reference geometry") && !Contains("the mesh's units"));
+    CHECK_THAT(told("0.5"), Contains(" shells are stretched by more than 30 % of their reference "
+                                     "geometry at the start, shell ") &&
+                                Contains("by 100 %"));
+    CHECK_THAT(told("1000"), Contains("has 1e+06 times the area of its shells at the start"));
+}
+
 TEST_CASE("check says what a person can judge, and what cannot be", "[check]") {
     using Catch::Contains;
     const test::DeckFolder folder;
