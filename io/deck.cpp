@@ -42,7 +42,7 @@ double parameter_number(const Parameter& parameter) {
 Dialect dialect(Parameters& parameters, Faults& faults) {
     const Place deck{0, 1};
     double year = 0.0;
-    if (const Parameter* p = parameters.find("DIALECT", 0))
+    if (const Parameter* p = parameters.find("DIALECT", {}))
         year = parameter_number(*p);
     else if (const auto text = parameters.take_override("DIALECT"))
         year = parse_real(*text).value_or(NaN);
@@ -54,7 +54,8 @@ Dialect dialect(Parameters& parameters, Faults& faults) {
 /// COLLISION, by -D or by *PARAMETER (type C): the collision model of all bags.
 std::optional<gas::CollisionModel> collision(Parameters& parameters, Faults& faults) {
     std::optional<std::string> name = parameters.take_override("COLLISION");
-    if (const Parameter* p = parameters.find("COLLISION", 0); !name && p != nullptr) name = p->text;
+    if (const Parameter* p = parameters.find("COLLISION", {}); !name && p != nullptr)
+        name = p->text;
     if (!name) return {};
     const auto model = gas::collision_model(trim(*name));
     if (!model)
@@ -67,7 +68,7 @@ std::optional<gas::CollisionModel> collision(Parameters& parameters, Faults& fau
 double mean_free_path(const std::optional<gas::CollisionModel>& model, Parameters& parameters,
                       Faults& faults) {
     double path = NaN;
-    if (const Parameter* p = parameters.find("MEAN_FREE_PATH", 0))
+    if (const Parameter* p = parameters.find("MEAN_FREE_PATH", {}))
         path = parameter_number(*p);
     else if (const auto text = parameters.take_override("MEAN_FREE_PATH"))
         path = parse_real(*text).value_or(-1.0);
@@ -85,7 +86,7 @@ double mean_free_path(const std::optional<gas::CollisionModel>& model, Parameter
 /// CLOSE, by -D or by *PARAMETER: no, yes, or the share of a bag's area up to which lids close it.
 void closing(Parameters& parameters, Faults& faults, Model& model) {
     std::optional<std::string> text = parameters.take_override("CLOSE");
-    if (const Parameter* p = parameters.find("CLOSE", 0); !text && p != nullptr)
+    if (const Parameter* p = parameters.find("CLOSE", {}); !text && p != nullptr)
         text = p->type == 'C' ? p->text : fmt::format("{}", p->value.number);
     if (!text) return;
     const std::string word = upper(trim(*text));
@@ -104,7 +105,7 @@ void closing(Parameters& parameters, Faults& faults, Model& model) {
 /// UNITS, by -D or by *PARAMETER (type C): of a deck without *AIRBAG_PARTICLE.
 std::string units(Parameters& parameters, Faults& faults) {
     std::optional<std::string> text = parameters.take_override("UNITS");
-    if (const Parameter* p = parameters.find("UNITS", 0); !text && p != nullptr) text = p->text;
+    if (const Parameter* p = parameters.find("UNITS", {}); !text && p != nullptr) text = p->text;
     if (!text) return {};
     if (const std::string_view system = unit_system_named(*text); !system.empty())
         return std::string(system);

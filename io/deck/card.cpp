@@ -141,8 +141,8 @@ double Card::named_value(std::string_view text) const {
     const double sign = text.front() == '-' ? -1.0 : 1.0;
     if (sign < 0) text = trim(text.substr(1));
     const Parameters& parameters = cards_.parameters();
-    const std::uint32_t file = cards_.block().place.file;
-    const auto lookup = [&](std::string_view name) { return parameters.value(name, file); };
+    const Viewpoint from = cards_.block().viewpoint();
+    const auto lookup = [&](std::string_view name) { return parameters.value(name, from); };
     if (text.front() == '<') {
         if (text.back() != '>') throw ExpressionError("> at the end of the expression");
         return sign * evaluate(text.substr(1, text.size() - 2), lookup).number;
@@ -236,7 +236,7 @@ std::string Card::text(std::string_view name) {
     const std::string_view written = raw(at(name));
     if (written.empty() || written.front() != '&') return std::string(written);
     const Parameter* parameter =
-        cards_.parameters().find(trim(written.substr(1)), cards_.block().place.file);
+        cards_.parameters().find(trim(written.substr(1)), cards_.block().viewpoint());
     return parameter != nullptr && parameter->type == 'C' ? parameter->text : std::string(written);
 }
 

@@ -48,6 +48,10 @@ struct Block {
     Columns columns = Columns::STANDARD;
     std::span<const Line> lines;
     const Inclusion* inclusion = nullptr;  ///< the *INCLUDE_TRANSFORM around it, the nearest
+    std::size_t defined = static_cast<std::size_t>(-1);  ///< parameters' definitions before it
+
+    /// From where its cards see parameters.
+    [[nodiscard]] Viewpoint viewpoint() const { return {place.file, defined}; }
 };
 
 /// Numbers that a field may hold.

@@ -41,7 +41,8 @@ void define(std::string_view setting, Place at, Parameters& parameters, Faults& 
     parameter.text = parameters.take_override(name).value_or(std::string(value));
     parameter.value.number = parse_real(parameter.text).value_or(NaN);
     parameter.place = at;
-    parameters.define(name, std::move(parameter), /*local=*/false);
+    if (parameters.last(name, at.file, /*local=*/false) == nullptr)
+        parameters.define(name, std::move(parameter), /*local=*/false);
 }
 
 }  // namespace

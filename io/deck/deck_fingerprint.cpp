@@ -42,9 +42,9 @@ bool is_of_name(char c) {
 }
 
 /// A parameter by its name, where there is one.
-void take_parameter(std::string_view name, std::uint32_t file, const Parameters& parameters,
+void take_parameter(std::string_view name, Viewpoint from, const Parameters& parameters,
                     Hash& hash) {
-    const Parameter* p = name.empty() ? nullptr : parameters.find(name, file);
+    const Parameter* p = name.empty() ? nullptr : parameters.find(name, from);
     if (p == nullptr) return;
     if (p->type == 'C')
         hash.take(p->text);
@@ -53,13 +53,13 @@ void take_parameter(std::string_view name, std::uint32_t file, const Parameters&
 }
 
 /// The parameters that a line names, wherever it does: &name, <name * 2>.
-void take_parameters(std::string_view line, std::uint32_t file, const Parameters& parameters,
+void take_parameters(std::string_view line, Viewpoint from, const Parameters& parameters,
                      Hash& hash) {
     if (line.find_first_of("&<") == std::string_view::npos) return;
     for (std::size_t at = 0; at < line.size();) {
         std::size_t end = at;
         while (end < line.size() && is_of_name(line[end])) ++end;
-        take_parameter(line.substr(at, end - at), file, parameters, hash);
+        take_parameter(line.substr(at, end - at), from, parameters, hash);
         at = end + 1;
     }
 }
@@ -69,7 +69,7 @@ void take_cards(const Block& block, std::size_t first, const Parameters& paramet
     hash.take(block.keyword);
     for (const Line& line : block.lines.subspan(first)) {
         hash.take(line.text.substr(0, line.text.find_last_not_of(" \r") + 1));
-        take_parameters(line.text, block.place.file, parameters, hash);
+        take_parameters(line.text, block.viewpoint(), parameters, hash);
     }
 }
 
@@ -93,7 +93,7 @@ std::uint64_t scene_fingerprint(const DeckText& text, Parameters& parameters) {
         take_cards(inclusion.block, inclusion.name_lines, parameters, hash);
     // what no card but a parameter or -D says
     for (const std::string_view name : OWN_NAMES) {
-        take_parameter(name, 0, parameters, hash);
+        take_parameter(name, {}, parameters, hash);
         hash.take(parameters.take_override(name).value_or(""));
     }
     return hash.value();

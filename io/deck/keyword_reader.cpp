@@ -148,11 +148,12 @@ private:
             if (head.name == "END") break;
             if (head.name.starts_with("KEYWORD"))
                 columns = keyword_columns(head, columns, {file, lines[i].number}, faults_);
-            const Block block{head.name,
-                              {file, lines[i].number},
-                              head.columns.value_or(columns),
-                              lines.subspan(i + 1, end - i - 1),
-                              inclusion_};
+            Block block{head.name,
+                        {file, lines[i].number},
+                        head.columns.value_or(columns),
+                        lines.subspan(i + 1, end - i - 1),
+                        inclusion_};
+            if (!is_parameter_keyword(head.name)) block.defined = parameters_.definitions();
             take(block, path, columns);
             i = end;
         }

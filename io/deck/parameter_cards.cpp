@@ -57,7 +57,8 @@ public:
     Definitions(const Block& block, Parameters& parameters, Faults& faults)
         : cards_(block, faults, parameters),
           parameters_(parameters),
-          is_local_(has_option(block.keyword, "_LOCAL")) {}
+          is_local_(has_option(block.keyword, "_LOCAL")),
+          is_mutable_(has_option(block.keyword, "_MUTABLE")) {}
 
     void values() {
         static const Layout layout("PRMR1 VAL1 PRMR2 VAL2 PRMR3 VAL3 PRMR4 VAL4");
@@ -135,7 +136,7 @@ private:
         try {
             if (name.type != 'C')
                 p.value = evaluate(formula, [&](std::string_view word) {
-                    return parameters_.value(word, at.file);
+                    return parameters_.value(word, {at.file});
                 });
         } catch (const ExpressionError& error) {
             return complain(error.what());
@@ -157,28 +158,39 @@ private:
                                          name.type == 'I' ? "a whole number" : "a number"));
             }
         }
-        if (const Parameter* first = parameters_.define(name.name, p, is_local_);
-            first != nullptr && !is_same(*first, p))  // as of a file that is included twice
-            complain_of_second(name.name, p.place, first->place);
+        p.is_mutable = is_mutable_;
+        const Parameter* before = parameters_.last(name.name, p.place.file, is_local_);
+        if (before != nullptr) {
+            if (is_same(*before, p)) return;  // as of a file that is included twice
+            p.is_mutable = before->is_mutable;
+            if (!before->is_mutable && !replaces(name.name, p.place, before->place)) return;
+        }
+        parameters_.define(name.name, std::move(p), is_local_);
     }
 
-    void complain_of_second(const std::string& name, Place second, Place first) {
+    /// Whether a second definition counts, by DFLAG, and what is said of it.
+    bool replaces(const std::string& name, Place second, Place first) {
+        enum Flag { IGNORE_WITH_WARNING = 1, REPLACE_WITH_WARNING, REFUSE, REPLACE };
         const int flag = parameters_.duplication();
-        if (flag == 5) return;
         Faults& faults = cards_.faults();
         const std::string what = fmt::format("*{} {}", cards_.block().keyword, name);
         const std::string where = faults.where(first);
-        if (flag == 1)
-            return faults.warn(second,
-                               fmt::format("{} is ignored: {} has it already", what, where));
-        faults.fault(second,
-                     fmt::format("{}, expected one definition of a name: {} has it already{}", what,
-                                 where, flag == 3 ? "" : ", and DFLAG 2 and 4 are not supported"));
+        if (flag == IGNORE_WITH_WARNING)
+            faults.warn(second, fmt::format("{} is ignored: {} has it already", what, where));
+        if (flag == REPLACE_WITH_WARNING)
+            faults.warn(second,
+                        fmt::format("{} counts for the cards behind it, before it that of {}", what,
+                                    where));
+        if (flag == REFUSE)
+            faults.fault(second,
+                         fmt::format("{}, expected one definition of a name: {} has it already",
+                                     what, where));
+        return flag == REPLACE_WITH_WARNING || flag == REPLACE;
     }
 
     Cards cards_;
     Parameters& parameters_;
-    bool is_local_;
+    bool is_local_, is_mutable_;
 };
 
 }  // namespace
@@ -191,7 +203,9 @@ bool is_parameter_keyword(std::string_view keyword) {
     while (!rest.empty()) {
         const auto end = std::min(rest.find('_', 1), rest.size());
         const std::string_view option = rest.substr(0, end);
-        if (option != "_LOCAL" && option != "_EXPRESSION" && option != "_NOECHO") return false;
+        if (option != "_LOCAL" && option != "_EXPRESSION" && option != "_NOECHO" &&
+            option != "_MUTABLE")
+            return false;
         rest.remove_prefix(end);
     }
     return true;

@@ -8,11 +8,13 @@
 
 namespace corpuscle::io {
 
-/// *PARAMETER and *PARAMETER_EXPRESSION, with _LOCAL and _NOECHO; *PARAMETER_DUPLICATION.
+/// *PARAMETER and *PARAMETER_EXPRESSION, with _LOCAL, _MUTABLE and _NOECHO;
+/// *PARAMETER_DUPLICATION.
 [[nodiscard]] bool is_parameter_keyword(std::string_view keyword);
 
-/// Defines what the block says. The first definition of a name stays, with a warning, a fault or
-/// nothing said of another as DFLAG 1, 3 or 5 wants it; -D goes before all.
+/// Defines what the block says. Of a name that has a definition the first one stays (DFLAG 1 and 5),
+/// or each counts for the cards behind it (2 and 4, _MUTABLE), or it is a fault (3); -D goes before
+/// all.
 void read_parameters(const Block& block, Parameters& parameters, Faults& faults);
 
 }  // namespace corpuscle::io

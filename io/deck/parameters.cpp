@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "io/text/text.hpp"
 
@@ -30,23 +31,36 @@ std::optional<std::string> Parameters::take_override(std::string_view name) {
     return value;
 }
 
-const Parameter* Parameters::define(std::string_view name, Parameter parameter, bool local) {
-    auto& table = local ? files_[parameter.place.file].local : global_;
-    const auto [at, is_new] = table.try_emplace(upper(name), std::move(parameter));
-    return is_new ? nullptr : &at->second;
+const Parameter* Parameters::last(std::string_view name, std::uint32_t file, bool local) const {
+    const Table& table = local ? files_[file].local : global_;
+    const auto at = table.find(upper(name));
+    return at == table.end() ? nullptr : &at->second.back();
 }
 
-const Parameter* Parameters::find(std::string_view name, std::uint32_t from_file) const {
+void Parameters::define(std::string_view name, Parameter parameter, bool local) {
+    Table& table = local ? files_[parameter.place.file].local : global_;
+    parameter.order = definitions_++;
+    table[upper(name)].push_back(std::move(parameter));
+}
+
+const Parameter* Parameters::find(std::string_view name, Viewpoint from) const {
     const std::string key = upper(name);
-    for (std::optional<std::uint32_t> file = from_file; file; file = files_[*file].parent)
-        if (const auto at = files_[*file].local.find(key); at != files_[*file].local.end())
-            return &at->second;
-    const auto at = global_.find(key);
-    return at == global_.end() ? nullptr : &at->second;
+    const auto seen = [&](const Table& table) -> const Parameter* {
+        const auto at = table.find(key);
+        if (at == table.end()) return nullptr;
+        const std::vector<Parameter>& all = at->second;
+        const auto behind = std::find_if(all.begin() + 1, all.end(), [&](const Parameter& p) {
+            return p.order >= from.defined;
+        });
+        return &*std::prev(behind);
+    };
+    for (std::optional<std::uint32_t> file = from.file; file; file = files_[*file].parent)
+        if (const Parameter* local = seen(files_[*file].local)) return local;
+    return seen(global_);
 }
 
-std::optional<Value> Parameters::value(std::string_view name, std::uint32_t from_file) const {
-    const Parameter* parameter = find(name, from_file);
+std::optional<Value> Parameters::value(std::string_view name, Viewpoint from) const {
+    const Parameter* parameter = find(name, from);
     if (parameter == nullptr || parameter->type == 'C') return {};
     return parameter->value;
 }

@@ -22,6 +22,14 @@ struct Parameter {
     Value value;
     std::string text;  ///< of type C
     Place place;
+    bool is_mutable = false;  ///< by _MUTABLE: another definition takes its place
+    std::size_t order = 0;    ///< definitions of the deck before it
+};
+
+/// Where a name is read. Of several definitions the last before it counts, or the first.
+struct Viewpoint {
+    std::uint32_t file = 0;
+    std::size_t defined = static_cast<std::size_t>(-1);  ///< definitions of the deck before it
 };
 
 /// Names that -D may give a value in any deck.
@@ -39,17 +47,22 @@ public:
 
     /// -D value for `name`, if there is one; it counts as used.
     std::optional<std::string> take_override(std::string_view name);
-    /// @returns the earlier definition that stays, or nullptr when this one is taken
-    const Parameter* define(std::string_view name, Parameter parameter, bool local);
+    /// The last definition of the name so far, or nullptr.
+    [[nodiscard]] const Parameter* last(std::string_view name, std::uint32_t file,
+                                        bool local) const;
+    /// Counts behind itself.
+    void define(std::string_view name, Parameter parameter, bool local);
+    /// How many there are so far.
+    [[nodiscard]] std::size_t definitions() const { return definitions_; }
 
     /// DFLAG of *PARAMETER_DUPLICATION, 1 to 5: what becomes of a second definition.
     void set_duplication(int flag) { duplication_ = flag; }
     /// Likewise, 1 at first.
     [[nodiscard]] int duplication() const { return duplication_; }
 
-    [[nodiscard]] const Parameter* find(std::string_view name, std::uint32_t from_file) const;
+    [[nodiscard]] const Parameter* find(std::string_view name, Viewpoint from) const;
     /// Number of an expression's name.
-    [[nodiscard]] std::optional<Value> value(std::string_view name, std::uint32_t from_file) const;
+    [[nodiscard]] std::optional<Value> value(std::string_view name, Viewpoint from) const;
     /// Of all parameters, in alphabetical order.
     [[nodiscard]] std::vector<std::string> names() const;
     /// The name that was probably meant, or "".
@@ -63,13 +76,15 @@ private:
         std::string name, value;
         bool used = false;
     };
+    using Table = std::map<std::string, std::vector<Parameter>>;  ///< definitions in turn
     struct File {
         std::optional<std::uint32_t> parent;
-        std::map<std::string, Parameter> local;
+        Table local;
     };
     std::vector<Override> overrides_;
     std::vector<File> files_;
-    std::map<std::string, Parameter> global_;
+    Table global_;
+    std::size_t definitions_ = 0;
     int duplication_ = 1;
 };
 

@@ -123,7 +123,7 @@ void define_curve_function(Cards& cards, Draft& draft) {
         return evaluate(text,
                         [&](std::string_view name) -> std::optional<Value> {
                             if (upper(name) == "TIME") return Value{t, false};
-                            return cards.parameters().value(name, cards.block().place.file);
+                            return cards.parameters().value(name, cards.block().viewpoint());
                         })
             .number;
     };

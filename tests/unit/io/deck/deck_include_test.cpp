@@ -1,6 +1,8 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+
+#include <array>
 #include <catch2/catch.hpp>
 
 #include "deck_scene.hpp"
@@ -193,9 +195,34 @@ TEST_CASE("*PARAMETER_DUPLICATION says what becomes of a second definition", "[i
     };
     CHECK(fault(3) ==
           "deck.k:35: *PARAMETER DT, expected one definition of a name: deck.k:33 has it already");
-    for (const int flag : {2, 4}) CHECK(contains(fault(flag), "DFLAG 2 and 4 are not supported"));
     CHECK(folder.read(deck(3, "0.5")).output.glstat == 0.5);
     CHECK(contains(folder.faults(deck(6)).at(0), "(DFLAG) = 6, expected 1 or 2 or 3 or 4 or 5"));
+}
+
+TEST_CASE("a second definition that counts does so for the cards behind it", "[io]") {
+    const DeckFolder folder;
+    const auto deck = [](const std::string& first) {
+        return small_deck(first +
+                          "R dt, 0.5\n*DATABASE_GLSTAT\n&dt\n*PARAMETER\nR dt, 0.25\n"
+                          "*PARAMETER_EXPRESSION\nR half, dt / 2\n*DATABASE_MATSUM\n&dt\n"
+                          "*DATABASE_ABSTAT\n&half\n");
+    };
+    const auto intervals = [](const Model& model) {
+        return std::array{model.output.glstat, model.output.matsum, model.output.abstat};
+    };
+    const std::array in_turn{0.5, 0.25, 0.125};
+    const Model warned = folder.read(deck("*PARAMETER_DUPLICATION\n2\n*PARAMETER\n"));
+    CHECK(intervals(warned) == in_turn);
+    CHECK(any_contains(warned.warnings, "*PARAMETER DT counts for the cards behind it"));
+    for (const char* first : {"*PARAMETER_DUPLICATION\n4\n*PARAMETER\n", "*PARAMETER_MUTABLE\n"}) {
+        const Model silent = folder.read(deck(first));
+        CHECK(intervals(silent) == in_turn);
+        CHECK(silent.warnings.empty());
+    }
+    io::DeckOptions options;
+    options.overrides = {{"DT", "2"}};
+    CHECK(intervals(folder.read(deck("*PARAMETER_DUPLICATION\n4\n*PARAMETER\n"), options)) ==
+          std::array{2.0, 2.0, 1.0});
 }
 
 TEST_CASE("a local parameter is seen in its file and below, and hides a global one", "[io]") {
