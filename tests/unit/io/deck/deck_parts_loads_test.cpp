@@ -191,12 +191,21 @@ TEST_CASE("control and output", "[io]") {
 
 TEST_CASE("a number of frames goes before the time between them", "[io]") {
     const DeckFolder folder;
+    io::DeckOptions options;
     const auto frames = [&](const char* cards) {
-        return folder.read(small_deck(fmt::format("*DATABASE_BINARY_D3PLOT\n{}\n", cards)))
-            .output.frames;
+        const std::string deck = fmt::format("*DATABASE_BINARY_D3PLOT\n{}\n", cards);
+        return folder.read(small_deck(deck), options).output.frames;
     };
     CHECK(frames("0.1") == 0.1);
     CHECK(frames("0.1,0,0,20") == Approx(0.05));
+    options.until = 4.0;  // the deck's ENDTIM counts
+    CHECK(frames("0.1,0,0,20") == Approx(0.05));
+}
+
+TEST_CASE("checks of shells and subcycles of LS-DYNA change no answer", "[io]") {
+    for (const char* keyword : {"*CONTROL_CHECK_SHELL", "*CONTROL_SUBCYCLE"})
+        CHECK(any_contains(read_small(fmt::format("{}\n0,0\n", keyword)).notes,
+                           fmt::format("{} is not read", keyword)));
 }
 
 TEST_CASE("the reference geometry may be scaled about a node", "[io]") {
