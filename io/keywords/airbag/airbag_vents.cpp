@@ -143,6 +143,8 @@ bool friction(Card& c, const char* name, const Draft& draft, gas::FrictionCard& 
         return false;
     }
     if (value > -1.0) {
+        if (value < 0.0)
+            c.warn(name, "below 0: gas at rest begins to move along the fabric, by its heat");
         rough.factor = value;
         return true;
     }

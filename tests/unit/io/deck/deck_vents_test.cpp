@@ -92,6 +92,8 @@ TEST_CASE("AIRBAG_PARTICLE: friction by number or curve, for all parts or some",
     REQUIRE(bag.friction.size() == 2);
     CHECK(bag.friction[0].parts.empty());
     CHECK(bag.friction[0].factor == -0.1);
+    CHECK(any_contains(folder.read(with("-0.1", "-9")).warnings, "(FRIC) = -0.1: below 0"));
+    CHECK_FALSE(any_contains(folder.read(with("0.1", "-9")).warnings, "(FRIC)"));
     CHECK(bag.friction[1].parts == std::vector<Index>{0});
     CHECK(bag.friction[1].curve >= 0);
     CHECK(contains(only(folder.faults(with("2", "0"))), "(FRIC) = 2, expected above -1 to 1"));
