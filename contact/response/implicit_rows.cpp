@@ -173,7 +173,7 @@ double ImplicitResponse::owed_after(double after, const Row& row) {
     if (!is_hit && row.owed == 0.0) return c.owed;
     const double mean = 0.5 * (row.rate + after);
     const double moved = row.gap + row.dt * after;
-    const double end = moved > 0.0 ? moved : row.floor;  // sweeps may end before they converge
+    const double end = moved > 0.0 ? moved : row.floor;   // sweeps may end before they converge
     const double damping = row.heft * row.dt - row.mass;  // span C
     const double by_dashpot = std::clamp(-damping * after, 0.0, row.impulse);
     const double taken =

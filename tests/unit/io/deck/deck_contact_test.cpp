@@ -95,7 +95,8 @@ TEST_CASE("a curve of contact thicknesses stays above 0", "[io]") {
             least);
     };
     CHECK(contact_of(deck("0.1")).thickness_curve == 1);
-    CHECK(contains(only_fault(deck("0")), "(LCIDAB) = 17, expected a curve of thicknesses above 0"));
+    CHECK(
+        contains(only_fault(deck("0")), "(LCIDAB) = 17, expected a curve of thicknesses above 0"));
 }
 
 TEST_CASE("*PART_CONTACT gives a part its contact thickness", "[io]") {
