@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "gas/sensor.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -9,6 +10,7 @@
 #include "gas/enclosure/chambers.hpp"
 #include "gas/enclosure/enclosure.hpp"
 #include "gas/particles.hpp"
+#include "solver/base/parallel.hpp"
 
 namespace corpuscle::gas {
 namespace {
@@ -29,6 +31,15 @@ struct Region {
                    2.0 * std::abs(at[2]) <= size[1];
         return 2.0 * std::abs(at[0]) <= size[0] && 2.0 * std::abs(at[1]) <= size[1] &&
                2.0 * std::abs(at[2]) <= size[2];
+    }
+    /// Radius of a sphere about the centre that holds it, rounded up.                         [m]
+    [[nodiscard]] double reach() const {
+        constexpr double ROUNDING = 1e-9;
+        const double radius = shape == SensorCard::Shape::SPHERE ? size[0]
+                              : shape == SensorCard::Shape::CYLINDER
+                                  ? std::hypot(size[0], 0.5 * size[1])
+                                  : 0.5 * std::hypot(size[0], size[1], size[2]);
+        return (1.0 + ROUNDING) * radius;
     }
     [[nodiscard]] double volume() const {
         using std::numbers::pi;
@@ -64,23 +75,27 @@ struct Sums {
     Vec3 momentum = Vec3::Zero();
 };
 
-void add(const BagGas& bag, const Region& where, Sums& sums) {
+void add(const BagGas& bag, std::size_t row, const ParticleRuns& runs, const Region& where,
+         Sums& sums) {
     const Particles& gas = bag.particles();
-    for (std::size_t i = 0; i < gas.size(); ++i) {
-        if (!where.holds(gas.x[i])) continue;
+    runs.for_each_near(row, where.centre, where.reach(), [&](std::size_t i) {
+        if (!where.holds(gas.x[i])) return;
         const double m = bag.particle_mass()[gas.species[i]];
         sums.particles += 1.0;
         sums.moles += bag.moles_each();
         sums.mass += m;
         sums.momentum += m * gas.v[i];
         sums.square += m * gas.v[i].squaredNorm();
-    }
+    });
 }
 
 /// All of a bag, or of a chamber, is the same: what it holds, if the region's centre lies in it.
-bool read_uniform(const BagGas& bag, const Region& where, const Points& x, SensorReading& reading) {
+bool read_uniform(const BagGas& bag, std::size_t row, const ParticleRuns& runs, const Region& where,
+                  const Points& x, SensorReading& reading) {
     if (!bag.enclosure().contains(where.centre, x)) return false;
-    for (const Vec3& at : bag.particles().x) reading.particles += where.holds(at);
+    runs.for_each_near(row, where.centre, where.reach(), [&](std::size_t i) {
+        reading.particles += where.holds(bag.particles().x[i]);
+    });
     for (std::size_t c = 0; c < bag.chambers().size(); ++c) {
         if (!bag.chambers().surface(c).contains(where.centre, x)) continue;
         const ChamberState of_chamber = bag.chamber_states(x)[c];
@@ -98,18 +113,38 @@ bool read_uniform(const BagGas& bag, const Region& where, const Points& x, Senso
 
 }  // namespace
 
-SensorReading read(const SensorCard& sensor, std::span<const BagGas> bags, const Points& x) {
+ParticleRuns::ParticleRuns(std::span<const BagGas> bags) : runs_(bags.size()) {
+    for (std::size_t b = 0; b < bags.size(); ++b) {
+        const Points& x = bags[b].particles().x;
+        runs_[b].resize(parallel::chunk_count(x.size(), ROWS));
+        parallel::for_each(
+            runs_[b].size(),
+            [&](std::size_t r) {
+                const std::size_t begin = r * ROWS, end = std::min(x.size(), begin + ROWS);
+                Run& run = runs_[b][r] = {begin, end, x[begin], x[begin]};
+                for (std::size_t i = begin; i < end; ++i) {
+                    run.low = run.low.cwiseMin(x[i]);
+                    run.high = run.high.cwiseMax(x[i]);
+                }
+            },
+            /*chunk=*/16);
+    }
+}
+
+SensorReading read(const SensorCard& sensor, std::span<const BagGas> bags, const ParticleRuns& runs,
+                   const Points& x) {
     const Region where = region(sensor, x);
     SensorReading reading;
     reading.centre = where.centre;
     Sums sums;
     double R = 0.0;
-    for (const BagGas& bag : bags) {
+    for (std::size_t b = 0; b < bags.size(); ++b) {
+        const BagGas& bag = bags[b];
         if (bag.is_uniform()) {
-            if (read_uniform(bag, where, x, reading)) return reading;
+            if (read_uniform(bag, b, runs, where, x, reading)) return reading;
             continue;
         }
-        add(bag, where, sums);
+        add(bag, b, runs, where, sums);
         R = bag.card().gas_constant;
         if (bag.card().air && bag.enclosure().contains(where.centre, x))
             reading.pressure += bag.initial_air_pressure(where.centre, x);

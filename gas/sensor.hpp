@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include "solver/base/vec.hpp"
 
@@ -34,12 +36,41 @@ struct SensorReading {
     Vec3 centre = Vec3::Zero();    ///< of the sensor                                        [m]
 };
 
+/// Where the particles of some bags are, by runs of rows, which lie near one another: sensors look
+/// into runs that they may meet. Holds until particles move.
+class ParticleRuns {
+public:
+    static constexpr std::size_t ROWS = 128;  ///< of a run; the last of a bag may have fewer
+
+    explicit ParticleRuns(std::span<const BagGas> bags);
+    /// visit(row) for the particles of a bag, by its row, in runs with a place as near to `at` as
+    /// `reach`, ascending.
+    template <class Visit>
+    void for_each_near(std::size_t bag, const Vec3& at, double reach, Visit&& visit) const {
+        for (const Run& run : runs_[bag]) {
+            const Vec3 apart =
+                (run.low - at).cwiseMax(at - run.high).cwiseMax(0.0);  // of the run's box
+            if (apart.squaredNorm() > reach * reach) continue;
+            for (std::size_t i = run.begin; i < run.end; ++i) visit(i);
+        }
+    }
+
+private:
+    struct Run {
+        std::size_t begin, end;  ///< rows
+        Vec3 low, high;          ///< [m]
+    };
+    std::vector<std::vector<Run>> runs_;  ///< by bag
+};
+
 /// Sums over all particles inside, whatever part of the sensor lies in the bag:
 ///
 ///     U = sum m v / sum m,   p = sum m (v - U)² / (3 V) N/(N - 1),   3/2 R n T = p V
 ///
 /// In bags that have gone over to uniform pressure: what the bag holds, where the sensor's centre
-/// lies in it. Cost: one distance a particle.
-SensorReading read(const SensorCard& sensor, std::span<const BagGas> bags, const Points& x);
+/// lies in it. Cost: a box for each run of particles,
+/// a distance for each particle of those that the sensor may meet.
+SensorReading read(const SensorCard& sensor, std::span<const BagGas> bags, const ParticleRuns& runs,
+                   const Points& x);
 
 }  // namespace corpuscle::gas

@@ -160,11 +160,13 @@ void add_obstacles(const SceneState& scene, Sample& row) {
 
 void add_sensors(const SceneState& scene, Sample& row) {
     row.sensors.resize(scene.model.sensors.size());
+    if (row.sensors.empty()) return;
+    const gas::ParticleRuns runs(scene.airbags.particle);
     parallel::for_each(
         row.sensors.size(),
         [&](std::size_t s) {
             const gas::SensorReading now =
-                gas::read(scene.model.sensors[s], scene.airbags.particle, scene.nodes.x);
+                gas::read(scene.model.sensors[s], scene.airbags.particle, runs, scene.nodes.x);
             row.sensors[s] = {now.particles, now.pressure, now.temperature,
                               now.density,   now.velocity, now.centre};
         },

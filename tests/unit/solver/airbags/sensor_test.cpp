@@ -92,6 +92,28 @@ TEST_CASE("a sensor over the whole bag reads its exact mean", "[solver][gas]") {
     CHECK(found.temperature == Approx(300.0 * 500.0 / 499.0).epsilon(1e-9));
 }
 
+TEST_CASE("a sensor finds each particle that is within it", "[solver][gas]") {
+    Model model = box_of_air(3000);
+    std::vector<double> radius;
+    for (const double at : {-0.39, -0.25, -0.1, 0.0, 0.05})
+        for (const double size : {0.004, 0.03, 0.2}) {
+            model.sensors.push_back(
+                {gas::SensorCard::Shape::SPHERE, wall(model), at, {size, 0.0, 0.0}});
+            radius.push_back(size);
+        }
+    Simulation simulation(model);
+    for (int step = 0; step < 30; ++step)  // rows are put in order, and are left by their particles
+        simulation.step([&](Simulation& at_t) {
+            const Sample now = at_t.sample();
+            for (std::size_t s = 0; s < radius.size(); ++s) {
+                double inside = 0.0;
+                for (const Vec3& x : at_t.bags()[0].particles().x)
+                    inside += (x - now.sensors[s].centre).norm() <= radius[s];
+                CHECK(now.sensors[s].particles == inside);
+            }
+        });
+}
+
 TEST_CASE("after the switch a sensor reads what its bag holds, and outside nothing",
           "[solver][gas]") {
     Model model = box_of_air(500);
