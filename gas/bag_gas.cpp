@@ -103,18 +103,16 @@ GasState BagGas::state(const Points& x) const {
     return state;
 }
 
-/// What the rooms of each chamber hold together: most often one.
 std::vector<ChamberState> BagGas::chamber_states(const Points& x) const {
-    std::vector<ChamberSum> sums(bag_->chambers.size());
-    std::vector<ChamberState> all;
-    if (sums.empty()) return all;
-    std::vector<double> volume;
-    bag_->surface->volumes(x, volume);
-    for (std::size_t r = 0; r < volume.size(); ++r)
-        sums[static_cast<std::size_t>(bag_->chamber_of_room[r])].state.volume += volume[r];
-    now().add_to_chambers(volume, sums);
-    for (const ChamberSum& sum : sums) all.push_back(sum.whole());
-    return all;
+    if (bag_->chambers.empty()) return {};
+    return bag_->sums_of_rooms(now(), bag_->chamber_of_room, bag_->chambers.size(), x);
+}
+
+ChamberState BagGas::room_state(const Vec3& at, const Points& x) const {
+    if (bag_->surface->rooms() == 1) return state(x).as_chamber();
+    std::vector<Index> sum_of(bag_->surface->rooms(), -1);
+    sum_of[static_cast<std::size_t>(bag_->surface->rooms_of({&at, 1}, x)[0])] = 0;
+    return bag_->sums_of_rooms(now(), sum_of, 1, x)[0];
 }
 
 PartState BagGas::part_losses() const {

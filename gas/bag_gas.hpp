@@ -107,6 +107,8 @@ public:
     [[nodiscard]] GasState state(const Points& x) const;
     /// State of each chamber, in the order of the cards; empty without chambers.
     [[nodiscard]] std::vector<ChamberState> chamber_states(const Points& x) const;
+    /// State of the room that a place in the bag lies in.
+    [[nodiscard]] ChamberState room_state(const Vec3& at, const Points& x) const;
     [[nodiscard]] double energy() const;  ///< all gas inside  [J]
     /// Energy brought by inflow and ambient air so far.                                       [J]
     [[nodiscard]] double inflow_energy() const;

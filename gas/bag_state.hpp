@@ -10,6 +10,17 @@
 
 namespace corpuscle::gas {
 
+/// The gas in one chamber of a bag, or in one room.
+struct ChamberState {
+    double volume = 0;           ///< enclosed                                                 [m^3]
+    double pressure = 0;         ///< absolute                                                  [Pa]
+    double temperature = 0;      ///< at which the gas at rest would hold its energy            [K]
+    double mass = 0;             ///< inside                                                    [kg]
+    double energy = 0;           ///< all that the gas inside holds                             [J]
+    double static_pressure = 0,  ///< without the motion of each room's gas as a whole  [Pa]
+        static_temperature = 0;  ///< likewise  [K]
+};
+
 /// The gas of a bag at t.
 struct GasState {
     double volume = 0;           ///< enclosed                                                 [m^3]
@@ -32,17 +43,11 @@ struct GasState {
         double energy = 0;       ///< that it holds  [J]
     };
     std::vector<Share> species;  ///< initial air first, if any
-};
 
-/// The gas in one chamber of a bag.
-struct ChamberState {
-    double volume = 0;           ///< enclosed                                                 [m^3]
-    double pressure = 0;         ///< absolute                                                  [Pa]
-    double temperature = 0;      ///< at which the gas at rest would hold its energy            [K]
-    double mass = 0;             ///< inside                                                    [kg]
-    double energy = 0;           ///< all that the gas inside holds                             [J]
-    double static_pressure = 0,  ///< without the motion of each room's gas as a whole  [Pa]
-        static_temperature = 0;  ///< likewise  [K]
+    /// As of a bag that is one chamber.
+    [[nodiscard]] ChamberState as_chamber() const {
+        return {volume, pressure, temperature, mass, energy, static_pressure, static_temperature};
+    }
 };
 
 /// A chamber's state while it is added up, room by room.

@@ -152,6 +152,20 @@ std::string Envelope::name() const {
     return card.name();
 }
 
+std::vector<ChamberState> Envelope::sums_of_rooms(const GasPhase& gas,
+                                                  std::span<const Index> sum_of, std::size_t count,
+                                                  const Points& x) const {
+    std::vector<ChamberSum> sums(count);
+    std::vector<double> volume;
+    surface->volumes(x, volume);
+    for (std::size_t r = 0; r < volume.size(); ++r)
+        if (sum_of[r] >= 0) sums[static_cast<std::size_t>(sum_of[r])].state.volume += volume[r];
+    gas.add_rooms(volume, sum_of, sums);
+    std::vector<ChamberState> all;
+    for (const ChamberSum& sum : sums) all.push_back(sum.whole());
+    return all;
+}
+
 void Envelope::push_back(std::size_t orifice, const Vec3& at, const Vec3& impulse,
                          const Vec3& moving) {
     const auto nodes = orifices.pushed(orifice);

@@ -13,6 +13,7 @@
 #include "gas/enclosure/enclosure.hpp"
 #include "gas/enclosure/wetted_surface.hpp"
 #include "gas/gas_balance.hpp"
+#include "gas/gas_phase.hpp"
 #include "gas/inflow/inflator.hpp"
 #include "gas/inflow/orifices.hpp"
 #include "gas/outflow/gas_state.hpp"
@@ -43,6 +44,11 @@ struct Envelope {
     /// enters with m v·w more energy than at rest, and the reaction does m v·w less work.
     ///                                                                          [N s], [m/s]
     void push_back(std::size_t orifice, const Vec3& at, const Vec3& impulse, const Vec3& moving);
+    /// What the gas of rooms comes to, each added to one of `count` sums.
+    /// @param sum_of  row of the sum of each room, -1: none
+    [[nodiscard]] std::vector<ChamberState> sums_of_rooms(const GasPhase& gas,
+                                                          std::span<const Index> sum_of,
+                                                          std::size_t count, const Points& x) const;
 
     BagCard card;
     BagWalls walls;

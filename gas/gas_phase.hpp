@@ -33,13 +33,13 @@ public:
     [[nodiscard]] virtual double stable_step() const = 0;               ///< [s]
     [[nodiscard]] virtual double energy() const = 0;                    ///< [J]
     [[nodiscard]] virtual double pressure(std::size_t room) const = 0;  ///< that no particles bring
-    [[nodiscard]] virtual double pressure() const = 0;  ///< its mean over rooms by volume [Pa]
     /// Fills in masses, energies, pressure and temperature; volume and flows are set already.
     virtual void describe(GasState& now) const = 0;
-    /// Adds each room's gas to its chamber.
+    /// Adds each room's gas to one of the sums.
     /// @param volume  of each room                                                     [m^3]
-    virtual void add_to_chambers(std::span<const double> volume,
-                                 std::span<ChamberSum> chambers) const = 0;
+    /// @param sum_of  row of the sum of each room, -1: none
+    virtual void add_rooms(std::span<const double> volume, std::span<const Index> sum_of,
+                           std::span<ChamberSum> sums) const = 0;
 };
 
 }  // namespace corpuscle::gas

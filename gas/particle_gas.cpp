@@ -77,7 +77,7 @@ ParticleGas::ParticleGas(Envelope& bag, std::span<const Curve> curves, const Poi
       collider_(collider_of(bag, seed)),
       cells_(bag.surface->triangles(), bag.walls.closing, x, bag.enclosure.volume(x),
              bag.card.particles, first_speed(bag)),
-      roughness_(bag.card, bag.walls, curves,
+      roughness_(bag.card, bag.walls, bag.surface, curves,
                  ROUGHNESS_MEMORY * bag.card.second * bag.card.smoothing),
       at_opening_(bag.openings.all().size()) {
     if (!bag.air.empty())
@@ -117,13 +117,10 @@ void ParticleGas::fill_with_air(const Points& x, std::uint64_t seed) {
 
 void ParticleGas::add_load(const Points& /*x*/, Points& f) {
     if (bag_.air.empty()) return;
-    std::vector<double> of_room(bag_.surface->rooms());
-    for (std::size_t r = 0; r < of_room.size(); ++r) {
+    for (std::size_t r = 0; r < bag_.air.size(); ++r)
         if (!bag_.air[r].settle(bag_.volumes[r])) stop_for_air(r);
-        of_room[r] = pressure(r);
-    }
     air_force_.resize(f.size(), Vec3::Zero());
-    bag_.load.press(of_room, air_force_, f);
+    bag_.load.press(air_pressures(), air_force_, f);
 }
 
 void ParticleGas::book_load(const Points& /*v_mid*/, double span) {
@@ -140,14 +137,11 @@ void ParticleGas::stop_for_air(std::size_t room) const {
                     bag_.volumes[room], bag_.air[room].energy()));
 }
 
-double ParticleGas::pressure() const {
-    if (bag_.air.empty()) return 0.0;
-    double pV = 0.0, V = 0.0;
-    for (std::size_t r = 0; r < bag_.air.size(); ++r) {
-        pV += pressure(r) * bag_.volumes[r];
-        V += bag_.volumes[r];
-    }
-    return pV / V;
+/// Of initial air in each room.                                                            [Pa]
+std::vector<double> ParticleGas::air_pressures() const {
+    std::vector<double> of_room(bag_.surface->rooms());
+    for (std::size_t r = 0; r < of_room.size(); ++r) of_room[r] = pressure(r);
+    return of_room;
 }
 
 // ---- the gas itself
@@ -226,7 +220,8 @@ void ParticleGas::fly(double t, double dt, const Points& x_0, const Points& x_1)
     bag_.load.find_sides(flight_, x_0, x_1);
     bag_.samples.receive(bag_.load.hits(), dt, x_0, x_1, bag_.rooms, particles_);
     bag_.load.receive(flight_, bag_.particle_mass, particles_);
-    roughness_.receive(flight_, dt, pressure(), x_1);
+    if (roughness_.follows_pressure())
+        roughness_.receive(flight_, bag_.load.hits(), dt, air_pressures(), x_1);
     bag_.monitor.record(bag_.load.hits(), x_1);
     hits_ += bag_.load.hits().size();
     gone_.clear();

@@ -69,10 +69,9 @@ public:
     [[nodiscard]] double pressure(std::size_t room) const override {
         return bag_.air.empty() ? 0.0 : bag_.air[room].pressure();
     }
-    [[nodiscard]] double pressure() const override;
     void describe(GasState& now) const override;
-    void add_to_chambers(std::span<const double> volume,
-                         std::span<ChamberSum> chambers) const override;
+    void add_rooms(std::span<const double> volume, std::span<const Index> sum_of,
+                   std::span<ChamberSum> sums) const override;
 
     [[nodiscard]] std::vector<Holding> holdings() const;  ///< rooms × species
     [[nodiscard]] const Particles& particles() const { return particles_; }
@@ -96,6 +95,7 @@ public:
 
 private:
     void fill_with_air(const Points& x, std::uint64_t seed);
+    [[nodiscard]] std::vector<double> air_pressures() const;
     void let_in(const Entry& entry, double t, double dt, const Points& x_0, const Points& x_1);
     void exchange_heat_with_air(std::vector<Heat>& heat, std::vector<double>& after);
     void return_heat_to_air(std::span<const double> expected);

@@ -93,13 +93,14 @@ void ParticleGas::describe(GasState& now) const {
         now.mass > 0.0 ? content.temperature(std::max(0.0, now.energy - bulk)) : 0.0;
 }
 
-void ParticleGas::add_to_chambers(std::span<const double> /*volume*/,
-                                  std::span<ChamberSum> chambers) const {
+void ParticleGas::add_rooms(std::span<const double> /*volume*/, std::span<const Index> sum_of,
+                            std::span<ChamberSum> sums) const {
     const std::size_t kinds = bag_.particle_mass.size();
     const double moles_each = bag_.inflators.moles_each();
     const std::vector<Holding> holds = holdings();
     for (std::size_t r = 0; r < bag_.surface->rooms(); ++r) {
-        ChamberSum& sum = chambers[static_cast<std::size_t>(bag_.chamber_of_room[r])];
+        if (sum_of[r] < 0) continue;
+        ChamberSum& sum = sums[static_cast<std::size_t>(sum_of[r])];
         for (std::size_t s = 0; s < kinds; ++s) {
             const Holding& own = holds[r * kinds + s];
             sum.state.mass += own.mass;

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "gas/bag_gas.hpp"
-#include "gas/enclosure/chambers.hpp"
 #include "gas/enclosure/enclosure.hpp"
 #include "gas/particles.hpp"
 #include "solver/base/parallel.hpp"
@@ -89,25 +88,17 @@ void add(const BagGas& bag, std::size_t row, const ParticleRuns& runs, const Reg
     });
 }
 
-/// All of a bag, or of a chamber, is the same: what it holds, if the region's centre lies in it.
+/// All of a room is the same: what it holds, if the region's centre lies in it.
 bool read_uniform(const BagGas& bag, std::size_t row, const ParticleRuns& runs, const Region& where,
                   const Points& x, SensorReading& reading) {
     if (!bag.enclosure().contains(where.centre, x)) return false;
     runs.for_each_near(row, where.centre, where.reach(), [&](std::size_t i) {
         reading.particles += where.holds(bag.particles().x[i]);
     });
-    for (std::size_t c = 0; c < bag.chambers().size(); ++c) {
-        if (!bag.chambers().surface(c).contains(where.centre, x)) continue;
-        const ChamberState of_chamber = bag.chamber_states(x)[c];
-        reading.pressure = of_chamber.pressure;
-        reading.temperature = of_chamber.temperature;
-        reading.density = of_chamber.mass / of_chamber.volume;
-        return true;
-    }
-    const GasState all = bag.state(x);
-    reading.pressure = all.pressure;
-    reading.temperature = all.temperature;
-    reading.density = all.mass / all.volume;
+    const ChamberState room = bag.room_state(where.centre, x);
+    reading.pressure = room.pressure;
+    reading.temperature = room.temperature;
+    reading.density = room.mass / room.volume;
     return true;
 }
 

@@ -67,9 +67,9 @@ private:
 ///
 ///     U = sum m v / sum m,   p = sum m (v - U)² / (3 V) N/(N - 1),   3/2 R n T = p V
 ///
-/// In bags that have gone over to uniform pressure: what the bag holds, where the sensor's centre
-/// lies in it. Cost: a box for each run of particles,
-/// a distance for each particle of those that the sensor may meet.
+/// In bags that have gone over to uniform pressure: what the room holds that the sensor's centre
+/// lies in. Cost: a box for each run of particles, a distance for each particle of the runs that the
+/// sensor may meet.
 SensorReading read(const SensorCard& sensor, std::span<const BagGas> bags, const ParticleRuns& runs,
                    const Points& x);
 

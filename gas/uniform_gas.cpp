@@ -147,10 +147,11 @@ void UniformGas::describe(GasState& now) const {
     for (std::size_t s = 0; s < bag_.inflators.inflows(); ++s) include(s);
 }
 
-void UniformGas::add_to_chambers(std::span<const double> volume,
-                                 std::span<ChamberSum> chambers) const {
+void UniformGas::add_rooms(std::span<const double> volume, std::span<const Index> sum_of,
+                           std::span<ChamberSum> sums) const {
     for (std::size_t r = 0; r < rooms_.size(); ++r) {
-        ChamberSum& sum = chambers[static_cast<std::size_t>(bag_.chamber_of_room[r])];
+        if (sum_of[r] < 0) continue;
+        ChamberSum& sum = sums[static_cast<std::size_t>(sum_of[r])];
         const ControlVolume& gas = rooms_[r];
         sum.state.mass += gas.mass();
         sum.state.energy += gas.energy();

@@ -39,10 +39,9 @@ public:
     [[nodiscard]] double pressure(std::size_t room) const override {
         return rooms_[room].pressure();
     }
-    [[nodiscard]] double pressure() const override { return rooms_.pressure(); }
     void describe(GasState& now) const override;
-    void add_to_chambers(std::span<const double> volume,
-                         std::span<ChamberSum> chambers) const override;
+    void add_rooms(std::span<const double> volume, std::span<const Index> sum_of,
+                   std::span<ChamberSum> sums) const override;
 
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>

@@ -9,6 +9,7 @@
 #include "gas/flight/crossing.hpp"
 #include "gas/flight/flight.hpp"
 #include "gas/flight/rough_wall.hpp"
+#include "solver/base/surface.hpp"
 
 /// A particle's way through a step: what it needs, and its bounces off facets.
 namespace corpuscle::gas {
@@ -81,13 +82,24 @@ inline bool leads_away(const FlightScene& scene, const Meeting& meeting, const V
     return (plane.normal.dot(v) - speed) * (plane.normal.dot(away) - speed) < 0.0;
 }
 
+/// Whether a hit comes from the front of the facet, that its normal leads to.
+inline bool is_on_front(const FlightScene& scene, const Meeting& meeting, const Vec3& impulse) {
+    const Triangle& nodes = scene.triangles[meeting.facet];
+    std::array<Vec3, 3> x;
+    for (int c = 0; c < 3; ++c) x[c] = 0.5 * (scene.x_0[nodes[c]] + scene.x_1[nodes[c]]);
+    return impulse.dot(vector_area(x[0], x[1], x[2])) < 0.0;
+}
+
 /// Specular, but for friction; never through the facet, not even where it turns within the step.
 inline Bounce bounce(const FlightScene& scene, const Meeting& meeting, double mass, const Vec3& v) {
     Bounce mirrored{reflect(scene, meeting, v)};
     mirrored.impulse = mass * (v - mirrored.away);
-    const double f = scene.friction.on(meeting.facet);
+    const WallFriction& friction = scene.friction;
+    if (!friction.any()) return mirrored;
+    const double f = friction.on(meeting.facet, friction.has_sides(meeting.facet) &&
+                                                    is_on_front(scene, meeting, mirrored.impulse));
     if (f == 0.0) return mirrored;
-    const Bounce rough = bounce_off_rough(f, scene.friction.pushes_along, mass, v, mirrored.away,
+    const Bounce rough = bounce_off_rough(f, friction.pushes_along, mass, v, mirrored.away,
                                           velocity_at(scene, meeting));
     return leads_away(scene, meeting, v, rough.away) ? rough : mirrored;
 }

@@ -18,10 +18,17 @@ struct WallFriction {
     double factor = 0.0;
     bool pushes_along =
         true;  ///< IDFRIC = 0: the fabric feels it; 1: it feels only the normal part
-    std::span<const double> of_facet{};  ///< instead of `factor`, where it differs by facet [-]
+    std::span<const double> of_side{};  ///< instead of `factor`, as WettedSurface::side() [-]
+    Index closing = 0;                  ///< with it, how many facets have one side alone
 
-    [[nodiscard]] double on(Index facet) const {
-        return of_facet.empty() ? factor : of_facet[facet];
+    /// Whether any fabric is rough, as far as that can be told at once.
+    [[nodiscard]] bool any() const { return factor != 0.0 || !of_side.empty(); }
+    /// Whether a facet's two sides may differ.
+    [[nodiscard]] bool has_sides(Index facet) const { return !of_side.empty() && facet >= closing; }
+    /// Factor on a facet, where it has sides on that one.                                  [-]
+    [[nodiscard]] double on(Index facet, bool is_front = false) const {
+        if (of_side.empty()) return factor;
+        return of_side[facet < closing ? facet : 2 * facet - closing + (is_front ? 1 : 0)];
     }
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace corpuscle::gas {
 namespace {
@@ -20,51 +21,62 @@ const FrictionCard* card_for(const std::vector<FrictionCard>& cards, Index part)
 
 }  // namespace
 
-Roughness::Roughness(const BagCard& card, const BagWalls& walls, std::span<const Curve> curves,
+Roughness::Roughness(const BagCard& card, const BagWalls& walls,
+                     std::shared_ptr<const WettedSurface> surface, std::span<const Curve> curves,
                      double time)
-    : pushes_along_(card.friction_pushes_along), time_(time) {
+    : surface_(std::move(surface)),
+      pushes_along_(card.friction_pushes_along),
+      closing_(static_cast<Index>(walls.closing)),
+      time_(time) {
     if (card.friction.empty()) return;
-    std::vector<double> factor(walls.part_rows.size(), 0.0);
-    rough_of_.assign(walls.part_rows.size(), -1);
-    for (std::size_t p = 0; p < factor.size(); ++p) {
-        const FrictionCard* friction = card_for(card.friction, walls.part_rows[p]);
-        if (friction == nullptr) continue;
-        factor[p] = friction->factor;
-        if (friction->curve < 0) continue;
-        factor[p] = curves[friction->curve](0.0);
-        rough_of_[p] = static_cast<Index>(rough_.size());
-        rough_.push_back({static_cast<Index>(p), curves[friction->curve]});
+    rough_of_.assign(surface_->sides(), -1);
+    for (std::size_t s = 0; s < surface_->sides(); ++s) {
+        const Index part = walls.part[surface_->facet(s)];
+        const FrictionCard* friction = card_for(card.friction, walls.part_rows[part]);
+        of_side_.push_back(friction == nullptr ? 0.0 : friction->factor);
+        if (friction == nullptr || friction->curve < 0) continue;
+        const Curve& over_pressure = curves[friction->curve];
+        of_side_[s] = over_pressure(0.0);
+        rough_of_[s] = row_of(part, surface_->room(s), over_pressure);
     }
-    for (const Index p : walls.part) of_facet_.push_back(factor[p]);
-    if (rough_.empty()) return;
-    triangles_ = walls.triangles;
-    part_ = walls.part;
 }
 
-void Roughness::receive(const FlightResult& flight, double dt, double air,
-                        std::span<const Vec3> x) {
+/// Row of a part in a room, a new one where there is none.
+Index Roughness::row_of(Index part, Index room, const Curve& over_pressure) {
+    const auto found = std::find_if(rough_.begin(), rough_.end(), [&](const Rough& rough) {
+        return rough.part == part && rough.room == room;
+    });
+    const auto row = static_cast<Index>(found - rough_.begin());
+    if (found == rough_.end()) rough_.push_back({part, room, over_pressure});
+    return row;
+}
+
+void Roughness::receive(const FlightResult& flight, const WallHits& hits, double dt,
+                        std::span<const double> air, std::span<const Vec3> x) {
     if (rough_.empty()) return;
     for (Rough& part : rough_) part.impulse = part.area = 0.0;
-    for (const auto& hits : flight.hits)
-        for (const Hit& hit : hits)
-            if (const Index r = rough_of_[part_[hit.facet]]; r >= 0) {
-                const auto& [a, b, c] = triangles_[hit.facet];
+    const std::vector<Triangle>& triangles = surface_->triangles();
+    for (std::size_t l = 0; l < flight.hits.size(); ++l)
+        for (std::size_t k = 0; k < flight.hits[l].size(); ++k)
+            if (const Index r = rough_of_[hits.sides(l)[k]]; r >= 0) {
+                const Hit& hit = flight.hits[l][k];
+                const auto& [a, b, c] = triangles[hit.facet];
                 rough_[r].impulse +=
                     std::abs(hit.impulse.dot(vector_area(x[a], x[b], x[c]).normalized()));
             }
-    for (std::size_t f = 0; f < triangles_.size(); ++f) {
-        const auto& [a, b, c] = triangles_[f];
-        if (const Index r = rough_of_[part_[f]]; r >= 0)
+    for (std::size_t s = 0; s < rough_of_.size(); ++s)
+        if (const Index r = rough_of_[s]; r >= 0) {
+            const auto& [a, b, c] = triangles[surface_->facet(s)];
             rough_[r].area += vector_area(x[a], x[b], x[c]).norm();
-    }
+        }
     const double fresh = -std::expm1(-dt / time_);
     for (Rough& part : rough_) {
         if (part.area > 0.0)
             part.pressure += fresh * (part.impulse / (dt * part.area) - part.pressure);
     }
-    for (std::size_t f = 0; f < part_.size(); ++f)
-        if (const Index r = rough_of_[part_[f]]; r >= 0)
-            of_facet_[f] = rough_[r].over_pressure(rough_[r].pressure + air);
+    for (std::size_t s = 0; s < rough_of_.size(); ++s)
+        if (const Index r = rough_of_[s]; r >= 0)
+            of_side_[s] = rough_[r].over_pressure(rough_[r].pressure + air[rough_[r].room]);
 }
 
 }  // namespace corpuscle::gas

@@ -138,6 +138,21 @@ TEST_CASE("friction below zero bends the path towards the fabric and keeps its s
     CHECK(0.5 * 2.0 * gas.v[0].squaredNorm() + gas.e[0] + total(flight).energy == Approx(energy));
 }
 
+TEST_CASE("a membrane's two sides are rough each in its own way", "[gas][flight]") {
+    const double dt = 1e-3;
+    const shapes::Shape shape{{{-1, -1, 0.1}, {1, -1, 0.1}, {0, 2, 0.1}}, {{0, 1, 2}}};
+    const FacetLists lists = lists_for(shape, shape.x, shape.x, 0.1);
+    Particles gas;
+    gas.add({0, 0, 0.09}, {60, 0, 120}, 0.0, 0, 0);
+    gas.add({0, 0, 0.11}, {60, 0, -120}, 0.0, 0, 1);
+    FlightResult flight;
+    const std::vector<double> of_side{0.2, 0.7};  // back, front
+    fly(lists, shape.x, shape.x, dt, std::vector<double>{2.0}, {}, gas, flight, nullptr,
+        {0.0, true, of_side});
+    CHECK(gas.v[0].x() == Approx(0.8 * 60.0));
+    CHECK(gas.v[1].x() == Approx(0.3 * 60.0));
+}
+
 TEST_CASE("no particle leaves a closed surface that shakes violently", "[gas][flight]") {
     const int levels = GENERATE(0, 2, 3);
     const double friction = GENERATE(0.0, 0.9, -0.9);
