@@ -78,18 +78,6 @@ void require_inside(const Orifices& orifices, const Enclosure& enclosure, const 
     if (!faults.empty()) throw InputError(std::move(faults));
 }
 
-/// Chamber that each room belongs to.
-std::vector<Index> chambers_of_rooms(const Chambers& chambers, const WettedSurface& surface,
-                                     std::size_t closing) {
-    if (chambers.empty()) return {};
-    std::vector<Index> chamber(surface.rooms(), 0);
-    for (std::size_t f = 0; f < closing; ++f) {
-        const auto [a, b] = chambers.beside(f);
-        chamber[surface.room(surface.side(f, false))] = std::max(a, b);
-    }
-    return chamber;
-}
-
 }  // namespace
 
 Envelope::Envelope(const BagCard& bag, BagWalls bag_walls, std::span<const Curve> curves,
@@ -126,7 +114,7 @@ Envelope::Envelope(const BagCard& bag, BagWalls bag_walls, std::span<const Curve
     require_inside(orifices, enclosure, x, name());
     if (card.air && !card.air->is_particles) fill_with_air(enclosure.volume(x));
     rooms.resize(surface->rooms());
-    chamber_of_room = chambers_of_rooms(chambers, *surface, walls.closing);
+    chamber_of_room = chambers.of_rooms(*surface, x);
     if (enclosure.turned() > 0)
         warnings.push_back(
             fmt::format("{}: the normals of {} facets were turned to agree with their neighbours",

@@ -54,7 +54,7 @@ struct Envelope {
     BagWalls walls;
     Enclosure enclosure;
     Chambers chambers;
-    std::vector<Index> chamber_of_room;  ///< where there are chambers
+    std::vector<Index> chamber_of_room;  ///< -1: in none
     Inflators inflators;
     std::vector<double> particle_mass;  ///< of one particle of each gas                 [kg]
     std::shared_ptr<const WettedSurface> surface;

@@ -62,8 +62,9 @@ void check_closed(const std::vector<Edge>& edges, std::span<const int> node_id,
 
 /// Turns triangles so that neighbours pass their common edge in opposite directions, and shells of
 /// the surface enclose positive volume. Returns how many were turned.
+/// @param piece_of  takes the piece of each
 std::size_t orient(std::vector<Triangle>& triangles, const std::vector<Edge>& edges,
-                   std::span<const Vec3> x, Fault fault) {
+                   std::span<const Vec3> x, Fault fault, std::vector<Index>& piece_of) {
     std::vector<std::vector<std::pair<Index, bool>>> next(triangles.size());  // neighbour, agrees
     for (std::size_t e = 0; e < edges.size(); e += 2) {
         const bool agrees = edges[e].runs_up != edges[e + 1].runs_up;
@@ -72,6 +73,8 @@ std::size_t orient(std::vector<Triangle>& triangles, const std::vector<Edge>& ed
     }
     std::vector<int> turn(triangles.size(), -1);
     std::vector<Index> piece;
+    piece_of.assign(triangles.size(), 0);
+    Index pieces = 0;
     std::size_t kept_total = 0;
     for (std::size_t seed = 0; seed < triangles.size(); ++seed) {
         if (turn[seed] >= 0) continue;
@@ -99,10 +102,10 @@ std::size_t orient(std::vector<Triangle>& triangles, const std::vector<Edge>& ed
         // A surface without volume keeps LS-DYNA's convention: given normals point inward.
         const bool inward = volume <= 0.0;
         for (const Index t : piece) {
-            if ((turn[t] != 0) != inward) {
-                std::swap(triangles[t][1], triangles[t][2]);
-            }
+            piece_of[t] = pieces;
+            if ((turn[t] != 0) != inward) std::swap(triangles[t][1], triangles[t][2]);
         }
+        ++pieces;
         const auto flipped = static_cast<std::size_t>(
             std::count_if(piece.begin(), piece.end(), [&](Index t) { return turn[t] != 0; }));
         kept_total += std::min(flipped, piece.size() - flipped);
@@ -118,7 +121,7 @@ Enclosure::Enclosure(std::vector<Triangle> triangles, std::span<const Vec3> x,
     const std::vector<Edge> edges = sorted_edges(triangles_);
     const Fault fault{.of = bag_name, .property = property};
     check_closed(edges, node_id, fault);
-    turned_ = orient(triangles_, edges, x, fault);
+    turned_ = orient(triangles_, edges, x, fault, piece_);
 
     for (const Triangle& t : triangles_) nodes_.insert(nodes_.end(), t.begin(), t.end());
     std::sort(nodes_.begin(), nodes_.end());
@@ -135,6 +138,11 @@ Enclosure::Enclosure(std::vector<Triangle> triangles, std::span<const Vec3> x,
     std::vector<Index> fill(start_.begin(), start_.end() - 1);
     for (std::size_t t = 0; t < triangles_.size(); ++t)
         for (const Index node : triangles_[t]) around_[fill[place(node)]++] = static_cast<Index>(t);
+}
+
+void Enclosure::turn(Index piece) {
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+        if (piece_[t] == piece) std::swap(triangles_[t][1], triangles_[t][2]);
 }
 
 double Enclosure::volume(std::span<const Vec3> x) const {

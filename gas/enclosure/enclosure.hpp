@@ -43,12 +43,17 @@ public:
     [[nodiscard]] std::span<const Index> nodes() const { return nodes_; }
     /// Triangles whose normal was mended.
     [[nodiscard]] std::size_t turned() const { return turned_; }
+    /// Connected piece that each triangle belongs to, numbered from 0.
+    [[nodiscard]] const std::vector<Index>& piece() const { return piece_; }
+    /// Turns the normals of a piece round: it is the wall of a cavity.
+    void turn(Index piece);
 
 private:
     std::vector<Triangle> triangles_;
     std::vector<Index> nodes_;
     std::vector<Index> start_;  ///< node (place in nodes_) -> its triangles, compressed rows
     std::vector<Index> around_;
+    std::vector<Index> piece_;
     std::size_t turned_ = 0;
 };
 

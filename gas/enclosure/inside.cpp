@@ -8,7 +8,8 @@
 namespace corpuscle::gas {
 namespace {
 
-constexpr double NEAR = 1e-9;  ///< of the surface's size: far above rounding, far below a gap
+constexpr double ROUNDING = 1e-12;  ///< of a facet's height over a point, by distances
+constexpr double NEAR = 1e-9;       ///< of the surface's size: far above rounding, far below a gap
 
 using Corner = std::array<double, 3>;
 
@@ -20,6 +21,18 @@ bool is_left(const Corner& a, const Corner& b, Index node_a, Index node_b, doubl
 }
 
 }  // namespace
+
+double solid_angle(std::span<const Triangle> wall, const Vec3& point, std::span<const Vec3> x) {
+    double angle = 0.0;
+    for (const Triangle& t : wall) {
+        const Vec3 a = x[t[0]] - point, b = x[t[1]] - point, c = x[t[2]] - point;
+        const double la = a.norm(), lb = b.norm(), lc = c.norm(), height = a.dot(b.cross(c));
+        if (std::abs(height) <= ROUNDING * la * lb * lc) continue;  // in its plane: half its angle
+        angle +=
+            2.0 * std::atan2(height, la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    }
+    return angle;
+}
 
 InsideTest::InsideTest(std::span<const Triangle> outward, std::span<const Vec3> x)
     : low_(Vec3::Constant(INF)), high_(Vec3::Constant(-INF)) {

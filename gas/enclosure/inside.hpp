@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <span>
 #include <vector>
@@ -9,6 +10,17 @@
 #include "solver/base/surface.hpp"
 
 namespace corpuscle::gas {
+
+/// Of a closed surface as a point sees it [van Oosterom & Strackee 1983, Eq. 8]: 4 pi inside, 2 pi
+/// on one of its facets. Normals lead outward.                                             [sr]
+[[nodiscard]] double solid_angle(std::span<const Triangle> wall, const Vec3& point,
+                                 std::span<const Vec3> x);
+
+/// Whether a point lies inside, by that angle: on the surface it does not. Cost: one atan2 a facet.
+[[nodiscard]] inline bool holds(std::span<const Triangle> wall, const Vec3& point,
+                                std::span<const Vec3> x) {
+    return solid_angle(wall, point, x) > 3.0 * std::numbers::pi;
+}
 
 /// How often a closed surface at rest goes round a point, for many points.
 ///

@@ -3,7 +3,6 @@
 //
 // Volumes, areas and insides of a wetted surface as it lies.
 
-#include <cmath>
 #include <numbers>
 
 #include "gas/enclosure/inside.hpp"
@@ -12,22 +11,6 @@
 #include "solver/base/surface.hpp"
 
 namespace corpuscle::gas {
-namespace {
-
-/// Of a closed surface as a point sees it [van Oosterom & Strackee 1983, Eq. 8]: 4 pi inside.
-double solid_angle(std::span<const Triangle> wall, const Vec3& point, std::span<const Vec3> x) {
-    double angle = 0.0;
-    for (const Triangle& t : wall) {
-        const Vec3 a = x[t[0]] - point, b = x[t[1]] - point, c = x[t[2]] - point;
-        const double la = a.norm(), lb = b.norm(), lc = c.norm();
-        angle += 2.0 * std::atan2(a.dot(b.cross(c)),
-                                  la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-    }
-    return angle;
-}
-
-}  // namespace
-
 void WettedSurface::volumes(std::span<const Vec3> x, std::vector<double>& volume) const {
     volume.assign(rooms_, 0.0);
     const Vec3 origin = x[triangles_[0][0]];  // near the bag: no cancellation far from (0, 0, 0)

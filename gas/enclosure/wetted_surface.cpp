@@ -201,37 +201,40 @@ void WettedSurface::number_rooms(std::vector<Index>& piece, std::span<const Vec3
     std::vector<Index> room(pieces, -1);
     for (std::size_t p = 0; p < pieces; ++p)
         if (closes[p] || volume[p] > NOTHING * whole) room[p] = static_cast<Index>(rooms_++);
-    if (rooms_ < pieces) {
-        std::vector<InsideTest> tests;
-        std::vector<double> size;
-        room_ = number;
-        for (std::size_t p = 0; p < pieces; ++p) {
-            if (room[p] < 0) continue;
-            tests.emplace_back(wall(p), x);
-            size.push_back(volume[p]);
-        }
-        for (std::size_t p = 0; p < pieces; ++p) {
-            if (room[p] >= 0) continue;
-            const auto s = static_cast<std::size_t>(
-                std::find(number.begin(), number.end(), static_cast<Index>(p)) - number.begin());
-            const Triangle t = triangles_[facet_[s]];
-            const Vec3 at = (x[t[0]] + x[t[1]] + x[t[2]]) / 3.0;
-            Index home = 0;
-            double smallest = INF;
-            for (std::size_t r = 0; r < tests.size(); ++r) {
-                const auto winding = tests[r].winding(at);
-                if (!winding || *winding <= 0 || size[r] >= smallest) continue;
-                home = static_cast<Index>(r);
-                smallest = size[r];
-            }
-            room[p] = home;
-        }
-    }
+    if (rooms_ < pieces) find_homes(number, volume, x, room);
     room_.resize(sides());
     for (std::size_t s = 0; s < sides(); ++s) room_[s] = room[number[s]];
     room_of_point_.resize(points());
     for (std::size_t s = 0; s < sides(); ++s)
         for (const Index p : points_[s]) room_of_point_[p] = room_[s];
+}
+
+/// The room of each piece that has none as yet.
+void WettedSurface::find_homes(const std::vector<Index>& number, const std::vector<double>& volume,
+                               std::span<const Vec3> x, std::vector<Index>& room) {
+    room_ = number;
+    std::vector<std::vector<Triangle>> walls;  // by room
+    std::vector<double> size;
+    for (std::size_t p = 0; p < room.size(); ++p) {
+        if (room[p] < 0) continue;
+        walls.push_back(wall(p));
+        size.push_back(volume[p]);
+    }
+    for (std::size_t p = 0; p < room.size(); ++p) {
+        if (room[p] >= 0) continue;
+        const auto s = static_cast<std::size_t>(
+            std::find(number.begin(), number.end(), static_cast<Index>(p)) - number.begin());
+        const Triangle t = triangles_[facet_[s]];
+        const Vec3 at = (x[t[0]] + x[t[1]] + x[t[2]]) / 3.0;
+        Index home = 0;
+        double smallest = INF;
+        for (std::size_t r = 0; r < walls.size(); ++r) {
+            if (size[r] >= smallest || !holds(walls[r], at, x)) continue;
+            home = static_cast<Index>(r);
+            smallest = size[r];
+        }
+        room[p] = home;
+    }
 }
 
 std::vector<Triangle> WettedSurface::wall(std::size_t room) const {

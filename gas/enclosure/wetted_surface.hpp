@@ -96,6 +96,8 @@ private:
     void join_sides(std::span<const Vec3> x);
     void number_points(std::vector<Index>& corner);
     void number_rooms(std::vector<Index>& piece, std::span<const Vec3> x);
+    void find_homes(const std::vector<Index>& number, const std::vector<double>& volume,
+                    std::span<const Vec3> x, std::vector<Index>& room);
     void connect_points();
     [[nodiscard]] Triangle turned(std::size_t side) const;
 

@@ -106,6 +106,37 @@ TEST_CASE("HCONV, chambers and TSW together: a chamber cools by itself, the othe
     CHECK(last[1].mass == Approx(first[1].mass).epsilon(1e-12));
 }
 
+TEST_CASE("a chamber of internal parts alone takes its volume from the one that it lies in",
+          "[io]") {
+    Model model = read("nested_chambers.k");
+    // Set 3: all parts. Named by the outer chamber's card too, the inner one's walls are a cavity's
+    const bool is_named = GENERATE(false, true);
+    if (is_named)
+        for (const Index part : model.bags.at(0).internal_parts)
+            model.bags[0].chambers.at(0).parts.push_back(part);
+    Run run(std::move(model));
+    constexpr double VOLUME[] = {1e-3 - 0.125e-3, 0.125e-3}, T[] = {500.0, 300.0}, MASS = 1e-4;
+    const double gamma = 29.1 / (29.1 - GAS_CONSTANT);
+    for (const double until : {0.0014, 0.002}) {
+        while (run.scene.time() < until && !run.scene.is_over()) run.steps(1);
+        CAPTURE(is_named, until, run.scene.time());
+        const auto& bag = run.scene.bags().at(0);
+        CHECK(bag.is_uniform() == (until > 0.0015));
+        const auto chambers = bag.chamber_states(run.scene.nodes().x);
+        REQUIRE(chambers.size() == 2);
+        for (const std::size_t c : {0, 1}) {
+            CAPTURE(c);
+            CHECK(chambers[c].volume == Approx(VOLUME[c]).epsilon(1e-12));
+            CHECK(chambers[c].mass == Approx(MASS).epsilon(1e-9));
+            CHECK(chambers[c].temperature == Approx(gamma * T[c]).epsilon(1e-9));
+        }
+        if (!bag.is_uniform()) continue;
+        for (const std::size_t c : {0, 1})
+            CHECK(chambers[c].pressure ==
+                  Approx(MASS / 0.02897 * GAS_CONSTANT * gamma * T[c] / VOLUME[c]).epsilon(1e-9));
+    }
+}
+
 TEST_CASE("a bag runs the same wherever a deck places it, and however it numbers it", "[io]") {
     constexpr int STEPS = 25;
     Run whole("wang_nefske_inflator_card.k"), placed("placed_bags.k");

@@ -4,6 +4,9 @@
 // Rooms of a bag: what is told of each alone.
 #include <catch2/catch.hpp>
 
+#include <vector>
+
+#include "solver/base/error.hpp"
 #include "solver/simulation.hpp"
 #include "tests/unit/solver/airbags/two_chambers.hpp"
 
@@ -33,4 +36,70 @@ TEST_CASE("after the switch a sensor reads the room that it lies in, be it a cha
                   Approx(1e-3 / 0.028 * GAS_CONSTANT * T[k] / volume[k]).epsilon(1e-9));
         }
     });
+}
+
+TEST_CASE("chambers within chambers, down to what no card names", "[solver][chambers]") {
+    // Cubes in cubes, edges 0.2, 0.1, 0.06 and 0.03 m: parts 0 to 3, all but the first internal
+    Model model = scenes::of(shapes::box(Vec3::Constant(0.2), 2), scenes::null_material(), 1e-3);
+    const double edge[] = {0.2, 0.1, 0.06, 0.03};
+    for (Index part = 1; part < 4; ++part) {
+        const shapes::Shape cube = shapes::box(Vec3::Constant(edge[part]), 2);
+        const auto first = static_cast<Index>(model.x.size());
+        for (const Vec3& x : cube.x) {
+            model.x.push_back(x + Vec3::Constant(0.1 - 0.5 * edge[part]));
+            model.velocity.push_back(Vec3::Zero());
+            model.node_id.push_back(static_cast<int>(model.x.size()));
+        }
+        for (const auto& [a, b, c] : cube.triangles)
+            model.shells.push_back({static_cast<int>(model.shells.size()) + 1,
+                                    part,
+                                    {first + a, first + (part == 2 ? c : b),
+                                     first + (part == 2 ? b : c), first + (part == 2 ? b : c)}});
+        model.parts.push_back(model.parts[0]);
+        model.parts.back().id = part + 1;
+    }
+    scenes::fix_all_nodes(model);
+    gas::BagCard bag;
+    bag.id = 1;
+    bag.external_parts = {0};
+    bag.internal_parts = {1, 2, 3};
+    bag.particles = 2000;
+    bag.air = gas::InitialAirCard{scenes::air(), 1e5, 300.0};
+    model.bags = {bag};
+    model.end_time = 1e-5;
+    const auto volume = [&](int cube) { return edge[cube] * edge[cube] * edge[cube]; };
+    const auto check = [&](const std::vector<gas::ChamberCard>& cards,
+                           const std::vector<double>& wanted) {
+        model.bags[0].chambers = cards;
+        const Simulation simulation(model);
+        const auto found = chambered::chambers(simulation);
+        REQUIRE(found.size() == wanted.size());
+        for (std::size_t c = 0; c < found.size(); ++c) {
+            CAPTURE(c);
+            CHECK(found[c].volume == Approx(wanted[c]).epsilon(1e-12));
+            CHECK(found[c].mass ==
+                  Approx(1e5 * 0.028 / (GAS_CONSTANT * 300.0) * wanted[c]).epsilon(1e-9));
+        }
+    };
+    const double v[] = {volume(0) - volume(1), volume(1) - volume(2), volume(2) - volume(3),
+                        volume(3)};
+    SECTION("each a chamber, in any order") {
+        check({{11, {2}}, {12, {0}}, {13, {3}}, {14, {1}}}, {v[2], v[0], v[3], v[1]});
+    }
+    SECTION("their cards name the cavities") {
+        check({{11, {0, 1}}, {12, {1, 2}}, {13, {2, 3}}, {14, {3}}}, {v[0], v[1], v[2], v[3]});
+    }
+    SECTION("a chamber of two rooms, one within the other's cavity") {
+        check({{11, {0, 1, 2}}, {12, {1, 2}}}, {v[0] + v[2] + v[3], v[1]});
+    }
+    SECTION("what no card names belongs to the chamber around it") {
+        check({{11, {0}}, {12, {1}}}, {v[0], v[1] + v[2] + v[3]});
+    }
+    SECTION("around chambers in a bag that is none, there is none") {
+        check({{12, {1}}}, {v[1] + v[2] + v[3]});
+    }
+    SECTION("a cavity that belongs to no chamber is refused") {
+        model.bags[0].chambers = {{11, {0, 1}}};
+        CHECK_THROWS_AS(Simulation(model), InputError);
+    }
 }
