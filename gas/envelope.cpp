@@ -122,6 +122,46 @@ Envelope::Envelope(const BagCard& bag, BagWalls bag_walls, std::span<const Curve
     std::vector<Vec3> nozzles;
     for (std::size_t o = 0; o < orifices.size(); ++o) nozzles.push_back(orifices.place(o, x));
     orifice_room = surface->rooms_of(nozzles, x);
+    if (!card.air && volumes.size() > 1) tell_vacuum(enclosure.volume(x));
+}
+
+/// By room: 1 where gas comes in, through orifices or, from such a room, through internal openings.
+std::vector<char> Envelope::rooms_that_fill() const {
+    std::vector<char> fills(volumes.size(), 0);
+    for (std::size_t o = 0; o < orifices.size(); ++o)
+        for (std::size_t s = 0; s < inflators.inflows(); ++s)
+            if (inflators.share(s, o) > 0.0) fills[orifice_room[o]] = 1;
+    for (bool goes_on = true; goes_on;) {
+        goes_on = false;
+        for (const Opening& hole : openings.all()) {
+            if (!hole.is_internal) continue;
+            const auto facet = static_cast<std::size_t>(hole.facets[0]);
+            char &behind = fills[surface->room(surface->side(facet, false))],
+                 &ahead = fills[surface->room(surface->side(facet, true))];
+            if (behind == ahead) continue;
+            behind = ahead = 1;
+            goes_on = true;
+        }
+    }
+    return fills;
+}
+
+/// Warns of rooms that no gas is in and none comes to.
+void Envelope::tell_vacuum(double volume) {
+    const std::vector<char> fills = rooms_that_fill();
+    for (std::size_t r = 0; r < fills.size(); ++r)
+        if (fills[r] == 0 && volumes[r] > FLAT * volume)
+            warnings.push_back(fmt::format(
+                "{}: a vacuum for good that the atmosphere may turn inside out, without "
+                "an orifice or an opening to gas: IAIR = 1 or 2 expected, or an opening",
+                name_of_room(r)));
+}
+
+std::string Envelope::name_of_room(std::size_t room) const {
+    if (const Index chamber = chamber_of_room[room]; chamber >= 0)
+        return fmt::format("{}, chamber {}", name(),
+                           card.chambers[static_cast<std::size_t>(chamber)].id);
+    return fmt::format("{}, room {}", name(), room + 1);
 }
 
 /// A room without volume has no initial air.

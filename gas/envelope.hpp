@@ -83,6 +83,9 @@ struct Envelope {
 
 private:
     void fill_with_air(double volume);
+    [[nodiscard]] std::vector<char> rooms_that_fill() const;
+    void tell_vacuum(double volume);
+    [[nodiscard]] std::string name_of_room(std::size_t room) const;
 };
 
 }  // namespace corpuscle::gas

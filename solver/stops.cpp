@@ -61,6 +61,23 @@ double size_of(const Vec3& v) {
     return v.allFinite() ? v.cwiseAbs().maxCoeff() : INF;
 }
 
+/// Why the fabric has energy from nowhere. Gas that is squeezed between sheets as they pass through
+/// each other gives them more than it ever had: the load follows its hits by some steps.
+std::string cause_of_growth(const SceneState& scene) {
+    double had = 0.0, taken = 0.0;
+    for (const gas::BagGas& bag : scene.airbags.particle) {
+        taken += bag.smoothing_taken();
+        had += bag.energy() + bag.lost_energy() + bag.smoothing_taken();
+    }
+    const double passed = std::max(std::abs(taken), std::abs(scene.ledger.after.smoothing));
+    if (!(std::min(passed, scene.cloth.growth.scale()) > had))
+        return "the step is too long for it, the fabric became unstable";
+    return fmt::format(
+        "squeezed gas hurled it, which had {:.4g} in all: sheets without contact pass through each "
+        "other with gas between them, or a room without gas is inside out",
+        had);
+}
+
 }  // namespace
 
 void check_growth(SceneState& scene, double span) {
@@ -81,11 +98,11 @@ void check_growth(SceneState& scene, double span) {
     throw PhysicsError(
         scene.clock.t,
         fmt::format("the fabric has {:.4g} of energy from nowhere, {:.3g} times what it "
-                    "was given; worst is {}: the step is too long for it, the fabric "
-                    "became unstable",
+                    "was given; worst is {}: {}",
                     scene.cloth.growth.spurious(),
                     scene.cloth.growth.spurious() / scene.cloth.growth.scale(),
-                    growing_shell(scene, scene.cloth.growth.most_kicked(scene.nodes.mass))));
+                    growing_shell(scene, scene.cloth.growth.most_kicked(scene.nodes.mass)),
+                    cause_of_growth(scene)));
 }
 
 void stop_for_strain(const SceneState& scene, Index broken_shell) {

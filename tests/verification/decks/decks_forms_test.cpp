@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <string>
 
 #include "gas/particles.hpp"
 #include "solver/base/error.hpp"
@@ -135,6 +137,29 @@ TEST_CASE("a chamber of internal parts alone takes its volume from the one that 
             CHECK(chambers[c].pressure ==
                   Approx(MASS / 0.02897 * GAS_CONSTANT * gamma * T[c] / VOLUME[c]).epsilon(1e-9));
     }
+}
+
+TEST_CASE("a room of vacuum is warned of, and what its gas does in the end does not blame the step",
+          "[io]") {
+    const Model model = read("vacuum_room.k");
+    int hurled = 0;
+    for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+        CAPTURE(seed);
+        Simulation scene(model, seed);
+        CHECK(tells(scene.model().warnings, "chamber 2: a vacuum for good"));
+        std::string why;
+        try {
+            while (!scene.is_over()) scene.step([](Simulation&) {});
+        } catch (const PhysicsError& error) {
+            why = error.what();
+        }
+        CAPTURE(why);
+        if (why.find("from nowhere") == std::string::npos) continue;
+        ++hurled;
+        CHECK(why.find("squeezed gas hurled it") != std::string::npos);
+        CHECK(why.find("the step is too long") == std::string::npos);
+    }
+    CHECK(hurled > 0);
 }
 
 TEST_CASE("a bag runs the same wherever a deck places it, and however it numbers it", "[io]") {

@@ -4,6 +4,7 @@
 // Rooms of a bag: what is told of each alone.
 #include <catch2/catch.hpp>
 
+#include <string>
 #include <vector>
 
 #include "solver/base/error.hpp"
@@ -11,6 +12,7 @@
 #include "tests/unit/solver/airbags/two_chambers.hpp"
 
 using namespace corpuscle;
+using Catch::Contains;
 
 TEST_CASE("after the switch a sensor reads the room that it lies in, be it a chamber or not",
           "[solver][chambers]") {
@@ -101,5 +103,36 @@ TEST_CASE("chambers within chambers, down to what no card names", "[solver][cham
     SECTION("a cavity that belongs to no chamber is refused") {
         model.bags[0].chambers = {{11, {0, 1}}};
         CHECK_THROWS_AS(Simulation(model), InputError);
+    }
+}
+
+TEST_CASE("a room that no gas is in and none comes to is warned of", "[solver][chambers]") {
+    Model model = chambered::two_chambers();
+    gas::BagCard& bag = model.bags[0];
+    const auto told = [&] {
+        std::string all;
+        const Simulation simulation(model);
+        for (const std::string& line : simulation.model().warnings)
+            if (line.find("vacuum") != std::string::npos) all += line;
+        return all;
+    };
+    CHECK(told().empty());
+    bag.inflow.pop_back();
+    bag.orifices.pop_back();
+    CHECK_THAT(told(), Contains("bag 1, chamber 22: a vacuum") && Contains("IAIR = 1") &&
+                           !Contains("chamber 21"));
+    SECTION("but not of one that a hole leads to") {
+        gas::VentCard hole;
+        hole.parts = {3};
+        bag.vents = {hole};
+        CHECK(told().empty());
+    }
+    SECTION("nor of one with air") {
+        bag.air = gas::InitialAirCard{scenes::air(), 2e4, 300.0};
+        CHECK(told().empty());
+    }
+    SECTION("without chambers by the number of the room") {
+        bag.chambers.clear();
+        CHECK_THAT(told(), Contains("bag 1, room 2: a vacuum"));
     }
 }
