@@ -147,28 +147,37 @@ void ParticleGas::let_out(double dt) {
     }
 }
 
-/// Initial air goes through internal openings where the pressure is lower, no more than evens it
-/// out. Particles pass by themselves, both ways.
+/// Initial air goes through internal holes where the pressure is lower, no more than evens it out,
+/// and both ways through fabric that seeps. Particles pass by themselves, both ways.
 void ParticleGas::pass_air(double t, double dt) {
     const std::vector<Opening>& all = bag_.openings.all();
+    const double holes = bag_.openings.holes();
+    const auto pass = [&](std::size_t o, std::size_t from, std::size_t to, double most) {
+        const double flow = bag_.openings.air_between(o, t, bag_.rooms[from], bag_.rooms[to]);
+        if (!(flow > 0.0)) return;
+        InitialAir& air = bag_.air[from];
+        const double mass = -air.mass() * std::expm1(-std::min(flow * dt, most) / air.mass());
+        bag_.air[to].receive(mass, air.release(mass, 1.0));
+    };
     for (std::size_t o = 0; o < all.size(); ++o) {
         if (!all[o].is_internal) continue;
         const auto facet = static_cast<std::size_t>(all[o].facets[0]);
         auto from = static_cast<std::size_t>(bag_.surface->room(bag_.surface->side(facet, false))),
              to = static_cast<std::size_t>(bag_.surface->room(bag_.surface->side(facet, true)));
         if (from == to) continue;
+        if (bag_.openings.seeps(o)) {
+            pass(o, from, to, INF);
+            pass(o, to, from, INF);
+            continue;
+        }
         if (bag_.rooms[from].pressure < bag_.rooms[to].pressure) std::swap(from, to);
         const Inside &giver = bag_.rooms[from], &taker = bag_.rooms[to];
-        const double flow = bag_.openings.air_between(o, t, giver, taker);
-        if (!(flow > 0.0)) continue;
+        if (!giver.holds_gas()) continue;
         const double evening =
             (giver.pressure - taker.pressure) /
             (giver.gamma * bag_.card.gas_constant * giver.temperature / giver.air_molar_mass *
              (1.0 / bag_.volumes[from] + 1.0 / bag_.volumes[to]));
-        InitialAir& air = bag_.air[from];
-        const double mass =
-            -air.mass() * std::expm1(-std::min(flow * dt, evening / holes_of_air_) / air.mass());
-        bag_.air[to].receive(mass, air.release(mass, 1.0));
+        pass(o, from, to, evening / holes);
     }
 }
 

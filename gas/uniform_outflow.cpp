@@ -9,6 +9,15 @@
 #include "gas/uniform_gas.hpp"
 
 namespace corpuscle::gas {
+namespace {
+
+/// What leaves in a step at a rate that falls with what is left, `wanted` at the rate of its
+/// beginning.                                                                                 [kg]
+double share_leaving(const ControlVolume& gas, double wanted) {
+    return wanted > 0.0 ? -gas.mass() * std::expm1(-wanted / gas.mass()) : 0.0;
+}
+
+}  // namespace
 
 /// The gas of a room as its openings see it.
 Inside UniformGas::inside_of(std::size_t room) const {
@@ -55,7 +64,7 @@ void UniformGas::let_out_of_room(std::size_t room, double dt) {
     double flow = 0.0;
     for (std::size_t o = 0; o < all.size(); ++o)
         if (all[o].room == static_cast<Index>(room)) flow += all[o].air_flow;
-    const double mass = flow > 0.0 ? -gas.mass() * std::expm1(-flow * dt / gas.mass()) : 0.0;
+    const double mass = share_leaving(gas, flow * dt);
     if (mass > 0.0) bag_.balance.lost_energy += gas.remove(mass);
     for (std::size_t o = 0; o < all.size(); ++o) {
         if (all[o].room != static_cast<Index>(room)) continue;
@@ -69,24 +78,32 @@ void UniformGas::let_out_of_room(std::size_t room, double dt) {
     }
 }
 
-/// Through internal openings gas goes where the pressure is lower, no more than evens it out.
+/// Through internal holes gas goes where the pressure is lower, no more than evens it out; fabric that
+/// seeps lets the gas of each side through.
 void UniformGas::pass_between_rooms(double t, double dt) {
     const std::vector<Opening>& all = bag_.openings.all();
-    const auto holes = static_cast<double>(std::count_if(
-        all.begin(), all.end(), [](const Opening& opening) { return opening.is_internal; }));
+    const double holes = bag_.openings.holes();
     for (std::size_t o = 0; o < all.size(); ++o) {
         if (!all[o].is_internal) continue;
         const auto facet = static_cast<std::size_t>(all[o].facets[0]);
-        Index from = bag_.surface->room(bag_.surface->side(facet, false)),
-              to = bag_.surface->room(bag_.surface->side(facet, true));
+        auto from = static_cast<std::size_t>(bag_.surface->room(bag_.surface->side(facet, false))),
+             to = static_cast<std::size_t>(bag_.surface->room(bag_.surface->side(facet, true)));
         if (from == to) continue;
+        const auto wanted = [&](std::size_t giver, std::size_t taker) {
+            const double out = rooms_[taker].pressure();
+            return bag_.openings.flow_between(o, t, bag_.rooms[giver], out) * dt;
+        };
+        if (bag_.openings.seeps(o)) {
+            const double there = share_leaving(rooms_[from], wanted(from, to)),
+                         back = share_leaving(rooms_[to], wanted(to, from));
+            rooms_.pass(from, to, there);
+            rooms_.pass(to, from, back);
+            continue;
+        }
         if (rooms_[from].pressure() < rooms_[to].pressure()) std::swap(from, to);
         const ControlVolume &giver = rooms_[from], &taker = rooms_[to];
         if (!(giver.pressure() > taker.pressure())) continue;
-        const double mass =
-            bag_.openings.flow_between(o, t, bag_.rooms[from], taker.pressure()) * dt;
-        rooms_.pass(static_cast<std::size_t>(from), static_cast<std::size_t>(to),
-                    std::min(mass, evening_mass(giver, taker) / holes));
+        rooms_.pass(from, to, std::min(wanted(from, to), evening_mass(giver, taker) / holes));
     }
 }
 

@@ -93,6 +93,7 @@ double UniformRooms::temperature() const {
 }
 
 void UniformRooms::pass(std::size_t from, std::size_t to, double mass) {
+    if (!(mass > 0.0)) return;
     ControlVolume& giver = rooms_[from];
     ControlVolume& taker = rooms_[to];
     const double share = mass / giver.mass();

@@ -103,11 +103,16 @@ public:
     /// dt; after set_chances() of its openings.
     /// @param volume  of rooms                                                      [m^3]
     void keep_to_balance(double dt, std::span<const double> volume);
+    /// Whether an internal opening lets the gas of each side through, whatever is on the other:
+    /// fabric whose flow does not go with a pressure difference.
+    [[nodiscard]] bool seeps(std::size_t row) const;
+    /// Internal openings that do not, through which gas goes to the lower pressure.
+    [[nodiscard]] double holes() const;
     /// Flow through an internal opening from gas of one state to where there is p_out, no particles
     /// on either side.                                                                  [kg/s]
     [[nodiscard]] double flow_between(std::size_t row, double t, const Inside& from, double p_out);
-    /// Flow of the air that is no particles through an internal opening, its share of the flow
-    /// from a room to one of lower pressure; 0 where that is not lower beyond chance.       [kg/s]
+    /// Flow of the air that is no particles from a room through an internal opening, its share of
+    /// the flow; through a hole 0 where the other's pressure is not lower beyond chance.    [kg/s]
     [[nodiscard]] double air_between(std::size_t row, double t, const Inside& from,
                                      const Inside& to);
     void book(std::size_t row, double mass);  ///< that has left without particles         [kg]

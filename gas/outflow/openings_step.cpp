@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gas/outflow/beyond_chance.hpp"
 #include "gas/outflow/leak_speed.hpp"
 #include "gas/outflow/openings.hpp"
 #include "gas/thermo/orifice_flow.hpp"
@@ -19,13 +20,6 @@ constexpr double ARRIVALS_KEPT = 50.0;
 
 /// Least steps of the same.
 constexpr double STEPS_KEPT = 6.0;
-
-/// A pressure above `p_out` whose excess is beyond chance: d (1 - (3 e / d)²) for d, none below
-/// 3 e.                                                                                   [Pa]
-double beyond_chance(double p, double p_out, double error) {
-    const double d = p - p_out, e = 3.0 * error;
-    return d > e ? p_out + d - e * e / d : std::min(p, p_out);
-}
 
 }  // namespace
 
@@ -59,29 +53,6 @@ void Openings::set_chances(std::size_t o, double t, double dt, std::span<const V
         set_isentropic(row, factor * opening.free * opening.area, dt, inside);
     else
         set_plain(row, factor, x, inside);
-}
-
-double Openings::flow_between(std::size_t row, double t, const Inside& from, double p_out) {
-    Opening& opening = openings_[row];
-    const double area = opening.free * opening.area;
-    if (opening.vent >= 0)
-        return vent_factor(opening, t, from) * area *
-               orifice_flow(from.pressure, p_out, from.temperature, from.gamma,
-                            gas_constant_ / from.molar_mass);
-    const LeakCard& leak = leaks_[opening.leak];
-    const double density = from.pressure * from.molar_mass / (gas_constant_ * from.temperature);
-    return density * area * leak_share(opening, t) *
-           curve_or(leak.velocity_curve, from.pressure, leak.velocity) *
-           leak_speed(leak.law, from.pressure, p_out, density, from.gamma);
-}
-
-double Openings::air_between(std::size_t row, double t, const Inside& from, const Inside& to) {
-    Inside driving = from;
-    driving.pressure = beyond_chance(from.pressure, to.pressure, std::hypot(from.error, to.error));
-    if (!(driving.pressure > to.pressure)) return 0.0;
-    double density = from.air_density;
-    for (const double of_species : from.density) density += of_species;
-    return from.air_density / density * flow_between(row, t, driving, to.pressure);
 }
 
 void Openings::close(Index row) {

@@ -4,6 +4,7 @@
 // Rooms of a bag: what is told of each alone.
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -135,4 +136,70 @@ TEST_CASE("a room that no gas is in and none comes to is warned of", "[solver][c
         bag.chambers.clear();
         CHECK_THAT(told(), Contains("bag 1, room 2: a vacuum"));
     }
+}
+
+TEST_CASE("fabric between chambers lets the gas of each side through, whatever is on the other",
+          "[solver][chambers]") {
+    // density · area · FLC · FAC each way; initial air before the switch, uniform gas after it
+    const double switch_at = GENERATE(1e10, 1e-9);
+    constexpr double FLC = 0.5, FAC = 20.0, R = GAS_CONSTANT / 0.028, CP = 28.0 / 0.028;
+    Model model = chambered::two_chambers();
+    gas::BagCard& bag = model.bags[0];
+    bag.inflow.clear();
+    bag.orifices.clear();
+    bag.air = gas::InitialAirCard{scenes::air(), 2e5, 300.0};
+    bag.switch_at = switch_at;
+    fabric::FabricCard cloth;
+    cloth.density = 1000.0;
+    cloth.E_warp = cloth.E_weft = 1e8;
+    cloth.G = 4e7;
+    cloth.leak_area = FLC;
+    cloth.leak_velocity = FAC;
+    cloth.leak_option = 7;
+    model.materials.push_back({2, "", cloth});
+    model.parts[3].material = 1;
+    gas::VentCard out;  // of the small chamber, until 2 ms
+    out.parts = {4};
+    out.is_isentropic = true;
+    model.curves.push_back({9, {0.0, 2e-3, 2.000001e-3, 1.0}, {1.0, 1.0, 0.0, 0.0}});
+    out.time_curve = static_cast<Index>(model.curves.size() - 1);
+    for (Shell& shell : model.shells)
+        if (shell.part == 1) {
+            shell.part = 4;
+            break;
+        }
+    model.parts.push_back(model.parts[1]);
+    model.parts[4].id = 5;
+    bag.external_parts.push_back(4);
+    bag.chambers[1].parts.push_back(4);
+    bag.vents = {out};
+    model.end_time = 8e-3;
+    Simulation simulation(model);
+    double residual = 0.0;
+    chambered::run_until(simulation, 2.1e-3, residual);
+    auto wanted = chambered::chambers(simulation);
+    CHECK(wanted[1].mass / wanted[1].volume < 0.8 * wanted[0].mass / wanted[0].volume);
+    const double from = simulation.time();
+    chambered::run_until(simulation, 7e-3, residual);
+    constexpr int STEPS = 20000;
+    const double area = FLC * FAC * 0.5 * (0.1 / 3.0) * (0.1 / 3.0),
+                 dt = (simulation.time() - from) / STEPS;
+    for (int i = 0; i < STEPS; ++i) {
+        std::array<double, 2> mass, h;
+        for (const std::size_t c : {0, 1}) {
+            mass[c] = area * dt * wanted[c].mass / wanted[c].volume;
+            h[c] = CP / (CP - R) * wanted[c].energy / wanted[c].mass;
+        }
+        for (const std::size_t c : {0, 1}) {
+            wanted[c].mass += mass[1 - c] - mass[c];
+            wanted[c].energy += mass[1 - c] * h[1 - c] - mass[c] * h[c];
+        }
+    }
+    const auto found = chambered::chambers(simulation);
+    for (const std::size_t c : {0, 1}) {
+        CAPTURE(switch_at, c);
+        CHECK(found[c].mass == Approx(wanted[c].mass).epsilon(1e-3));
+        CHECK(found[c].energy == Approx(wanted[c].energy).epsilon(5e-3));
+    }
+    CHECK(residual < 1e-12 * found[0].energy);
 }

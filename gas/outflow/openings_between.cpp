@@ -1,0 +1,56 @@
+// corpuscle: airbag deployment by the corpuscular method
+// SPDX-License-Identifier: MIT
+//
+// What internal openings let through from room to room, but for particles.
+
+#include <cmath>
+
+#include "gas/outflow/beyond_chance.hpp"
+#include "gas/outflow/leak_speed.hpp"
+#include "gas/outflow/openings.hpp"
+#include "gas/thermo/orifice_flow.hpp"
+
+namespace corpuscle::gas {
+
+bool Openings::seeps(std::size_t row) const {
+    const Opening& opening = openings_[row];
+    return opening.is_internal && opening.leak >= 0 &&
+           leaks_[opening.leak].law == LeakLaw::VELOCITY;
+}
+
+double Openings::holes() const {
+    double count = 0.0;
+    for (std::size_t o = 0; o < openings_.size(); ++o)
+        count += openings_[o].is_internal && !seeps(o);
+    return count;
+}
+
+double Openings::flow_between(std::size_t row, double t, const Inside& from, double p_out) {
+    if (!from.holds_gas()) return 0.0;
+    Opening& opening = openings_[row];
+    const double area = opening.free * opening.area;
+    if (opening.vent >= 0)
+        return vent_factor(opening, t, from) * area *
+               orifice_flow(from.pressure, p_out, from.temperature, from.gamma,
+                            gas_constant_ / from.molar_mass);
+    const LeakCard& leak = leaks_[opening.leak];
+    const double density = from.pressure * from.molar_mass / (gas_constant_ * from.temperature);
+    return density * area * leak_share(opening, t) *
+           curve_or(leak.velocity_curve, from.pressure, leak.velocity) *
+           leak_speed(leak.law, from.pressure, p_out, density, from.gamma);
+}
+
+double Openings::air_between(std::size_t row, double t, const Inside& from, const Inside& to) {
+    if (!from.holds_gas()) return 0.0;
+    Inside driving = from;
+    if (!seeps(row)) {
+        driving.pressure =
+            beyond_chance(from.pressure, to.pressure, std::hypot(from.error, to.error));
+        if (!(driving.pressure > to.pressure)) return 0.0;
+    }
+    double density = from.air_density;
+    for (const double of_species : from.density) density += of_species;
+    return from.air_density / density * flow_between(row, t, driving, to.pressure);
+}
+
+}  // namespace corpuscle::gas
