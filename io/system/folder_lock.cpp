@@ -34,9 +34,13 @@ std::string holder(int handle) {
     return size > 0 ? fmt::format(" (process {})", text.data()) : std::string();
 }
 
+constexpr const char* EXPECTED_OF_OWN = "a folder of its own for each: -o DIR";
+constexpr const char* EXPECTED_OF_SHARED = "the end of that run first, or another folder: -o DIR";
+
 }  // namespace
 
-FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / "lock") {
+FolderLock::FolderLock(const std::filesystem::path& folder, Kind kind)
+    : file_(folder / "lock"), kind_(kind) {
     std::error_code why;
     std::filesystem::create_directories(folder, why);
     if (why)
@@ -47,14 +51,13 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / "lo
         if (handle_ < 0)
             throw SystemError(
                 fmt::format("cannot write {}: {}", file_.string(), std::strerror(errno)));
-        if (flock(handle_, LOCK_EX | LOCK_NB) != 0) {
+        if (flock(handle_, (kind == Kind::OWN ? LOCK_EX : LOCK_SH) | LOCK_NB) != 0) {
             if (errno != EWOULDBLOCK) return;  // no locks on this disk
             const std::string who = holder(handle_);
             close(handle_);
-            throw InputError(
-                fmt::format("{} is in use by another run{}, expected a folder of its own for each: "
-                            "-o DIR",
-                            folder.string(), who));
+            throw InputError(fmt::format("{} is in use by another run{}, expected {}",
+                                         folder.string(), who,
+                                         kind == Kind::OWN ? EXPECTED_OF_OWN : EXPECTED_OF_SHARED));
         }
         if (is_named(handle_, file_)) break;
         close(handle_);
@@ -65,10 +68,10 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / "lo
     static_cast<void>(!ftruncate(handle_, static_cast<off_t>(me.size())));
 }
 
-/// Removed while it is still held, so that nobody is in between.
+/// Removed while it is still held, so that nobody is in between; a shared one is others' too.
 FolderLock::~FolderLock() {
     std::error_code ignored;
-    std::filesystem::remove(file_, ignored);
+    if (kind_ == Kind::OWN) std::filesystem::remove(file_, ignored);
     close(handle_);
 }
 

@@ -103,8 +103,10 @@ int study(const StudyArguments& arguments) {
     std::filesystem::create_directories(study.folder);
     if (arguments.only_table) return tell(study);
     const bool is_all = arguments.share.empty();
+    using Kind = io::FolderLock::Kind;
     std::optional<io::FolderLock> lock;  // a share works beside others
-    if (is_all && !arguments.slurm) lock.emplace(study.folder);
+    lock.emplace(study.folder, is_all ? Kind::OWN : Kind::SHARED);
+    if (arguments.slurm) lock.reset();  // for the shares
     const study::Share share = share_of(arguments.share);
     const std::vector<study::Row> rows =
         missing(study::gather(study), share, arguments.retry_failed);

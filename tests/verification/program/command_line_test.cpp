@@ -205,12 +205,15 @@ TEST_CASE("a study's folder in use is left alone, and so are its runs", "[io][st
     const std::string words = "study '" + study.string() + "' -o '" + study.string() + ".out'";
     {
         const io::FolderLock lock(study.string() + ".out");
-        const auto [status, text] = program(words);
-        CAPTURE(text);
-        CHECK(status == 2);
-        CHECK_THAT(text, Contains("is in use by another run (process "));
+        for (const char* share : {"", " --share 0/2"}) {
+            const auto [status, text] = program(words + share);
+            CAPTURE(text);
+            CHECK(status == 2);
+            CHECK_THAT(text, Contains("is in use by another run (process "));
+        }
         CHECK_FALSE(std::filesystem::exists(study.string() + ".out/study.csv"));
     }
+    CHECK(program(words + " --share 0/2").first == 0);
     const auto [status, text] = program(words);
     CAPTURE(text);
     CHECK(status == 0);

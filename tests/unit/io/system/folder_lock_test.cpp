@@ -26,6 +26,23 @@ TEST_CASE("a folder in use is refused, and free again afterwards", "[io]") {
     const FolderLock second(folder.path);
 }
 
+TEST_CASE("a shared folder is free to others that share it, and to nobody as its own", "[io]") {
+    const scene::Folder folder("shared_lock");
+    const auto shared = FolderLock::Kind::SHARED;
+    {
+        const FolderLock first(folder.path, shared);
+        { const FolderLock second(folder.path, shared); }
+        CHECK(std::filesystem::exists(folder.path / "lock"));  // the first one's still
+        CHECK_THROWS_WITH(FolderLock(folder.path), Catch::Contains("is in use by another run"));
+        const FolderLock third(folder.path, shared);
+    }
+    const FolderLock own(folder.path);
+    CHECK_THROWS_WITH(
+        FolderLock(folder.path, shared),
+        Catch::Contains("is in use by another run (process " + std::to_string(getpid()) +
+                        "), expected the end of that run first"));
+}
+
 TEST_CASE("a lock's file that a killed run has left holds nobody up", "[io]") {
     const scene::Folder folder("left_lock");
     std::filesystem::create_directories(folder.path);
