@@ -11,7 +11,9 @@
 #include <string_view>
 #include <vector>
 
+#include "io/export/binout.hpp"
 #include "io/export/d3plot.hpp"
+#include "io/export/history_source.hpp"
 #include "io/results/ascii_files.hpp"
 #include "io/results/hdf5.hpp"
 #include "solver/base/error.hpp"
@@ -90,8 +92,11 @@ bool is_result(const std::string& name) {
     return is_among(NAMES, name) || is_among(io::AsciiFiles::NAMES, name);
 }
 
+/// Longer than any path of a deck, which exports tell near their beginning.
+constexpr std::size_t BEGINNING = 10000;
+
 std::string beginning_of(const fs::path& file) {
-    std::string text(1000, '\0');
+    std::string text(BEGINNING, '\0');
     std::ifstream in(file, std::ios::binary);
     in.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(in.gcount()));
@@ -106,26 +111,33 @@ bool is_of_this_program(const fs::path& results) {
     }
 }
 
+bool is_own_summary(std::string_view text) {
+    return text.starts_with("{\"wall\": ") && text.find("\"parallel\": ") != std::string_view::npos;
+}
+
 bool holds_own_results(const fs::path& folder) {
-    const std::string summary = beginning_of(folder / "run.json");
     return fs::is_directory(folder / "results.parts") ||
            beginning_of(folder / "checkpoint").starts_with("corpuscle checkpoint") ||
-           (summary.starts_with("{\"wall\": ") &&
-            summary.find("\"parallel\": ") != std::string::npos) ||
+           is_own_summary(beginning_of(folder / "run.json")) ||
            (fs::exists(folder / "results.h5") && is_of_this_program(folder / "results.h5"));
 }
 
-/// Of another program, whatever lies beside it: text files whose second line names another one.
+/// By the beginning of a file that is not empty and has one of the names of is_export().
+bool is_own_export(const std::string& name, std::string_view text) {
+    if (is_d3plot(name)) return io::is_own_d3plot(text);
+    if (name == "binout") return io::is_own_binout(text);
+    if (name == "run.json") return is_own_summary(text);
+    if (name == "responses.json") return text.starts_with("{\"bodies\": {");
+    return io::is_own_csv(text);
+}
+
+/// Of another program, whatever lies beside it: exports, and text files that name another one.
 bool is_foreign(const fs::path& file) {
     const std::string name = file.filename().string();
-    if (is_among(io::AsciiFiles::NAMES, name) && name != "cpm_sensor") {
-        const std::string text = beginning_of(file);
-        return std::count(text.begin(), text.end(), '\n') >= 2 &&
-               text.find("corpuscle, in the columns of ls-dyna") == std::string::npos;
-    }
-    if (!is_d3plot(name)) return false;
-    const std::string states_of = beginning_of(file.parent_path() / "d3plot");
-    return !states_of.empty() && !io::is_own_d3plot(states_of);
+    const std::string text = beginning_of(is_d3plot(name) ? file.parent_path() / "d3plot" : file);
+    if (is_among(io::AsciiFiles::NAMES, name))
+        return std::count(text.begin(), text.end(), '\n') >= 2 && !io::AsciiFiles::is_own(text);
+    return is_export(name) && !text.empty() && !is_own_export(name, text);
 }
 
 /// "a, b, ..." in alphabetical order, eight at most.

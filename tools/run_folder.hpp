@@ -17,7 +17,7 @@ namespace corpuscle::tools {
                                    std::uint64_t scene);
 
 /// Refuses a folder with files of the names that a run writes or removes, where nothing there is of
-/// this program, or where a d3plot or a text file is another's: those results stay as they are.
+/// this program, or where an export or a text file is another's: those results stay as they are.
 /// @throws InputError  that names them
 void expect_own_results(const std::filesystem::path& folder);
 

@@ -17,6 +17,7 @@ namespace corpuscle::io {
 namespace {
 
 constexpr std::array AXES{"x", "y", "z"};
+constexpr std::string_view UNDATED = "\4date-";  ///< length of a name, name, value
 
 /// The histories by path.
 class Rows {
@@ -88,7 +89,7 @@ private:
         lsda_.folder(fmt::format("/{}/metadata", name));
         lsda_.write("title", std::string_view(deck_));
         lsda_.write("version", std::string_view(version_));
-        lsda_.write("date", std::string_view("-"));
+        lsda_.write("date", std::string_view("-"));  // UNDATED
         if (!ids.empty()) lsda_.write("ids", std::span(ids));
         const std::vector<std::int32_t> in_global_axes(ids.size(), 0);
         if (name == "jntforc/joints") lsda_.write("local", std::span(in_global_axes));
@@ -249,6 +250,10 @@ private:
 
 std::string binout(const Hdf5Reader& results) {
     return Binout(results).write();
+}
+
+bool is_own_binout(std::string_view beginning) {
+    return beginning.find(UNDATED) != std::string_view::npos;
 }
 
 }  // namespace corpuscle::io

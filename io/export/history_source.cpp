@@ -83,4 +83,10 @@ std::string csv_text(const std::vector<History>& histories) {
     return text;
 }
 
+bool is_own_csv(std::string_view beginning) {
+    const std::string_view line = beginning.substr(0, beginning.find('\n'));
+    const std::size_t second = std::min(line.find(','), line.size());
+    return line.starts_with("time [") && line.find('/', second) != std::string_view::npos;
+}
+
 }  // namespace corpuscle::io

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/results/hdf5.hpp"
@@ -28,5 +29,8 @@ struct History {
 
 /// "time [ms],airbag/1/pressure [GPa],rigid_body/20/force.x [kN],...", then the rows.
 [[nodiscard]] std::string csv_text(const std::vector<History>& histories);
+
+/// Is this the beginning of what csv_text() made: a time with its unit, then paths?
+[[nodiscard]] bool is_own_csv(std::string_view beginning);
 
 }  // namespace corpuscle::io

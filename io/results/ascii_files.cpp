@@ -89,8 +89,7 @@ void AsciiFiles::go_on() {
 
 void AsciiFiles::list_files(const std::filesystem::path& folder, const RecordLayout& layout,
                             const OutputIntervals& intervals, const std::string& title) {
-    const std::string titled =
-        fmt::format(" {}\n{:25}corpuscle, in the columns of ls-dyna\n", title, "");
+    const std::string titled = fmt::format(" {}\n{:25}{}\n", title, "", WRITER);
     const auto add = [&](const char* name, double interval, State state,
                          const std::string& heading = {}) {
         if (!(interval > 0.0)) return;  // NaN or 0: not asked for
@@ -123,6 +122,10 @@ void AsciiFiles::list_files(const std::filesystem::path& folder, const RecordLay
         return rbdout_state(*who, s, start);
     });
     add("nodout", intervals.nodout, since(nodout_state));
+}
+
+bool AsciiFiles::is_own(std::string_view beginning) {
+    return beginning.find(WRITER) != std::string_view::npos;
 }
 
 double AsciiFiles::next_time() const {

@@ -29,6 +29,9 @@ public:
                                                          "cpm_sensor", "matsum", "rcforc",
                                                          "rwforc",     "rbdout", "nodout"};
 
+    /// Is this the beginning of a text file that this program wrote?
+    [[nodiscard]] static bool is_own(std::string_view beginning);
+
     /// Creates the folder and the files asked for. @throws SystemError if that fails
     AsciiFiles(const std::filesystem::path& folder, const RecordLayout& layout,
                const OutputIntervals& intervals, const std::string& title);

@@ -115,10 +115,11 @@ std::string abstat_cpm_state(const RecordLayout& layout, const Sample& sample,
 std::string cpm_sensor_heading(const RecordLayout& layout) {
     constexpr int NUMBERS = 16;  // as LS-DYNA writes, whatever it counts
     return fmt::format(
-        "Airbag Particle sensor file\n{:5d}{:5d}\n{:>13}\n{:>13}{:>13}{:>13}\n{:>13}{:>13}{:>13}\n"
+        "Airbag Particle sensor file, "
+        "{}\n{:5d}{:5d}\n{:>13}\n{:>13}{:>13}{:>13}\n{:>13}{:>13}{:>13}\n"
         "{:>13}{:>13}{:>13}{:>13}\n\n\n",
-        layout.sensors, NUMBERS, "time", "x", "y", "z", "vx", "vy", "vz", "pres", "dens", "temp",
-        "npart");
+        WRITER, layout.sensors, NUMBERS, "time", "x", "y", "z", "vx", "vy", "vz", "pres", "dens",
+        "temp", "npart");
 }
 
 std::string cpm_sensor_state(const Sample& sample) {

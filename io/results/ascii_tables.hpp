@@ -3,12 +3,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "solver/records.hpp"
 
 /// One state of each of LS-DYNA's text files, in its columns, for scripts that people already have.
 /// What the columns hold here is told in io/FORMAT.md.
 namespace corpuscle::io {
+
+/// Told in the first lines of every text file: whose it is.
+inline constexpr std::string_view WRITER = "corpuscle, in the columns of ls-dyna";
 
 /// `value` right-justified as C's %WIDTH.PRECISIONE; an exponent of three digits costs precision,
 /// so that columns stay where they are.

@@ -87,16 +87,17 @@ TEST_CASE("a run refuses a folder with results of another program", "[io]") {
     CHECK(std::filesystem::is_empty(here / "theirs"));
 }
 
-TEST_CASE("another program's d3plot stays where it is beside results of corpuscle", "[io]") {
+TEST_CASE("another program's exports stay where they are beside results of corpuscle", "[io]") {
     const test::DeckFolder folder;
     const auto here = folder.write("deck.k", test::small_deck()).parent_path();
     const std::string run = "run deck.k -o out --until 1e-3";
     REQUIRE(corpuscle_in(here, run).first == 0);
-    REQUIRE(corpuscle_in(here, "export out --d3plot").first == 0);
+    REQUIRE(corpuscle_in(here, "export out --d3plot --binout --csv").first == 0);
     const auto [status, text] = corpuscle_in(here, run);
     CHECK(status == 0);
-    CHECK_THAT(text, Contains("removed: d3plot, d3plot01, "));
-    const std::string name = GENERATE("d3plot", "glstat");
+    CHECK_THAT(text, Contains("removed: binout, d3plot, d3plot01, ") && Contains("history.csv"));
+    const std::string name = GENERATE("d3plot", "glstat", "binout", "history.csv",
+                                      "history_fast.csv", "cpm_sensor", "responses.json");
     const std::string theirs = "of another\nprogram\n";
     const auto file = folder.write("out/" + name, theirs);
     const auto [refused, told] = corpuscle_in(here, run);
