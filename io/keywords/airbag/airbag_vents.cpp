@@ -11,6 +11,8 @@
 namespace corpuscle::io::keywords {
 namespace {
 
+constexpr const char* BELOW_0 = "gas at rest begins to move along the fabric, by its heat";
+
 bool holds(const std::vector<Index>& parts, Index part) {
     return std::find(parts.begin(), parts.end(), part) != parts.end();
 }
@@ -143,19 +145,22 @@ bool friction(Card& c, const char* name, const Draft& draft, gas::FrictionCard& 
         return false;
     }
     if (value > -1.0) {
-        if (value < 0.0)
-            c.warn(name, "below 0: gas at rest begins to move along the fabric, by its heat");
+        if (value < 0.0) c.warn(name, fmt::format("below 0: {}", BELOW_0));
         rough.factor = value;
         return true;
     }
     double unused = 0.0;
     value_or_curve(c, name, draft.curves, unused, rough.curve);
     if (rough.curve < 0) return false;
-    for (const double f : draft.model.curves[static_cast<std::size_t>(rough.curve)].y)
-        if (!(f > -1.0 && f <= 1.0)) {
-            c.fault(name, "a curve of factors above -1 and up to 1");
-            return false;
-        }
+    const std::vector<double>& factors =
+        draft.model.curves[static_cast<std::size_t>(rough.curve)].y;
+    if (factors.empty()) return false;  // a curve with faults
+    const auto [least, most] = std::minmax_element(factors.begin(), factors.end());
+    if (!(*least > -1.0 && *most <= 1.0)) {
+        c.fault(name, "a curve of factors above -1 and up to 1");
+        return false;
+    }
+    if (*least < 0.0) c.warn(name, fmt::format("a curve down to {:g}: {}", *least, BELOW_0));
     return true;
 }
 

@@ -94,6 +94,8 @@ TEST_CASE("AIRBAG_PARTICLE: friction by number or curve, for all parts or some",
     CHECK(bag.friction[0].factor == -0.1);
     CHECK(any_contains(folder.read(with("-0.1", "-9")).warnings, "(FRIC) = -0.1: below 0"));
     CHECK_FALSE(any_contains(folder.read(with("0.1", "-9")).warnings, "(FRIC)"));
+    CHECK(any_contains(folder.read(with("0.1", "-9")).warnings,
+                       "(PFRIC) = -9: a curve down to -0.25: gas at rest begins to move"));
     CHECK(bag.friction[1].parts == std::vector<Index>{0});
     CHECK(bag.friction[1].curve >= 0);
     CHECK(contains(only(folder.faults(with("2", "0"))), "(FRIC) = 2, expected above -1 to 1"));
