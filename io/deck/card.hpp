@@ -137,6 +137,8 @@ public:
     int new_id(std::string_view name, Registry& registry, std::size_t row) {
         return new_id(at(name), registry, row);
     }
+    /// The same of a _COLLECT, which shares its id with others: the row of the first of them.
+    Index collected_row(std::string_view name, Registry& registry, std::size_t row);
     /// Row of the thing that the field names; -1 and a fault when there is none.
     Index row(std::string_view name, const Registry& registry) { return row(at(name), registry); }
     /// The same; blank or 0: -1.

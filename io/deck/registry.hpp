@@ -21,6 +21,7 @@ public:
     struct Entry {
         Index row = -1;
         Place place;
+        bool is_collected = false;  ///< _COLLECT: others of the id that are so add to it
     };
 
     explicit Registry(std::string_view kind, IdKind id_kind = IdKind::OTHER)
@@ -38,6 +39,11 @@ public:
     /// False when the id is taken; the first definition stays.
     bool add(int id, Index row, Place place) {
         return entries_.try_emplace(id, Entry{row, place}).second;
+    }
+    /// The same of a _COLLECT: where one of the id is there already, it is this one too, unless
+    /// that is no _COLLECT. @returns the first definition
+    const Entry& collect(int id, Index row, Place place) {
+        return entries_.try_emplace(id, Entry{row, place, true}).first->second;
     }
 
     void reserve(std::size_t n) { entries_.reserve(n); }

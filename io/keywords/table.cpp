@@ -18,8 +18,8 @@ constexpr std::string_view SHAPED = "MOTION DISPLAY ID TITLE";
 constexpr std::string_view SHAPED_LATER = "INTERIOR DEFORM";
 constexpr std::string_view CONTACTS = "ID TITLE MPP MORTAR SMOOTH INTERIOR";
 constexpr std::string_view CONTACTS_LATER = "THERMAL FRICTION ORTHO INTERFERENCE";
-constexpr std::string_view LISTS = "LIST COLUMN GENERATE INCREMENT TITLE";
-constexpr std::string_view LISTS_LATER = "SMOOTH COLLECT";
+constexpr std::string_view LISTS = "LIST COLUMN GENERATE INCREMENT COLLECT TITLE";
+constexpr std::string_view LISTS_LATER = "SMOOTH";
 constexpr bool ONCE = true;
 
 const Keyword KEYWORDS[] = {
@@ -78,18 +78,18 @@ const Keyword KEYWORDS[] = {
     {"SET_NODE", LISTS, LISTS_LATER, P::SET, set_node},
     {"SET_PART", LISTS, LISTS_LATER, P::SET, set_part},
     {"SET_SHELL", LISTS, LISTS_LATER, P::SET, set_shell},
-    {"SET_SEGMENT", "TITLE", "COLLECT", P::SET, set_segment},
-    {"SET_NODE_ADD", "TITLE", "ADVANCED COLLECT", P::SUM_OF_SETS, set_node_add},
-    {"SET_PART_ADD", "TITLE", "COLLECT", P::SUM_OF_SETS, set_part_add},
-    {"SET_SHELL_ADD", "TITLE", "COLLECT", P::SUM_OF_SETS, set_shell_add},
-    {"SET_SEGMENT_ADD", "TITLE", "COLLECT", P::SUM_OF_SETS, set_segment_add},
+    {"SET_SEGMENT", "COLLECT TITLE", "", P::SET, set_segment},
+    {"SET_NODE_ADD", "COLLECT TITLE", "ADVANCED", P::SUM_OF_SETS, set_node_add},
+    {"SET_PART_ADD", "COLLECT TITLE", "", P::SUM_OF_SETS, set_part_add},
+    {"SET_SHELL_ADD", "COLLECT TITLE", "", P::SUM_OF_SETS, set_shell_add},
+    {"SET_SEGMENT_ADD", "COLLECT TITLE", "", P::SUM_OF_SETS, set_segment_add},
     {"SET_NODE_INTERSECT", "TITLE", "", P::SUM_OF_SETS, set_node_intersect},
     {"SET_SHELL_INTERSECT", "TITLE", "", P::SUM_OF_SETS, set_shell_intersect},
     {"SET_SEGMENT_INTERSECT", "TITLE", "", P::SUM_OF_SETS, set_segment_intersect},
-    {"SET_NODE_GENERAL", "TITLE", "COLLECT", P::SUM_OF_SETS, set_node_general},
-    {"SET_PART_GENERAL", "TITLE", "COLLECT", P::SUM_OF_SETS, set_part_general},
-    {"SET_SHELL_GENERAL", "TITLE", "COLLECT", P::SUM_OF_SETS, set_shell_general},
-    {"SET_SEGMENT_GENERAL", "TITLE", "COLLECT", P::SUM_OF_SETS, set_segment_general},
+    {"SET_NODE_GENERAL", "COLLECT TITLE", "", P::SUM_OF_SETS, set_node_general},
+    {"SET_PART_GENERAL", "COLLECT TITLE", "", P::SUM_OF_SETS, set_part_general},
+    {"SET_SHELL_GENERAL", "COLLECT TITLE", "", P::SUM_OF_SETS, set_shell_general},
+    {"SET_SEGMENT_GENERAL", "COLLECT TITLE", "", P::SUM_OF_SETS, set_segment_general},
 
     {"AIRBAG_PARTICLE", "MPP DECOMPOSITION MOLEFRACTION INFLATION JET SEGMENT TIME ID TITLE", "",
      P::SCENE, airbag_particle},

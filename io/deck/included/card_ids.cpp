@@ -76,6 +76,17 @@ int Card::new_id(std::size_t i, Registry& registry, std::size_t row) {
     return id;
 }
 
+Index Card::collected_row(std::string_view name, Registry& registry, std::size_t row) {
+    const std::size_t i = at(name);
+    const int id = this->id(i, registry.id_kind(), IDS);
+    if (id <= 0) return static_cast<Index>(row);
+    const Registry::Entry& first = registry.collect(id, static_cast<Index>(row), place());
+    if (first.is_collected) return first.row;
+    fault(i, fmt::format("an id that only _COLLECT has, but the {} of {} has it", registry.kind(),
+                         cards_.faults().where(first.place)));
+    return static_cast<Index>(row);
+}
+
 Index Card::row(std::size_t i, const Registry& registry) {
     const Number number = this->number(i, true);
     if (!number.is_good && given(i)) return -1;

@@ -67,14 +67,15 @@ SetOfSets names_in(const Task& task, const Parameters& parameters, DraftNames& n
 }
 
 void find_uses(std::vector<SetOfSets>& sets) {
-    std::map<SetName, std::size_t> places;
-    for (std::size_t i = 0; i < sets.size(); ++i) places.try_emplace(sets[i].name, i);
+    std::map<SetName, std::vector<std::size_t>> places;  // several of a _COLLECT
+    for (std::size_t i = 0; i < sets.size(); ++i) places[sets[i].name].push_back(i);
     for (std::size_t i = 0; i < sets.size(); ++i)
         for (const SetName& name : sets[i].of)
-            if (const auto at = places.find(name); name.second > 0 && at != places.end()) {
-                sets[i].behind.push_back(at->second);
-                sets[at->second].before.push_back(i);
-            }
+            if (const auto at = places.find(name); name.second > 0 && at != places.end())
+                for (const std::size_t place : at->second) {
+                    sets[i].behind.push_back(place);
+                    sets[place].before.push_back(i);
+                }
 }
 
 /// Places in an order that works, the deck's own where it does; without those of circles.

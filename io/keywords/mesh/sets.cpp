@@ -12,11 +12,14 @@
 
 namespace corpuscle::io::keywords {
 
-void set_header(Cards& cards, Registry& sets, std::size_t row) {
+std::size_t set_header(Cards& cards, Registry& sets, std::size_t new_row) {
     if (cards.has("TITLE")) cards.title();
     Card c = cards.next("SID DA1 DA2 DA3 DA4 SOLVER ITS -");
-    c.new_id("SID", sets, row);
     c.harmless("DA1 DA2 DA3 DA4 SOLVER ITS");
+    if (cards.has("COLLECT"))
+        return static_cast<std::size_t>(c.collected_row("SID", sets, new_row));
+    c.new_id("SID", sets, new_row);
+    return new_row;
 }
 
 namespace {
@@ -130,44 +133,42 @@ Rows stepped(Cards& cards, const Registry& things) {
 }
 
 void list_set(Cards& cards, Registry& sets, std::vector<Rows>& store, const Registry& things) {
-    set_header(cards, sets, store.size());
+    const std::size_t row = begin_set(cards, sets, store);
     Rows rows = cards.has("COLUMN")      ? column(cards, things)
                 : cards.has("INCREMENT") ? stepped(cards, things)
                 : cards.has("GENERATE")  ? generated(cards, things)
                                          : listed(cards, things);
     Collection<Index> set;
     set.add(rows);
-    store.push_back(set.close(cards));
+    end_set(cards, set, store[row]);
 }
 
 /// The sum of other sets of the kind.
 template <class Item>
 void sum_set(Cards& cards, Registry& sets, std::vector<std::vector<Item>>& store) {
-    set_header(cards, sets, store.size());
-    store.emplace_back();  // what this set is to itself
+    const std::size_t row = begin_set(cards, sets, store);
     Collection<Index> parts;
     parts.add(listed(cards, sets));
     Collection<Item> sum;
     for (const Index part : parts.close(cards)) sum.add(store[static_cast<std::size_t>(part)]);
-    store.back() = sum.close(cards);
+    end_set(cards, sum, store[row]);
 }
 
 /// What all of some other sets of the kind have.
 template <class Item>
 void common_set(Cards& cards, Registry& sets, std::vector<std::vector<Item>>& store) {
-    set_header(cards, sets, store.size());
-    store.emplace_back();
+    const std::size_t row = begin_set(cards, sets, store);
     Collection<Index> rows;
     rows.add(listed(cards, sets));
     const std::vector<Index> of = rows.close(cards);
     std::map<Item, std::size_t> count;
-    for (const Index row : of)
-        for (const Item& item : store[static_cast<std::size_t>(row)]) ++count[item];
+    for (const Index set : of)
+        for (const Item& item : store[static_cast<std::size_t>(set)]) ++count[item];
     Collection<Item> common;
-    for (const Index row : of)
-        for (const Item& item : store[static_cast<std::size_t>(row)])
+    for (const Index set : of)
+        for (const Item& item : store[static_cast<std::size_t>(set)])
             if (count[item] == of.size()) common.add({item});
-    store.back() = common.close(cards);
+    end_set(cards, common, store[row]);
 }
 
 }  // namespace
@@ -184,7 +185,7 @@ void set_shell(Cards& cards, Draft& d) {
 
 void set_segment(Cards& cards, Draft& draft) {
     static const Layout layout("N1 N2 N3 N4 A1 A2 A3 A4");
-    set_header(cards, draft.segment_sets, draft.segment_set.size());
+    const std::size_t row = begin_set(cards, draft.segment_sets, draft.segment_set);
     Segments segments;
     while (cards.rows()) {
         Card c = cards.next(layout);
@@ -197,7 +198,7 @@ void set_segment(Cards& cards, Draft& draft) {
     }
     Collection<std::array<Index, 4>> set;
     set.add(segments);
-    draft.segment_set.push_back(set.close(cards));
+    end_set(cards, set, draft.segment_set[row]);
 }
 
 void set_node_add(Cards& cards, Draft& d) {

@@ -13,8 +13,8 @@
 /// What all *SET_ keywords have in common.
 namespace corpuscle::io::keywords {
 
-/// The header card, its id taken for `row`.
-void set_header(Cards& cards, Registry& sets, std::size_t row);
+/// The header card. @returns the set's row: a new one, or with _COLLECT that of its id
+std::size_t set_header(Cards& cards, Registry& sets, std::size_t new_row);
 
 /// Ids of a line of _GENERAL. Attributes of segments stand in E4 to E7, so PART, SHELL and the sets
 /// of them have three ids there.
@@ -45,5 +45,22 @@ private:
     std::vector<Item> items_;
     std::set<Item> members_;
 };
+
+/// Row of the set in `store` that a keyword defines or, with _COLLECT, adds to.
+template <class Item>
+std::size_t begin_set(Cards& cards, Registry& sets, std::vector<std::vector<Item>>& store) {
+    const std::size_t row = set_header(cards, sets, store.size());
+    if (row == store.size()) store.emplace_back();
+    return row;
+}
+
+/// Puts what a keyword has brought behind what its set holds already.
+template <class Item>
+void end_set(Cards& cards, Collection<Item>& brought, std::vector<Item>& set) {
+    Collection<Item> all;
+    all.add(set);
+    all.add(brought.close(cards));
+    set = all.items();
+}
 
 }  // namespace corpuscle::io::keywords

@@ -94,8 +94,7 @@ template <class Item>
 void general_set(Cards& cards, Registry& sets, std::vector<std::vector<Item>>& store,
                  std::size_t most_ids, const Options<Item>& options) {
     static const Layout layout("OPTION E1 E2 E3 E4 E5 E6 E7");
-    set_header(cards, sets, store.size());
-    store.emplace_back();  // what this set is to itself
+    const std::size_t row = begin_set(cards, sets, store);
     Collection<Item> set;
     while (cards.rows()) {
         Card c = cards.next(layout);
@@ -106,7 +105,7 @@ void general_set(Cards& cards, Registry& sets, std::vector<std::vector<Item>>& s
         else
             set.add(chosen(c, *option, most_ids).items());
     }
-    store.back() = set.close(cards);
+    end_set(cards, set, store[row]);
 }
 
 }  // namespace

@@ -113,6 +113,44 @@ TEST_CASE("sets of sets are what they are in any order of the deck", "[io]") {
     CHECK(set(chain + "*SET_NODE_LIST\n3005\n4\n") == Rows{3});
 }
 
+TEST_CASE("sets of one id with _COLLECT are one set, wherever they stand", "[io]") {
+    const DeckFolder folder;
+    const auto set = [&](const std::string& text) {
+        return held(folder.read(small_deck(text + HOLD)));
+    };
+    CHECK(set("*SET_NODE_LIST_COLLECT\n5\n1,2\n*SET_NODE_LIST_COLLECT_TITLE\nmore\n5\n6,2\n") ==
+          Rows{0, 1, 5});
+    CHECK(set("*SET_NODE_GENERATE_COLLECT\n5\n1,2\n*SET_NODE_GENERAL_COLLECT\n5\nNODE,5\n") ==
+          Rows{0, 1, 4});
+    CHECK(set("*SET_NODE_ADD\n5\n4\n*SET_NODE_GENERAL_COLLECT\n4\nNODE,5\n"
+              "*SET_NODE_ADD_COLLECT\n4\n3\n*SET_NODE_LIST\n3\n6\n") == Rows{4, 5});
+    const Model shells =
+        folder.read(small_deck("*SET_SHELL_LIST_COLLECT\n5\n11\n*SET_SHELL_LIST_COLLECT\n5\n12\n"
+                               "*LOAD_SHELL_SET\n5,7\n*SET_SEGMENT_COLLECT\n5\n1,2,3\n"
+                               "*SET_SEGMENT_COLLECT\n5\n1,3,4\n*LOAD_SEGMENT_SET\n5,7\n"));
+    REQUIRE(shells.pressure_loads.size() == 2);
+    for (const PressureLoad& load : shells.pressure_loads) CHECK(load.facets.size() == 2);
+    CHECK(folder
+              .read(small_deck("*SET_PART_LIST_COLLECT\n5\n2\n*SET_PART_LIST_COLLECT\n5\n1\n"
+                               "*CONTACT_AIRBAG_SINGLE_SURFACE\n5,0,2\n\n\n"))
+              .contacts.at(0)
+              .parts == Rows{1, 0});
+}
+
+TEST_CASE("a set with _COLLECT shares its id with no set without it", "[io]") {
+    const std::string with = "*SET_NODE_LIST_COLLECT\n5\n1\n", without = "*SET_NODE_LIST\n5\n2\n";
+    CHECK(contains(only_fault(with + without),
+                   "deck.k:34: *SET_NODE_LIST card 1, field 1 (SID) = 5, expected an id that no "
+                   "other *SET_NODE has, but deck.k:31 has it"));
+    CHECK(contains(only_fault(without + with),
+                   "deck.k:34: *SET_NODE_LIST_COLLECT card 1, field 1 (SID) = 5, expected an id "
+                   "that only _COLLECT has, but the *SET_NODE of deck.k:31 has it"));
+    CHECK(contains(only_fault(with + "*SET_NODE_LIST_COLLECT\n5\n"), "is empty"));
+    CHECK(contains(only_fault("*SET_NODE_GENERAL_COLLECT\n5\nNODE,1\n"
+                              "*SET_NODE_GENERAL_COLLECT\n5\nSET,5\n"),
+                   "expected no set that contains itself: 5 -> 5"));
+}
+
 TEST_CASE("a set that contains itself is a fault that names the circle, and no other", "[io]") {
     CHECK(only_fault("*SET_NODE_ADD\n4\n5\n*SET_NODE_ADD\n5\n6\n*SET_NODE_GENERAL\n6\nNODE,1\n"
                      "SET,5\n" +
@@ -144,5 +182,5 @@ TEST_CASE("sets that are empty, double, or name what is not there are faults", "
     CHECK(contains(one("*SET_NODE_LIST_GENERATE\n5\n4,2\n*SET_NODE_LIST\n6\n1\n").substr(0, 9),
                    "deck.k:3"));
     CHECK(contains(one("*SET_NODE_GENERAL\n5\nALL\nBOX,1\n"), "(OPTION) = BOX, expected one of"));
-    CHECK(contains(one("*SET_NODE_LIST_COLLECT\n5\n1\n"), "is not acted on yet"));
+    CHECK(contains(one("*SET_NODE_LIST_SMOOTH\n5\n1\n"), "is not acted on yet"));
 }
