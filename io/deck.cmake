@@ -11,6 +11,7 @@ target_sources(corpuscle_io PRIVATE
     keywords/remarks.cpp keywords/table.cpp keywords/tasks.cpp
     keywords/airbag/airbag_chambers.cpp
     keywords/airbag/airbag_gas.cpp
+    keywords/airbag/cpm_gas.cpp
     keywords/airbag/airbag_hybrid.cpp
     keywords/airbag/airbag_particle.cpp
     keywords/airbag/airbag_uniform.cpp

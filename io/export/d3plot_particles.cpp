@@ -14,7 +14,7 @@
 namespace corpuscle::io {
 namespace {
 
-constexpr std::int64_t VERSION = 3000;  ///< bags without a count of chambers
+constexpr std::int64_t LAYOUT_VERSION = 3000;  ///< bags without a count of chambers
 constexpr std::int64_t INTEGER = 1, REAL = 2;
 constexpr double FAR_AWAY = 1e10;  ///< from the nearest segment: not known
 constexpr std::int64_t INSIDE = 0, GONE = 2;
@@ -93,7 +93,7 @@ void D3plotParticles::take(const std::string& at, bool as_first_place) {
 }
 
 std::int64_t D3plotParticles::flag() const {
-    return all_.empty() ? 0 : VERSION + static_cast<std::int64_t>(bags_.size());
+    return all_.empty() ? 0 : LAYOUT_VERSION + static_cast<std::int64_t>(bags_.size());
 }
 
 void D3plotParticles::variables(D3plotWords& file) const {

@@ -66,6 +66,8 @@ rigid
 1,1
 *DEFINE_CPM_NPDATA
 1,1
+*DEFINE_CPM_GAS_PROPERTIES
+1,0.028,29
 )";
 
 /// Cards that bring readers to all their fields.
@@ -91,6 +93,7 @@ const std::pair<const char*, const char*> EXAMPLES[] = {
     {"AIRBAG_PARTICLE",
      "1,1,1,1,0,3,-1\n1000,1,1,293,1e5,2\n0,1,1\n1,0,-1,-1\n1,1,-1,-1\n1,2,1\n"
      "1,0,-1\n1,1,1,1,1\n1,1,0.028,29,0,0,1\n1,1.0,1,30,1\n"},
+    {"AIRBAG_PARTICLE", "1\n1000,1,1\n1,1,1\n1e5,293,-1\n1,1,-1\n1,1.0\n"},
     {"AIRBAG_SIMPLE_AIRBAG_MODEL", "1,1\n0,0,1,1,1,1,1,1\n1,1,1,1,1,1\n"},
     {"AIRBAG_SIMPLE_AIRBAG_MODEL", "1,1\n1,1.4,300,1,-1,-1,1e5,1.2\n"},
     {"AIRBAG_WANG_NEFSKE", "1,1\n1,1.4,300,1,1\n1,1,-1,1,1,1,-1,1\n1e5,1.2\n\n"},

@@ -122,6 +122,7 @@ void airbag_particle(Cards&, Draft&);
 void note_bags(Draft&);  ///< dialect and collision model of bags of particles, once they have ids
 void define_cpm_vent(Cards&, Draft&);
 void define_cpm_npdata(Cards&, Draft&);
+void define_cpm_gas(Cards&, Draft&);      // cpm_gas.cpp
 void define_cpm_chamber(Cards&, Draft&);  // airbag_chambers.cpp
 void airbag_reference_geometry(Cards&, Draft&);
 void airbag_shell_reference_geometry(Cards&, Draft&);

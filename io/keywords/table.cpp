@@ -101,6 +101,7 @@ const Keyword KEYWORDS[] = {
     {"AIRBAG_INTERACTION", "", "", P::RELATION, airbag_interaction},
     {"AIRBAG_LOAD_CURVE", "ID", "", P::SCENE, airbag_load_curve},
     {"DEFINE_CPM_VENT", "TITLE", "", P::PLACE, define_cpm_vent},
+    {"DEFINE_CPM_GAS_PROPERTIES", "TITLE", "", P::PLACE, define_cpm_gas},
     {"DEFINE_CPM_NPDATA", "TITLE", "", P::PLACE, define_cpm_npdata},
     {"DEFINE_CPM_CHAMBER", "TITLE", "", P::PLACE, define_cpm_chamber},
     {"AIRBAG_REFERENCE_GEOMETRY", "BIRTH RDT ID", "", P::SCENE, airbag_reference_geometry},

@@ -31,6 +31,7 @@ void spoil(const Block& block, Draft& draft) {
         {"MAT_", &draft.materials},
         {"DEFINE_CPM_VENT", &draft.cpm_vents},
         {"DEFINE_CPM_NPDATA", &draft.cpm_npdata},
+        {"DEFINE_CPM_GAS_PROPERTIES", &draft.cpm_gases},
         {"DEFINE_TRANSFORMATION", &draft.transformations}};
     const bool has_title = block.keyword.find("_TITLE") != std::string::npos;
     if (block.lines.size() <= (has_title ? 1U : 0U)) return;

@@ -94,7 +94,8 @@ struct DraftNames {
         transformations{"*DEFINE_TRANSFORMATION", IdKind::DEFINE},
         cpm_vents{"*DEFINE_CPM_VENT", IdKind::DEFINE},
         cpm_npdata{"*DEFINE_CPM_NPDATA", IdKind::DEFINE},
-        cpm_chambers{"*DEFINE_CPM_CHAMBER", IdKind::DEFINE};
+        cpm_chambers{"*DEFINE_CPM_CHAMBER", IdKind::DEFINE},
+        cpm_gases{"*DEFINE_CPM_GAS_PROPERTIES", IdKind::DEFINE};
     std::vector<Numbered> numbered;  ///< in the order of the deck; id 0: open until number_things()
 };
 
@@ -119,11 +120,20 @@ struct PartExchange {
     bool is_rough = false;  ///< friction counts
 };
 
+/// *DEFINE_CPM_GAS_PROPERTIES
+struct CpmGas {
+    double molar_mass = NaN;     ///< [kg/mol]
+    std::array<double, 5> cp{};  ///< of T^0 to T^4, by mole                        [J/(mol K)]
+    std::string refused;         ///< fields that are set and that nothing acts on
+    Place place;                 ///< of its card
+};
+
 /// Of airbags, until their keywords are all read.
 struct DraftAirbags {
     std::optional<gas::CollisionModel> collision;  ///< of all bags; none: the default
     double mean_free_path = NaN;                   ///< of that model; NaN: its default      [m]
     double force_decay = 1.0;  ///< SFFDC of *CONTROL_CPM, for bags that have none of their own  [-]
+    std::vector<CpmGas> cpm_gas;                             ///< of *DEFINE_CPM_GAS_PROPERTIES
     std::vector<gas::VentCard> cpm_vent;                     ///< without parts
     std::vector<PartExchange> cpm_exchange;                  ///< of *DEFINE_CPM_NPDATA
     std::vector<std::vector<gas::ChamberCard>> cpm_chamber;  ///< of one bag each

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 namespace corpuscle::io::keywords {
@@ -17,26 +18,49 @@ constexpr double HEAVIEST_MOLE = 1e-3;        ///< [t/mol]: XM above it was mean
 constexpr double LEAST_MILLIJOULES = 1e3;     ///< [mJ/(mol K)]: A below it was meant in J
 constexpr double DEGREE = std::numbers::pi / 180.0;
 
-/// Molar mass and Cp(T) have the deck's units of mass and energy.
-gas::SpeciesCard species(Card& c, const char* mass, const char* A, const char* B, const char* C,
-                         const UnitSystem& unit) {
+constexpr double COLDEST = 250.0;       ///< of what is asked of a gas           [K]
+constexpr double HOTTEST_AIR = 1500.0;  ///< air of the start, by what flows in  [K]
+constexpr double STAGNATION = 1.4;      ///< temperature at rest over that of the flow
+
+/// Names of the fields that say a gas: molar mass, or minus the id of a gas, and Cp(T).
+struct SpeciesFields {
+    const char* mass;
+    std::array<const char*, 3> cp;
+};
+
+gas::SpeciesCard written_gas(Card& c, const SpeciesFields& fields) {
     gas::SpeciesCard gas;
-    gas.molar_mass = c.real(mass, POSITIVE);
-    gas.A = c.real(A, POSITIVE);
-    gas.B = c.real(B);
-    gas.C = c.real(C);
+    if (c.good()) gas.molar_mass = c.real(fields.mass, POSITIVE);
+    gas.A = c.real(fields.cp[0], POSITIVE);
+    gas.B = c.real(fields.cp[1]);
+    gas.C = c.real(fields.cp[2]);
+    return gas;
+}
+
+/// Molar mass and Cp(T) have the deck's units of mass and energy.
+/// @param hottest  that the gas may be                                                     [K]
+gas::SpeciesCard species(Card& c, const SpeciesFields& fields, const Draft& draft,
+                         const UnitSystem& unit, double hottest) {
+    const char *const mass = fields.mass, *const A = fields.cp[0];
+    const double id = -c.real(mass);
+    if (id > 0.0)
+        for (const char* name : fields.cp)
+            c.harmless(name);  // those of the gas that is named count
+    const gas::SpeciesCard gas =
+        id > 0.0 ? defined_gas(c, mass, id, draft, COLDEST, hottest) : written_gas(c, fields);
     if (!c.good() || unit.mass == 1.0) return gas;
     if (gas.molar_mass > HEAVIEST_MOLE)
         c.fault(mass, "tonnes per mole for UNIT = 2, like 2.897e-5 for air");
     if (gas.A < LEAST_MILLIJOULES)
-        c.fault(A, "millijoules per mole and kelvin for UNIT = 2, like 2.91e4 for air");
+        c.fault(id > 0.0 ? mass : A,
+                "millijoules per mole and kelvin for UNIT = 2, like 2.91e4 for air");
     return gas;
 }
 
 }  // namespace
 
-gas::InitialAirCard initial_air(Cards& cards, const gas::BagCard& bag, const UnitSystem& unit,
-                                int kind) {
+gas::InitialAirCard initial_air(Cards& cards, const Draft& draft, const gas::BagCard& bag,
+                                const UnitSystem& unit, int kind) {
     Card c = cards.next("PAIR TAIR XMAIR AAIR BAIR CAIR NPAIR NPRLX");
     gas::InitialAirCard air;
     air.pressure = c.real("PAIR", NON_NEGATIVE);
@@ -60,17 +84,32 @@ gas::InitialAirCard initial_air(Cards& cards, const gas::BagCard& bag, const Uni
         air.species.molar_mass = AIR_MOLAR_MASS * unit.mass;
         air.species.A = AIR_A * unit.energy;
     } else {
-        air.species = species(c, "XMAIR", "AAIR", "BAIR", "CAIR", unit);
+        air.species = species(c, {"XMAIR", {"AAIR", "BAIR", "CAIR"}}, draft, unit, HOTTEST_AIR);
     }
     return air;
 }
+
+namespace {
+
+/// Of a gas whose temperature over time is the curve, once it is at rest.                     [K]
+double hottest_of(const Draft& draft, Index curve) {
+    constexpr double LEAST = 1000.0;
+    if (curve < 0) return LEAST;
+    double most = LEAST;
+    for (const double T : draft.model.curves[static_cast<std::size_t>(curve)].y)
+        most = std::max(most, STAGNATION * T);
+    return most;
+}
+
+}  // namespace
 
 gas::InflowCard inflow(Cards& cards, const Draft& draft, const UnitSystem& unit) {
     Card c = cards.next("LCM LCT XM A B C INFG=1 -");
     gas::InflowCard gas;
     gas.mass_rate = c.row("LCM", draft.curves);
     gas.temperature = c.row("LCT", draft.curves);
-    gas.species = species(c, "XM", "A", "B", "C", unit);
+    gas.species =
+        species(c, {"XM", {"A", "B", "C"}}, draft, unit, hottest_of(draft, gas.temperature));
     gas.inflator = c.integer("INFG", {1.0});
     return gas;
 }

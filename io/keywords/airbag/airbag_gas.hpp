@@ -29,9 +29,14 @@ inline constexpr UnitSystem UNIT_SYSTEMS[] = {
 inline constexpr Range TEMPERATURE = within(0.0, 1e5);  ///< [K]
 
 /// @param kind  IAIR: 1, -1, 2
-gas::InitialAirCard initial_air(Cards& cards, const gas::BagCard& bag, const UnitSystem& unit,
-                                int kind);
+gas::InitialAirCard initial_air(Cards& cards, const Draft& draft, const gas::BagCard& bag,
+                                const UnitSystem& unit, int kind);
 gas::InflowCard inflow(Cards& cards, const Draft& draft, const UnitSystem& unit);
+/// The gas of the *DEFINE_CPM_GAS_PROPERTIES `id`, named by a row's field `mass` = -id. A Cp of
+/// fourth order becomes A + B T + C T^2, told with the difference, or is refused.
+/// @param low, high  temperatures that the gas may have                                    [K]
+gas::SpeciesCard defined_gas(Card& c, const char* mass, double id, const Draft& draft, double low,
+                             double high);
 gas::OrificeCard orifice(Cards& cards, const Draft& draft, bool is_first);
 
 /// _MOLEFRACTION: until here the gases' `mass_rate` are mole fractions of time; afterwards they are

@@ -180,7 +180,7 @@ private:
     }
 
     void gas() {
-        if (air_ != 0) bag_.air = initial_air(cards_, bag_, unit(), air_);
+        if (air_ != 0) bag_.air = initial_air(cards_, draft_, bag_, unit(), air_);
         if (skips_air_) skip(1, "PAIR TAIR XMAIR AAIR BAIR CAIR NPAIR NPRLX");
         Index mass = -1;
         if (cards_.has("MOLEFRACTION")) mass = cards_.next("LCMASS").row("LCMASS", draft_.curves);

@@ -162,3 +162,50 @@ TEST_CASE("the smallest public CPM block is read", "[io]") {
     CHECK(bag.air->species.B == 7e-4);
     CHECK(bag.air->species.C == -1e-6);
 }
+
+TEST_CASE("DEFINE_CPM_GAS_PROPERTIES: a molar mass below 0 names one", "[io]") {
+    const DeckFolder folder;
+    const auto deck = [](const std::string& gas, const std::string& rows = "") {
+        return small_deck("*AIRBAG_PARTICLE\n1\n1000,1,1\n1,1,1\n1e5,293,-9\n7,7,-9,1,1\n5,1.0\n" +
+                          ("*DEFINE_CPM_GAS_PROPERTIES" + gas) + "\n" + rows);
+    };
+    const gas::BagCard bag = folder.read(deck("_TITLE\nair\n9,0.029,27.0,7e-3,-1e-6")).bags.at(0);
+    for (const gas::SpeciesCard& gas : {bag.inflow.at(0).species, bag.air->species}) {
+        CHECK(gas.molar_mass == 0.029);
+        CHECK(gas.A == 27.0);
+        CHECK(gas.B == 7e-3);
+        CHECK(gas.C == -1e-6);
+    }
+    const Model fitted = folder.read(deck("\n9,0.028,28.9,-1.571e-3,8.081e-6,-2.873e-9"));
+    const gas::SpeciesCard& nitrogen = fitted.bags.at(0).inflow.at(0).species;
+    for (const double T : {300.0, 600.0, 1000.0}) {
+        const double cp = 28.9 - 1.571e-3 * T + 8.081e-6 * T * T - 2.873e-9 * T * T * T;
+        CHECK(nitrogen.A + nitrogen.B * T + nitrogen.C * T * T == Approx(cp).epsilon(0.01));
+    }
+    CHECK(any_contains(fitted.warnings, "(XM) = -9: its Cp of fourth order is taken as"));
+    CHECK(any_contains(fitted.warnings, "(XMAIR) = -9: its Cp of fourth order is taken as"));
+}
+
+TEST_CASE("DEFINE_CPM_GAS_PROPERTIES: fields that nothing acts on refuse what refers to it",
+          "[io]") {
+    const DeckFolder folder;
+    const auto deck = [](const std::string& mass, const std::string& gas) {
+        return small_deck("*AIRBAG_PARTICLE\n1\n1000,1,1\n0,1,1\n7,7," + mass + ",28\n5,1.0\n" +
+                          "*DEFINE_CPM_GAS_PROPERTIES\n" + gas + "\n");
+    };
+    const auto fault = [&](const std::string& mass, const std::string& gas) {
+        const auto faults = folder.faults(deck(mass, gas));
+        CAPTURE(faults);
+        REQUIRE(faults.size() == 1);
+        return faults[0];
+    };
+    CHECK(contains(fault("-8", "9,0.029,27.0"),
+                   "deck.k:34: *AIRBAG_PARTICLE card 4, field 3 (XM) = -8, expected > 0, or minus "
+                   "the id of a *DEFINE_CPM_GAS_PROPERTIES of the deck"));
+    CHECK(contains(fault("-9", "9,0.029,27.0\n1e-3,0,0,0,0,0,2.0"),
+                   "a *DEFINE_CPM_GAS_PROPERTIES without MUT0, VINI, on which nothing acts"));
+    CHECK(contains(fault("-9", "9,0.029,27.0,0,0,0,1e-9"), "(XM) = -9, expected a Cp of fourth"));
+    CHECK(contains(fault("-9", "9,-0.029,27.0"), "(XMM) = -0.029, expected > 0"));
+    const Model unused = folder.read(deck("0.028", "9,0.029,27.0\n1e-3"));
+    CHECK(any_contains(unused.warnings, "(MUT0) = 1e-3: this is not acted on"));
+}
