@@ -184,6 +184,8 @@ private:
     /// What the field stands for as an id of this kind. None: a fault, it would be no id.
     std::optional<int> shifted(std::size_t i, IdKind kind, double written);
     void mark_id(std::size_t i, IdKind kind);
+    /// Nothing that is read has this id: faults of the field say what else has it.
+    void remember_unread(std::size_t i, int id, const Registry& registry);
     [[nodiscard]] std::string shift_text(std::size_t i) const;
     [[nodiscard]] std::string written(std::size_t i) const;
     [[nodiscard]] std::string label(std::size_t i) const;
@@ -198,6 +200,8 @@ private:
     std::array<std::string_view, Layout::MOST_FIELDS> field_{};
     std::string_view rest_;                 ///< after the last field
     std::string_view beyond_;               ///< numbers beyond the last column of a card
+    std::size_t unread_at_ = 0;             ///< field whose id is that of
+    std::string unread_;                    ///< something that is not read; empty: none
     std::uint32_t read_ = 0;                ///< bit i: field i was read or is harmless
     std::uint32_t acted_ = 0, warned_ = 0;  ///< bit i: it was read to be acted on; to be warned of
     std::array<std::uint8_t, Layout::MOST_FIELDS> id_kind_{};  ///< of ids, from 1; 0: no id

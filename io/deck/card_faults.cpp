@@ -74,7 +74,9 @@ std::string Card::cause(std::size_t i, const std::string& remark) const {
 void Card::fault(std::size_t i, const std::string& expected) {
     good_ = false;
     if (!is_missing_)
-        cards_.faults().fault(place(), fmt::format("{}, expected {}", label(i), expected),
+        cards_.faults().fault(place(),
+                              fmt::format("{}, expected {}{}", label(i), expected,
+                                          i == unread_at_ ? unread_ : std::string()),
                               cause(i, expected));
 }
 

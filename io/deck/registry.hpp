@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
@@ -53,6 +54,17 @@ public:
     void spoil(int id) { spoilt_.insert(id); }
     [[nodiscard]] bool is_spoilt(int id) const { return spoilt_.contains(id); }
 
+    /// A definition that nothing acts on: only what refers to it is a fault.
+    struct Unread {
+        std::string keyword;  ///< without its star
+        Place place;
+    };
+    void set_aside(int id, Unread definition) { unread_.try_emplace(id, std::move(definition)); }
+    [[nodiscard]] const Unread* unread(int id) const {
+        const auto at = unread_.find(id);
+        return at == unread_.end() ? nullptr : &at->second;
+    }
+
     /// Rows of the ids first, first + step, ... up to last that exist, by ascending id.
     [[nodiscard]] std::vector<Index> between(int first, int last, int step = 1) const {
         if (by_id_.size() != entries_.size()) {
@@ -72,6 +84,7 @@ private:
     IdKind id_kind_;
     std::unordered_map<int, Entry> entries_;
     std::unordered_set<int> spoilt_;
+    std::unordered_map<int, Unread> unread_;
     mutable std::vector<std::pair<int, Index>> by_id_;
 };
 

@@ -110,8 +110,31 @@ void database_nodout(Cards& cards, Draft& draft) {
     interval(cards, draft.model.output.nodout);
 }
 
+namespace {
+
+/// _LOCAL, one a row, with _ID a heading behind each. @returns rows of what it names
+std::vector<Index> local_rows(Cards& cards, const Registry& things) {
+    static const Layout layout("ID CID REF HFO - - - -");
+    std::vector<Index> rows;
+    while (cards.rows()) {
+        {
+            Card c = cards.next(layout);
+            if (const Index row = c.row("ID", things); row >= 0) rows.push_back(row);
+            c.noted("CID", "what is written of it is along the axes of the deck");
+            c.harmless("REF HFO");
+        }
+        if (cards.has("ID")) cards.title();
+    }
+    return rows;
+}
+
+}  // namespace
+
 void database_history_node(Cards& cards, Draft& draft) {
     static const Layout ids("NID1 NID2 NID3 NID4 NID5 NID6 NID7 NID8"), named("ID HEADING:70");
+    if (cards.has("LOCAL"))
+        for (const Index row : local_rows(cards, draft.nodes))
+            draft.model.history_nodes.push_back(row);
     while (cards.rows()) {
         Card c = cards.next(cards.has("ID") ? named : ids);
         if (cards.has("ID")) c.harmless("HEADING");
@@ -124,13 +147,17 @@ void database_history_node(Cards& cards, Draft& draft) {
 
 void database_history_node_set(Cards& cards, Draft& draft) {
     static const Layout ids("SID1 SID2 SID3 SID4 SID5 SID6 SID7 SID8");
+    const auto add = [&](Index set) {
+        for (const Index row : draft.node_set[static_cast<std::size_t>(set)])
+            draft.model.history_nodes.push_back(row);
+    };
+    if (cards.has("LOCAL"))
+        for (const Index set : local_rows(cards, draft.node_sets)) add(set);
     while (cards.rows()) {
         Card c = cards.next(ids);
         for (std::size_t i = 0; i < 8; ++i) {
             if (!c.given(i) || c.integer(i) == 0) continue;
-            if (const Index set = c.row(i, draft.node_sets); set >= 0)
-                for (const Index row : draft.node_set[static_cast<std::size_t>(set)])
-                    draft.model.history_nodes.push_back(row);
+            if (const Index set = c.row(i, draft.node_sets); set >= 0) add(set);
         }
     }
 }

@@ -230,11 +230,16 @@ std::string keyword_table(const std::filesystem::path& folder) {
         "alone: elements of "
         "them are refused, but for solids, which are taken as rigid.\n\n"
         "Not read, with a note, for they cannot change the answer: keywords that begin with ";
-    std::string beginnings;
-    for_each_word(keywords::harmless_beginnings(), [&](std::string_view word) {
-        beginnings += fmt::format("{}`*{}`", beginnings.empty() ? "" : ", ", word);
-    });
-    return text + beginnings + ".\n";
+    const auto listed = [](std::string_view words) {
+        std::string beginnings;
+        for_each_word(words, [&](std::string_view word) {
+            beginnings += fmt::format("{}`*{}`", beginnings.empty() ? "" : ", ", word);
+        });
+        return beginnings;
+    };
+    return fmt::format(
+        "{}{}.\n\nNot read, with a note; what refers to one is a fault that names it: {}.\n", text,
+        listed(keywords::harmless_beginnings()), listed(keywords::unread_definitions()));
 }
 
 }  // namespace corpuscle::io

@@ -51,6 +51,7 @@ struct Match {
     std::string_view name;                   ///< of its names the one that matches
     bool is_harmless = false;                ///< not read, and cannot change the answer
     std::string remark;                      ///< not read, and this is to be said
+    bool is_definition = false;              ///< not read, and a fault of what refers to it
 };
 Match find(std::string_view keyword);
 
@@ -58,6 +59,8 @@ Match find(std::string_view keyword);
 std::span<const Keyword> all();
 /// Beginnings of those that are not read and cannot change the answer, blanks between.
 std::string_view harmless_beginnings();
+/// Beginnings of definitions that are not read and say nothing unless something refers to them.
+std::string_view unread_definitions();
 
 // nodes_elements.cpp
 void node(Cards&, Draft&);
@@ -160,6 +163,8 @@ void termination(Cards&, Draft&);
 void element_beam(Cards&, Draft&);
 void element_discrete(Cards&, Draft&);
 void element_seatbelt(Cards&, Draft&);
+void accelerometer(Cards&, Draft&);
+void belt_device(Cards&, Draft&);
 void nodal_rigid_body(Cards&, Draft&);
 void spotweld(Cards&, Draft&);
 void constrained_adaptivity(Cards&, Draft&);

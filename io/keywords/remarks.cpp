@@ -40,7 +40,8 @@ std::string did_you_mean(std::string_view keyword) {
                                            "END"};
     for (const Keyword& entry : all())
         for_each_word(entry.names, [&](std::string_view name) { names.push_back(name); });
-    for_each_word(harmless_beginnings(), [&](std::string_view name) { names.push_back(name); });
+    for (const std::string_view beginnings : {harmless_beginnings(), unread_definitions()})
+        for_each_word(beginnings, [&](std::string_view name) { names.push_back(name); });
     if (keyword.empty() || is_digit(keyword.back())) return {};  // *MAT_003 is no misspelt *MAT_001
     std::string_view bare = keyword;
     for (const std::string_view suffix : {"_ID", "_TITLE", "_LIST"})

@@ -28,8 +28,9 @@ const Keyword KEYWORDS[] = {
     {"CONTROL_TIMESTEP", "", "", P::GROUND, control_timestep, ONCE},
     {"CONTROL_CPM", "", "", P::GROUND, control_cpm, ONCE},
     {"CONTROL_DYNAMIC_RELAXATION", "", "", P::GROUND, control_dynamic_relaxation},
-    {"TERMINATION_NODE TERMINATION_BODY TERMINATION_CONTACT TERMINATION_CURVE", "", "", P::GROUND,
-     termination},
+    {"TERMINATION_NODE TERMINATION_BODY TERMINATION_CONTACT TERMINATION_CURVE TERMINATION_SENSOR "
+     "TERMINATION_DELETED_SHELLS TERMINATION_DELETED_SOLIDS",
+     "", "", P::GROUND, termination},
     {"DATABASE_BINARY_D3PLOT", "", "", P::GROUND, database_d3plot, ONCE},
     {"DATABASE_BINARY_D3DUMP DATABASE_BINARY_RUNRSF", "", "", P::GROUND, database_d3dump, ONCE},
     {"DATABASE_ABSTAT", "", "", P::GROUND, database_abstat, ONCE},
@@ -40,8 +41,8 @@ const Keyword KEYWORDS[] = {
     {"DATABASE_RWFORC", "", "", P::GROUND, database_rwforc, ONCE},
     {"DATABASE_RBDOUT", "", "", P::GROUND, database_rbdout, ONCE},
     {"DATABASE_NODOUT", "", "", P::GROUND, database_nodout, ONCE},
-    {"DATABASE_HISTORY_NODE", "ID", "LOCAL", P::SCENE, database_history_node},
-    {"DATABASE_HISTORY_NODE_SET", "", "LOCAL", P::SCENE, database_history_node_set},
+    {"DATABASE_HISTORY_NODE", "ID LOCAL", "", P::SCENE, database_history_node},
+    {"DATABASE_HISTORY_NODE_SET", "LOCAL", "", P::SCENE, database_history_node_set},
 
     {"DATABASE_CPM_SENSOR", "", "", P::SCENE, database_cpm_sensor},
 
@@ -68,8 +69,11 @@ const Keyword KEYWORDS[] = {
     {"ELEMENT_BEAM", "THICKNESS SECTION SCALAR SCALR PID OFFSET ORIENTATION WARPAGE", "", P::SHELL,
      element_beam},
     {"ELEMENT_DISCRETE", "", "LCO", P::SHELL, element_discrete},
-    {"ELEMENT_SEATBELT", "", "ACCELEROMETER PRETENSIONER RETRACTOR SENSOR SLIPRING", P::SHELL,
-     element_seatbelt},
+    {"ELEMENT_SEATBELT_ACCELEROMETER", "", "", P::SHELL, accelerometer},
+    {"ELEMENT_SEATBELT_PRETENSIONER ELEMENT_SEATBELT_RETRACTOR ELEMENT_SEATBELT_SENSOR "
+     "ELEMENT_SEATBELT_SLIPRING",
+     "", "", P::SHELL, belt_device},
+    {"ELEMENT_SEATBELT", "", "", P::SHELL, element_seatbelt},
     {"ELEMENT_MASS", "", "PART MATRIX", P::SCENE, element_mass},
     {"ELEMENT_MASS_NODE_SET", "", "", P::SCENE, element_mass_node_set},
     {"ELEMENT_SHELL", "THICKNESS BETA", "MCID OFFSET DOF COMPOSITE", P::SHELL, element_shell},
@@ -171,7 +175,7 @@ const Keyword OTHER_MATERIAL = {"MAT", "TITLE", "", P::MATERIAL, mat_other};
 /// Beginnings of what cannot change the answer here: output, other solvers, and numerics that have
 /// no counterpart.
 constexpr std::string_view HARMLESS =
-    "DATABASE_ COMMENT HOURGLASS INTERFACE_SPRINGBACK EOS_ DEFINE_TABLE DEFINE_SD_ORIENTATION "
+    "DATABASE_ COMMENT HOURGLASS INTERFACE_SPRINGBACK EOS_ DEFINE_SD_ORIENTATION "
     "INITIAL_FOAM_REFERENCE_GEOMETRY BOUNDARY_NON_REFLECTING DEFINE_FRICTION "
     "DEFINE_HEX_SPOTWELD_ASSEMBLY INITIAL_TEMPERATURE LOAD_THERMAL SET_BEAM SET_DISCRETE SET_SOLID "
     "CONTROL_ACCURACY CONTROL_ACOUSTIC CONTROL_AIRBAG CONTROL_ALE "
@@ -179,17 +183,22 @@ constexpr std::string_view HARMLESS =
     "CONTROL_DEBUG "
     "CONTROL_DISCRETE_ELEMENT CONTROL_EFG "
     "CONTROL_ENERGY CONTROL_EXPLICIT_THERMAL CONTROL_FREQUENCY CONTROL_HOURGLASS CONTROL_IMPLICIT "
-    "CONTROL_MPP CONTROL_OUTPUT CONTROL_PARALLEL CONTROL_PORE_FLUID CONTROL_REMESHING "
-    "CONTROL_RIGID "
+    "CONTROL_MPP CONTROL_NONLOCAL CONTROL_OUTPUT CONTROL_PARALLEL CONTROL_PORE_FLUID "
+    "CONTROL_REMESHING CONTROL_REQUIRE_REVISION CONTROL_RIGID CONTROL_SPOTWELD_BEAM "
     "CONTACT_FORCE_TRANSDUCER CONTACT_INTERIOR CONTROL_ADAPTIVE CONTROL_ADAPSTEP "
     "CONTROL_SHELL CONTROL_SOLID CONTROL_SOLUTION CONTROL_SPH CONTROL_STRUCTURED CONTROL_SUBCYCLE "
     "CONTROL_THERMAL "
     "CONTROL_UNITS";
 
+/// Beginnings of definitions that say nothing unless something refers to them.
+constexpr std::string_view DEFINITIONS =
+    "DEFINE_FUNCTION DEFINE_TABLE DEFINE_FILTER DEFINE_PLANE DEFINE_REGION SENSOR_DEFINE "
+    "SENSOR_SWITCH SET_2D_SEGMENT SET_TSHELL";
+
 /// Beginnings of families of which LS-DYNA has more than is read here.
 constexpr std::string_view LATER =
     "AIRBAG_ CONSTRAINED_ CONTACT_ DEFINE_ ELEMENT_ INITIAL_ LOAD_ MAT_ RIGIDWALL_ "
-    "SECTION_ SENSOR_";
+    "SECTION_";
 
 bool begins_with_any(std::string_view keyword, std::string_view beginnings) {
     bool found = false;
@@ -241,6 +250,10 @@ std::string_view harmless_beginnings() {
     return HARMLESS;
 }
 
+std::string_view unread_definitions() {
+    return DEFINITIONS;
+}
+
 Match find(std::string_view keyword) {
     const auto [entry, base] = longest_base(keyword);
     if (entry != nullptr) {
@@ -259,6 +272,7 @@ Match find(std::string_view keyword) {
                                 reason(base, keyword))};
     }
     if (begins_with_any(keyword, HARMLESS)) return {nullptr, {}, {}, true, remark_on(keyword)};
+    if (begins_with_any(keyword, DEFINITIONS)) return {nullptr, {}, {}, false, {}, true};
     if (const std::string meant = did_you_mean(keyword); !meant.empty())
         return {nullptr, {}, {}, false, fmt::format("is not supported, did you mean *{}?", meant)};
     if (keyword.starts_with("MAT_") && !keyword.starts_with("MAT_ADD_"))
@@ -268,6 +282,8 @@ Match find(std::string_view keyword) {
                 "MAT",
                 false,
                 {}};
+    if (keyword.starts_with("SENSOR_"))
+        return {nullptr, {}, {}, false, "is not supported yet: sensors switch nothing here"};
     const bool is_later = begins_with_any(keyword, LATER);
     return {nullptr, {}, {}, false, is_later ? "is not supported yet" : "is not supported"};
 }

@@ -15,13 +15,20 @@ namespace corpuscle::io::keywords {
 
 namespace {
 
-/// What a refused keyword would have defined: others that refer to it are no further faults.
-void spoil(const Block& block, Draft& draft) {
+/// Where ids of a keyword's family are kept, and the one that a keyword that is not read has on its
+/// first card.
+struct Defined {
+    Registry* registry = nullptr;  ///< nullptr: ids of this keyword are not kept
+    int id = 0;                    ///< 0: none
+};
+
+Defined defined_by(const Block& block, Draft& draft) {
     const std::pair<std::string_view, Registry*> families[] = {
         {"SET_NODE", &draft.node_sets},
         {"SET_PART", &draft.part_sets},
         {"SET_SHELL", &draft.shell_sets},
         {"SET_SEGMENT", &draft.segment_sets},
+        {"SET_2D_SEGMENT", &draft.segment_sets},
         {"DEFINE_CURVE", &draft.curves},
         {"DEFINE_FUNCTION", &draft.curves},
         {"DEFINE_TABLE", &draft.curves},
@@ -34,13 +41,31 @@ void spoil(const Block& block, Draft& draft) {
         {"DEFINE_CPM_GAS_PROPERTIES", &draft.cpm_gases},
         {"DEFINE_TRANSFORMATION", &draft.transformations}};
     const bool has_title = block.keyword.find("_TITLE") != std::string::npos;
-    if (block.lines.size() <= (has_title ? 1U : 0U)) return;
+    if (block.lines.size() <= (has_title ? 1U : 0U)) return {};
+    const std::size_t width = block.columns == Columns::LONG ? 20 : 10;
     std::string_view first = block.lines[has_title ? 1 : 0].text;
-    first = first.substr(0, std::min<std::size_t>(first.find(','), 10));
+    first = first.substr(0, std::min(first.find(','), width));
     const auto id = parse_integer(trim(first));
     for (const auto& [family, registry] : families)
         if (id && block.keyword.starts_with(family))
-            registry->spoil(shifted_id(block, registry->id_kind(), *id).value_or(0));
+            return {registry, shifted_id(block, registry->id_kind(), *id).value_or(0)};
+    return {};
+}
+
+/// What would have been defined is spoilt by the fault of a keyword that is refused: others that
+/// refer to it are no further faults.
+void refuse(const Block& block, const Match& match, Faults& faults, Draft& draft) {
+    faults.fault(block.place, fmt::format("*{} {}", block.keyword.substr(0, 80), match.remark));
+    if (const Defined defined = defined_by(block, draft); defined.registry != nullptr)
+        defined.registry->spoil(defined.id);
+}
+
+/// A definition on which nothing acts: what refers to it is a fault that names it.
+void set_aside(const Block& block, Faults& faults, Draft& draft) {
+    faults.note(block.place,
+                fmt::format("*{} is not used: nothing that is read refers to it", block.keyword));
+    if (const Defined defined = defined_by(block, draft); defined.registry != nullptr)
+        defined.registry->set_aside(defined.id, {block.keyword, block.place});
 }
 
 /// Of keywords of which one holds.
@@ -71,11 +96,10 @@ std::vector<Task> sort_out(const DeckText& text, const Parameters& parameters, F
         else if (match.is_harmless)
             faults.note(block.place, fmt::format("*{} is not read, it cannot change the answer{}",
                                                  block.keyword.substr(0, 80), match.remark));
-        else {
-            faults.fault(block.place,
-                         fmt::format("*{} {}", block.keyword.substr(0, 80), match.remark));
-            spoil(block, draft);
-        }
+        else if (match.is_definition)
+            set_aside(block, faults, draft);
+        else
+            refuse(block, match, faults, draft);
     }
     std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) {
         return a.match.keyword->phase < b.match.keyword->phase;

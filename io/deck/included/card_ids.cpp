@@ -94,6 +94,7 @@ Index Card::row(std::size_t i, const Registry& registry) {
     if (!id) return -1;
     if (const Registry::Entry* entry = registry.find(*id)) return entry->row;
     good_ = false;
+    remember_unread(i, *id, registry);
     if (!registry.is_spoilt(*id))
         fault(i, fmt::format("the id of a {} of the deck", registry.kind()));
     return -1;
@@ -109,7 +110,18 @@ const Registry::Entry* Card::named(std::string_view name, double id, const Regis
     if (!(id >= 1.0 && id <= LARGEST_ID) || id != std::floor(id)) return nullptr;
     mark_id(at(name), registry.id_kind());
     const std::optional<int> of_deck = shifted_id(cards_.block(), registry.id_kind(), id);
-    return of_deck ? registry.find(*of_deck) : nullptr;
+    if (!of_deck) return nullptr;
+    const Registry::Entry* entry = registry.find(*of_deck);
+    if (entry == nullptr) remember_unread(at(name), *of_deck, registry);
+    return entry;
+}
+
+void Card::remember_unread(std::size_t i, int id, const Registry& registry) {
+    const Registry::Unread* other = registry.unread(id);
+    if (other == nullptr) return;
+    unread_at_ = i;
+    unread_ = fmt::format("; {} is a *{} ({}), on which nothing acts yet", id, other->keyword,
+                          cards_.faults().where(other->place));
 }
 
 }  // namespace corpuscle::io

@@ -124,7 +124,9 @@ private:
 
     void fine_points() {
         Card c = cards_.next_plus("TSTOP=1e11 TSMTH OCCUP=0.1 REBL SIDSV PSID1 TSPLIT SFFDC=1");
-        c.harmless("TSMTH");  // ramp of TSTOP
+        c.noted("TSTOP", "there is no front to track");
+        c.noted("REBL", "no energy of the gas is lost to damping here");
+        c.harmless("TSMTH PSID1");  // ramp of TSTOP; a bag is closed whatever its normals
         c.noted("OCCUP", "particles are points here, collisions need no spheres");
         const double decay = c.real("SFFDC", within(0.01, 100.0));
         if (c.given("SFFDC")) bag_.smoothing = decay;
@@ -133,6 +135,8 @@ private:
     void front_tracking() {
         Card c = cards_.next_plus("SFIAIR4=1 IDFRIC IAIRSTAT DPWR=1 VNDAMP JETLEN JETEND SHLOFF");
         c.harmless("SFIAIR4 IAIRSTAT DPWR");  // of IAIR = 4
+        c.noted("JETLEN JETEND", "particles collide near nozzles as elsewhere");
+        c.noted("SHLOFF", "the volume is that within the middle of the shells");
         bag_.friction_pushes_along = c.choice("IDFRIC", {0, 1}) == 0;
         bag_.normal_damping = c.real("VNDAMP", within(0.0, 1.0));
     }

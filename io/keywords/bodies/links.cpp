@@ -49,4 +49,18 @@ void element_seatbelt(Cards& cards, Draft& draft) {
     link(cards, draft, layout, 0);
 }
 
+/// Of belts alone, which are no more than links.
+void belt_device(Cards& cards, Draft&) {
+    cards.warn("is left out, as belts are: nothing pulls or locks");
+    cards.abandon();
+}
+
+/// Measures, and may weigh something; what refers to it is not read.
+void accelerometer(Cards& cards, Draft&) {
+    while (cards.rows())
+        cards.next("SBACID NID1 NID2 NID3 IGRAV INTOPT MASS")
+            .harmless("SBACID NID1 NID2 NID3 IGRAV INTOPT");
+    cards.note("is not written: nothing that is read refers to it");
+}
+
 }  // namespace corpuscle::io::keywords

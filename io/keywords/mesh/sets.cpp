@@ -32,7 +32,8 @@ public:
     explicit MissingIds(const Registry& things) : things_(things) {}
 
     [[nodiscard]] bool has(int id) const {
-        return things_.find(id) == nullptr && !things_.is_spoilt(id);
+        return things_.find(id) == nullptr && !things_.is_spoilt(id) &&
+               things_.unread(id) == nullptr;
     }
     /// @param card, field  of the first one, from 1
     void add(int id, Place at, std::size_t card, std::size_t field) {

@@ -156,6 +156,10 @@ TEST_CASE("AIRBAG_PARTICLE: every suffix inserts its card", "[io]") {
         check();
         CHECK(
             any_contains(folder.read(bag.deck()).warnings, "(OCCUP) = 0.05: particles are points"));
+        bag.behind_2 = "+0.02,,,1,,7\n+1.0,,,,,0.05,0.1,1\n";
+        check();
+        for (const char* field : {"(TSTOP)", "(REBL)", "(JETLEN)", "(JETEND)", "(SHLOFF)"})
+            CHECK(any_contains(folder.read(bag.deck()).warnings, field));
     }
 }
 
