@@ -155,15 +155,15 @@ double LoadingLoop::steepest() const {
 /// Going on from e_m to e_m + d and back to any e loses d ∫ L ρ' ξ de/e_m from e to e_m.
 bool LoadingLoop::loops_lose(double most) const {
     constexpr int STEPS = 400;
-    double sum = 0.0, size = 0.0;
+    double sum = 0.0, slack = 0.0;  // slack: of rounding
     for (int i = STEPS; i-- > 0;) {
         const double low = double(i) / STEPS, high = double(i + 1) / STEPS,
                      mid = 0.5 * (low + high);
         const double rise = share_->at(high).stress - share_->at(low).stress;
-        const double part = load_.at(mid * most).stress * mid * rise;
-        sum += part;
-        size += std::abs(part);
-        if (sum < -1e-6 * size) return false;
+        const double all = load_.at(mid * most).stress * mid;
+        sum += all * rise;
+        slack += std::abs(all) * (1e-6 * std::abs(rise) + 1e-12);
+        if (sum < -slack) return false;
     }
     return true;
 }

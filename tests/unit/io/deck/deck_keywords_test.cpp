@@ -231,7 +231,8 @@ TEST_CASE("MAT_FABRIC: curves of forms 4 and 14, loading and unloading", "[io]")
     const DeckFolder folder;
     const std::string curves =
         "*DEFINE_CURVE\n21\n0,0\n0.1,0.01\n0.3,0.09\n*DEFINE_CURVE\n22\n0,0\n0.2,0.01\n0.3,0.09\n"
-        "*DEFINE_CURVE\n23\n0,0\n0.2,0.06\n0.3,0.09\n";
+        "*DEFINE_CURVE\n23\n0,0\n0.2,0.06\n0.3,0.09\n"
+        "*DEFINE_CURVE\n24\n0,0\n0.1,1e6\n0.4,8e6\n";
     const auto deck = [&](const std::string& form, const std::string& card) {
         return fabric_deck("0.4,0.3,,0.2", "0.01", "0,,,,," + form, card + "\n" + curves);
     };
@@ -245,4 +246,5 @@ TEST_CASE("MAT_FABRIC: curves of forms 4 and 14, loading and unloading", "[io]")
                    "(LCUA) = 23, expected a curve that nowhere exceeds that of loading"));
     CHECK(contains(folder.faults(deck("14", "21,,,22,,,2")).at(0), "(RL) = 2, expected 0 to 1"));
     CHECK(contains(folder.faults(deck("4", "21,,,22,,,0.5")).at(0), "(RL) = 0.5, expected 0"));
+    CHECK(folder.faults(deck("14", "24,24,24,24,24,24")).empty());  // a loop loses nothing
 }
