@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "gas/enclosure/inside.hpp"
+#include "gas/enclosure/wetted_surface.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/surface.hpp"
 

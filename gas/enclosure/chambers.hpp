@@ -10,9 +10,10 @@
 #include "gas/cards/bag.hpp"
 #include "gas/enclosure/bag_walls.hpp"
 #include "gas/enclosure/enclosure.hpp"
-#include "gas/enclosure/wetted_surface.hpp"
 
 namespace corpuscle::gas {
+
+class WettedSurface;
 
 /// The chambers of a bag (*DEFINE_CPM_CHAMBER): each a closed surface of its own, of closing facets
 /// and of internal ones that it shares with another chamber. Together they fill the bag.
