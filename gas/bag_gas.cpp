@@ -18,7 +18,8 @@ BagGas::BagGas(const BagCard& card, BagWalls walls, std::span<const Curve> curve
                std::uint64_t seed, std::span<const Index> body)
     : bag_(
           std::make_unique<Envelope>(card, std::move(walls), curves, node_id, held, x, seed, body)),
-      particles_(std::make_unique<ParticleGas>(*bag_, curves, x, seed)) {}
+      particles_(std::make_unique<ParticleGas>(*bag_, curves, x, seed)),
+      energy_at_start_(particles_->energy()) {}
 
 void BagGas::add_load(const Points& x, const Points& v, std::span<const double> mass, double span,
                       Points& f) {

@@ -112,6 +112,8 @@ public:
     [[nodiscard]] double energy() const;  ///< all gas inside  [J]
     /// Energy brought by inflow and ambient air so far.                                       [J]
     [[nodiscard]] double inflow_energy() const;
+    /// All energy that the gas ever had: at the start, and what came in since.             [J]
+    [[nodiscard]] double energy_had() const { return energy_at_start_ + inflow_energy(); }
     /// Energy lost so far: through openings, as heat, with lost particles.                    [J]
     [[nodiscard]] double lost_energy() const;
     /// Energy taken by hits and jets, less what was paid back and the gas's other debts.     [J]
@@ -191,6 +193,7 @@ private:
     std::unique_ptr<ParticleGas> particles_;
     std::unique_ptr<UniformGas> uniform_;  ///< after TSW
     std::vector<std::uint8_t> pressed_;    ///< N: nodes that contact presses harder than the gas
+    double energy_at_start_ = 0.0;         ///< [J]
 };
 
 }  // namespace corpuscle::gas

@@ -42,6 +42,7 @@ class ParticleRuns {
 public:
     static constexpr std::size_t ROWS = 128;  ///< of a run; the last of a bag may have fewer
 
+    /// Boxes about the particles of bags where they are now.
     explicit ParticleRuns(std::span<const BagGas> bags);
     /// visit(row) for the particles of a bag, by its row, in runs with a place as near to `at` as
     /// `reach`, ascending.

@@ -13,7 +13,7 @@ namespace corpuscle {
 void check_finite(const SceneState& scene);
 /// Whether time, places, velocities and all of the particles are finite: a state to go on from.
 [[nodiscard]] bool is_finite(const SceneState& scene);
-/// Where an account of the energy balance is not finite.
+/// Where an account of the energy balance is not finite, or gas has given more than it ever had.
 void check_accounts(const SceneState& scene);
 /// Where the step has become too long for the fabric. Once in a step, with its forces.
 void check_growth(SceneState& scene, double span);

@@ -139,11 +139,10 @@ TEST_CASE("a chamber of internal parts alone takes its volume from the one that 
     }
 }
 
-TEST_CASE("a room of vacuum is warned of, and what its gas does in the end does not blame the step",
+TEST_CASE("a room of vacuum is warned of, and stops when its gas has given more than it had",
           "[io]") {
     const Model model = read("vacuum_room.k");
-    int hurled = 0;
-    for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
         CAPTURE(seed);
         Simulation scene(model, seed);
         CHECK(tells(scene.model().warnings, "chamber 2: a vacuum for good"));
@@ -153,13 +152,8 @@ TEST_CASE("a room of vacuum is warned of, and what its gas does in the end does 
         } catch (const PhysicsError& error) {
             why = error.what();
         }
-        CAPTURE(why);
-        if (why.find("from nowhere") == std::string::npos) continue;
-        ++hurled;
-        CHECK(why.find("squeezed gas hurled it") != std::string::npos);
-        CHECK(why.find("the step is too long") == std::string::npos);
+        CHECK_THAT(why, Catch::Contains("its gas has given the fabric"));
     }
-    CHECK(hurled > 0);
 }
 
 TEST_CASE("a bag runs the same wherever a deck places it, and however it numbers it", "[io]") {
