@@ -28,6 +28,7 @@ constexpr double T_REST = 300.0, CELL_EDGE = 0.025;  ///< [K], of a cell [m]
 constexpr double IN_A_CELL = 30.0,
                  CROSSED = 1.0 / 8.0;  ///< particles, c_T dt / h, as bags have them
 constexpr int CELLS = 8;               ///< along each edge of the box
+constexpr int EVERY = 4;               ///< steps that a sample of the waves stands for
 constexpr double BOX_EDGE = CELLS * CELL_EDGE;
 constexpr double WAVE_NUMBER = std::numbers::pi / BOX_EDGE;
 
@@ -36,7 +37,7 @@ const double DT = CROSSED * CELL_EDGE / C_T;
 
 using Signal = std::vector<double>;
 
-/// What waves along the three axes do, step by step.
+/// What waves along the three axes do, sample by sample.
 struct Waves {
     std::array<Signal, 3> momentum, entropy;
 };
@@ -51,6 +52,8 @@ Waves watch(int steps, std::uint64_t seed) {
                  enthalpy = air::MOLAR_CP / air::MOLAR_MASS * T_REST;
     Waves waves;
     for (int step = 0; step < steps; ++step) {
+        box.step(DT);
+        if (step % EVERY != 0) continue;
         Vec3 momentum = Vec3::Zero(), entropy = Vec3::Zero();
         for (std::size_t i = 0; i < n; ++i) {
             const Vec3& v = box.gas.v[i];
@@ -65,12 +68,11 @@ Waves watch(int steps, std::uint64_t seed) {
             waves.momentum[a].push_back(momentum[a]);
             waves.entropy[a].push_back(entropy[a]);
         }
-        box.step(DT);
     }
     return waves;
 }
 
-/// Autocorrelation of all signals together at a lag in steps, over that at none.
+/// Autocorrelation of all signals together at a lag in samples, over that at none.
 double correlation(const std::array<Signal, 3>& signals, int lag) {
     double at_lag = 0.0, at_none = 0.0;
     for (const Signal& s : signals)
@@ -86,12 +88,13 @@ void check_decay(int steps, double within) {
     const Waves waves = watch(steps, 1);
     const double unit = C_T * CELL_EDGE * WAVE_NUMBER * WAVE_NUMBER;  // [1/s]
     const double c = std::sqrt(air::GAMMA) * C_T;
+    const double between = EVERY * DT;  // samples [s]
     const int period =
-        static_cast<int>(std::lround(2.0 * std::numbers::pi / (WAVE_NUMBER * c * DT)));
-    const int fold = static_cast<int>(std::lround(0.5 / (OF_HEAT * unit * DT)));
-    const double alpha = -std::log(correlation(waves.entropy, fold)) / (fold * DT * unit);
+        static_cast<int>(std::lround(2.0 * std::numbers::pi / (WAVE_NUMBER * c * between)));
+    const int fold = static_cast<int>(std::lround(0.5 / (OF_HEAT * unit * between)));
+    const double alpha = -std::log(correlation(waves.entropy, fold)) / (fold * between * unit);
     const double gamma =
-        -2.0 * std::log(correlation(waves.momentum, period)) / (period * DT * unit);
+        -2.0 * std::log(correlation(waves.momentum, period)) / (period * between * unit);
     report("LIN: heat, alpha / (c_T h)", OF_HEAT, alpha);
     report("LIN: sound of 16 cells, Gamma / (c_T h)", OF_SOUND, gamma);
     CHECK(alpha == Approx(OF_HEAT).epsilon(within));

@@ -158,8 +158,9 @@ TEST_CASE("results of the decks of others have finite numbers only", "[finite]")
             test::shell(fmt::format("ulimit -t 60; {} run '{}' -q -j 1 -o '{}' 2>&1",
                                     CORPUSCLE_PROGRAM, entry.path().string(), out.string()));
         INFO(entry.path().filename().string() << "\n" << told);
-        CHECK((status == 0 || status == 2));  // some are there to be refused
-        if (status != 0) continue;
+        const bool breaks = entry.path().stem() == "vacuum_room";
+        if (status == 2 && !breaks) continue;  // some are there to be refused
+        CHECK(status == (breaks ? 3 : 0));
         const test::Numbers found = test::numbers_of(out / "results.h5");
         CHECK(found.not_finite == "");
         numbers += found.count;
