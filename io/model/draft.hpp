@@ -125,7 +125,6 @@ struct CpmGas {
     double molar_mass = NaN;     ///< [kg/mol]
     std::array<double, 5> cp{};  ///< of T^0 to T^4, by mole                        [J/(mol K)]
     std::string refused;         ///< fields that are set and that nothing acts on
-    Place place;                 ///< of its card
 };
 
 /// Of airbags, until their keywords are all read.

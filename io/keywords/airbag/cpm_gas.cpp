@@ -64,7 +64,6 @@ void define_cpm_gas(Cards& cards, Draft& draft) {
     {
         Card c = cards.next("ID XMM CP0 CP1 CP2 CP3 CP4");
         c.new_id("ID", draft.cpm_gases, draft.cpm_gas.size());
-        gas.place = c.place();
         gas.molar_mass = c.real("XMM", POSITIVE);
         constexpr const char* NAMES[] = {"CP0", "CP1", "CP2", "CP3", "CP4"};
         for (std::size_t k = 0; k < gas.cp.size(); ++k) gas.cp[k] = c.real(NAMES[k]);
