@@ -47,6 +47,7 @@ StepReport Simulation::step(const Observer& observe) {
     if (!scene_.airbags.uniform.empty())                                        lap("uniform bags");
 
     // 5. Energy balance and clock
+    check_given(scene_);
     scene_.ledger.commit();
     nodes.x.swap(nodes.x_1);
     scene_.clock.advance(dt);

@@ -172,8 +172,11 @@ void check_accounts(const SceneState& scene) {
                                fmt::format("the energy account of {} is not finite after "
                                            "the forces of this step were booked",
                                            name));
-    // The load follows its hits by some steps: sheets that pass through each other in between, with
-    // gas between them, are lent what nobody has.
+}
+
+// The load follows its hits by some steps: sheets that pass through each other in between, with gas
+// between them, are lent what nobody has.
+void check_given(const SceneState& scene) {
     for (const gas::BagGas& bag : scene.airbags.particle)
         if (const double had = bag.energy_had(); bag.smoothing_given() > had)
             throw PhysicsError(
