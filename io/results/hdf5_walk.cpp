@@ -4,6 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <system_error>
+
 #include "io/results/hdf5.hpp"
 #include "io/system/confined.hpp"
 #include "solver/base/error.hpp"
@@ -12,7 +16,14 @@ namespace corpuscle::io {
 namespace {
 
 constexpr int DEEPEST = 16;  ///< groups in groups; results have five
-constexpr int SECONDS = 60;  ///< a million datasets
+
+/// A million datasets take a minute; each has some hundred bytes at least. [s]
+int seconds_for(const std::filesystem::path& file) {
+    constexpr std::uintmax_t LEAST = 5, MOST = 60, BYTES_A_SECOND = std::uintmax_t{1} << 20;
+    std::error_code unknown;
+    const std::uintmax_t size = std::filesystem::file_size(file, unknown);
+    return static_cast<int>(unknown ? MOST : std::min(MOST, LEAST + size / BYTES_A_SECOND));
+}
 
 /// What is an error here is left for the reader to meet, and to tell.
 template <class Look>
@@ -52,7 +63,7 @@ void expect_survivable(const std::filesystem::path& file) {
             attempt([&] { walk(Hdf5Reader(file, Hdf5Reader::Origin::OWN), "/", 1); });
             return std::vector<char>{};
         },
-        {.seconds = SECONDS, .is_mute = true});
+        {.seconds = seconds_for(file), .is_mute = true});
     if (!walked.bytes)
         throw SystemError(
             fmt::format("cannot read {}: it is damaged: {}", file.string(), walked.failure));

@@ -2,14 +2,20 @@
 # The Debian packages of a build on a bare Debian 12, a fresh minimal system in a folder of its own: installs the program with what
 # it depends on and nothing else, runs the main job, a report and a restart, installs the libraries, builds and runs
 # examples/ on them, removes all, and holds files and packages of the system to those of before.
-# usage: deb.sh BUILD      BUILD: a build tree; build/package, as tools/package/build makes it, holds what is given away
-# Skipped (77) without root, debootstrap, mounts or Debian's mirror. Some minutes; fetches some 400 MB.
+# usage: deb.sh BUILD [COMPILER_LAUNCHER]      BUILD: a build tree; build/package, as tools/package/build makes it, holds what is given away
+# Without root, debootstrap, mounts or Debian's mirror: examples/ on the libraries of BUILD alone, then skipped (77). Some
+# minutes; fetches some 400 MB.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${1:-build/package}
+launcher=${2:-}
 say() { echo "deb: $*"; }
 fail() { echo "deb: $*" >&2; exit 1; }
-skip() { say "skipped: $*"; exit 77; }
+skip() {
+    say "no bare system: $*; examples on the libraries of $build"
+    tests/package/examples.sh "$build" "$launcher" || fail "examples"
+    exit 77
+}
 [ "$(id -u)" -eq 0 ] || skip "not root"
 command -v debootstrap >/dev/null || skip "no debootstrap"
 mirror=$({ cat /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null || true; } |
