@@ -206,7 +206,7 @@ void ParticleGas::fly(double t, double dt, const Points& x_0, const Points& x_1)
         look_inside(dt, x_0, x_1);
     if (!bag_.openings.empty()) {
         look_at_openings();
-        bag_.openings.set_transmission(t, dt, x_0, at_opening_);
+        bag_.openings.set_transmission(t, dt, x_0, at_opening_, bag_.rooms);
         bag_.openings.keep_to_balance(dt, bag_.volumes);
     }
     try {

@@ -76,7 +76,7 @@ WallSamples::Drawn drawn_by(const Opening& opening) {
 
 }  // namespace
 
-/// The gas at each opening, on its own side; at an internal one, through which gas goes both ways,
+/// The gas at each opening, on its own side; at an internal hole, through which gas goes both ways,
 /// the mean of both sides.
 void ParticleGas::look_at_openings() {
     const std::vector<Opening>& all = bag_.openings.all();
@@ -121,15 +121,18 @@ void ParticleGas::pass_on() {
 /// the gas round the opening: the next to hit there pay.
 void ParticleGas::let_out(double dt) {
     const Openings::Passed& passed =
-        bag_.openings.count(flight_, dt, at_opening_, particles_.species);
+        bag_.openings.count(flight_, dt, at_opening_, bag_.rooms, particles_.species);
     bag_.balance.lost_energy += passed.energy;
     gone_.insert(gone_.end(), passed.rows.begin(), passed.rows.end());
     for (std::size_t o = 0; o < passed.still_owed.size(); ++o) {
         if (passed.still_owed[o] == 0.0) continue;
-        bag_.load.charge(
-            bag_.samples.points(static_cast<std::size_t>(bag_.openings.all()[o].sample)),
-            passed.still_owed[o]);
-        bag_.balance.lost_energy += passed.still_owed[o];
+        const Opening& opening = bag_.openings.all()[o];
+        bag_.load.charge(bag_.samples.points(static_cast<std::size_t>(opening.sample)),
+                         passed.still_owed[o]);
+        if (opening.is_internal)
+            bag_.load.charge(opening.points_ahead, -passed.still_owed[o]);
+        else
+            bag_.balance.lost_energy += passed.still_owed[o];
     }
     for (std::size_t r = 0; r < bag_.air.size(); ++r) {
         InitialAir& air = bag_.air[r];

@@ -58,8 +58,9 @@ void CollisionCells::find_open_facets(const Transmission* transmission) {
     is_open_.clear();
     if (transmission == nullptr) return;
     const auto lets_all_through = [](const Transmission::Chances& chances) {
-        return chances.is_internal && std::all_of(chances.chance.begin(), chances.chance.end(),
-                                                  [](double chance) { return chance >= 1.0; });
+        return chances.is_internal && !chances.has_sides() &&
+               std::all_of(chances.chance.begin(), chances.chance.end(),
+                           [](double chance) { return chance >= 1.0; });
     };
     if (std::none_of(transmission->all.begin(), transmission->all.end(), lets_all_through)) return;
     is_open_.assign(lists_.triangles().size(), 0);

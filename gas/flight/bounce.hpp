@@ -82,12 +82,23 @@ inline bool leads_away(const FlightScene& scene, const Meeting& meeting, const V
     return (plane.normal.dot(v) - speed) * (plane.normal.dot(away) - speed) < 0.0;
 }
 
-/// Whether a hit comes from the front of the facet, that its normal leads to.
-inline bool is_on_front(const FlightScene& scene, const Meeting& meeting, const Vec3& impulse) {
+/// Whether what goes to the facet along `way` comes from its front, that its normal leads to: the
+/// impulse of a hit, or a velocity past the facet's.
+inline bool is_on_front(const FlightScene& scene, const Meeting& meeting, const Vec3& way) {
     const Triangle& nodes = scene.triangles[meeting.facet];
     std::array<Vec3, 3> x;
     for (int c = 0; c < 3; ++c) x[c] = 0.5 * (scene.x_0[nodes[c]] + scene.x_1[nodes[c]]);
-    return impulse.dot(vector_area(x[0], x[1], x[2])) < 0.0;
+    return way.dot(vector_area(x[0], x[1], x[2])) < 0.0;
+}
+
+/// What a facet's opening does with a particle.
+inline Transmission::Outcome outcome_at(const FlightScene& scene, const Meeting& meeting,
+                                        std::int32_t species, std::int32_t id, int hit,
+                                        const Vec3& v) {
+    const Transmission& openings = *scene.transmission;
+    const bool from_front = openings.has_sides(meeting.facet) &&
+                            is_on_front(scene, meeting, v - velocity_at(scene, meeting));
+    return openings.outcome(meeting.facet, species, id, hit, from_front);
 }
 
 /// Specular, but for friction; never through the facet, not even where it turns within the step.

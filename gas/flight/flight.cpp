@@ -91,10 +91,11 @@ End fly_one(const FlightScene& scene, double born, Flyer& who) {
         last = meeting;
         Transmission::Outcome outcome;
         if (scene.transmission != nullptr)
-            outcome =
-                scene.transmission->outcome(meeting.facet, who.species, who.id, who.bounces++);
+            outcome = outcome_at(scene, meeting, who.species, who.id, who.bounces++, who.v);
         if (outcome.fate == Transmission::Fate::THROUGH) {
-            who.arrivals.push_back({who.row, meeting.facet, outcome, 0.0});
+            const double motion = (who.v - velocity_at(scene, meeting)).squaredNorm();
+            who.arrivals.push_back(
+                {who.row, meeting.facet, outcome, 0.5 * who.mass * motion + who.internal});
             after = meeting.where.tau;
             continue;
         }

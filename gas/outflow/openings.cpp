@@ -153,6 +153,17 @@ void Openings::add_vent(const BagWalls& walls, const VentCard& vent, Index row,
     }
 }
 
+/// What is on the other side of internal fabric.
+void Openings::add_ahead(Opening& opening, const WettedSurface& surface) {
+    const auto front = [&](Index f) { return surface.side(static_cast<std::size_t>(f), true); };
+    opening.ahead = surface.room(front(opening.facets[0]));
+    std::vector<Index>& points = opening.points_ahead;
+    for (const Index f : opening.facets)
+        for (const Index p : surface.points(front(f))) points.push_back(p);
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+}
+
 void Openings::add_leak(const BagWalls& walls, const LeakCard& leak, Index row,
                         const WettedSurface& surface, const WallSamples& samples,
                         std::span<const Vec3> x) {
@@ -174,6 +185,7 @@ void Openings::add_leak(const BagWalls& walls, const LeakCard& leak, Index row,
         const auto one = static_cast<std::size_t>(opening.facets[0]);
         opening.room = surface.room(surface.side(one, false));
         opening.is_internal = !surface.closes(one);
+        if (opening.is_internal) add_ahead(opening, surface);
         if (opening.is_internal && leak.growth)
             throw InputError(
                 Fault{.of = name_,
@@ -182,12 +194,14 @@ void Openings::add_leak(const BagWalls& walls, const LeakCard& leak, Index row,
                       .why = "internal, and its pores grow with strain, expected a constant leak"});
         opening.first_area = area_of(opening.facets, x);
         whole += opening.first_area;
-        opening.share.assign(species_.size(), 0.0);
-        opening.due_of.assign(species_.size(), 0.0);
+        for (Opening::Seepage* side : {&opening.own, &opening.front}) {
+            side->share.assign(species_.size(), 0.0);
+            side->due.assign(species_.size(), 0.0);
+        }
         // Internal fabric is no wall to who passes; fabric that closes the bag is pushed by all who
         // come.
-        const bool closes = !opening.is_internal;
-        add_opening(std::move(opening), closes, closes ? 1.0 : 0.0);
+        const double push = opening.is_internal ? 0.0 : 1.0;
+        add_opening(std::move(opening), true, push);
     }
     if (!leak.from_reference) return;
     for (std::size_t o = first; o < openings_.size(); ++o) {

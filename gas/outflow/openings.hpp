@@ -22,6 +22,16 @@ namespace corpuscle::gas {
 /// One way out of a room, or between two. A vent is one opening for each room that it leads out
 /// of; fabric that leaks is one for each patch of it (WallSamples).
 struct Opening {
+    /// Of what arrives at fabric that leaks, of each gas.
+    struct Seepage {
+        std::vector<double> share;  ///< that is to pass in this step                     [-]
+        std::vector<double> due;    ///< wanted and not passed yet                        [kg]
+
+        template <class Archive>
+        void visit_state(Archive& archive) {
+            archive(share, due);
+        }
+    };
     enum class Law {
         PLAIN,       ///< a share of those that arrive passes
         ISENTROPIC,  ///< Wang-Nefske flow through an area
@@ -34,23 +44,24 @@ struct Opening {
     std::vector<Index> facets;
     std::vector<Index> collar;  ///< closed facets round a vent
     Index room = 0;             ///< that it leads out of; of an internal one the one behind it
-    Index sample = -1;          ///< row in WallSamples that tells the state; internal vents: none
-    double first_area = 0.0;    ///< A0 of a leak: at the start, or of the reference shape [m^2]
-    bool has_opened = false;    ///< PPOP has been passed
+    Index ahead = 0;            ///< room on the other side of internal fabric that leaks
+    std::vector<Index> points_ahead;  ///< wall points of the same on that side
+    Index sample = -1;        ///< row in WallSamples that tells the state; internal vents: none
+    double first_area = 0.0;  ///< A0 of a leak: at the start, or of the reference shape [m^2]
+    bool has_opened = false;  ///< PPOP has been passed
 
     // This step's
-    double area = 0.0;          ///< of all facets                                        [m^2]
-    double free = 1.0;          ///< share of it that contact leaves                      [-]
-    double flow = 0.0;          ///< wanted of the particles, ISENTROPIC                  [kg/s]
-    double air_flow = 0.0;      ///< of the air that is no particles                      [kg/s]
-    double intake = 0.0;        ///< of ambient air, IAIR = -1                            [kg/s]
-    std::vector<double> share;  ///< of what arrives of each gas, SEEPAGE                 [-]
-    double air_heat = 1.0;      ///< share of R T by which each mole of it carries more than u [-]
+    double area = 0.0;      ///< of all facets                                        [m^2]
+    double free = 1.0;      ///< share of it that contact leaves                      [-]
+    double flow = 0.0;      ///< wanted of the particles, ISENTROPIC                  [kg/s]
+    double air_flow = 0.0;  ///< of the air that is no particles                      [kg/s]
+    double intake = 0.0;    ///< of ambient air, IAIR = -1                            [kg/s]
+    double air_heat = 1.0;  ///< share of R T by which each mole of it carries more than u [-]
 
     // Carried from step to step
-    double due = 0.0;              ///< wanted and not passed yet                     [kg]
-    std::vector<double> due_of;    ///< the same of each gas, SEEPAGE                 [kg]
-    double arriving = 0.0;         ///< flow that arrives, smoothed, by weight        [kg/s]
+    double due = 0.0;       ///< wanted and not passed yet                     [kg]
+    Seepage own, front;     ///< of SEEPAGE; front: of what comes from ahead of internal fabric
+    double arriving = 0.0;  ///< flow that arrives, smoothed, by weight        [kg/s]
     double collar_arriving = 0.0;  ///< the same on the collar                        [kg/s]
     double memory = 0.0;           ///< time over which it is smoothed                [s]
     double short_of = 0.0;         ///< beyond what all arrivals could give           [kg]
@@ -59,8 +70,8 @@ struct Opening {
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(has_opened, area, free, flow, air_flow, intake, share, air_heat, due, due_of,
-                arriving, collar_arriving, memory, short_of, mass_out);
+        archive(has_opened, area, free, flow, air_flow, intake, air_heat, due, own, front, arriving,
+                collar_arriving, memory, short_of, mass_out);
     }
 };
 
@@ -93,9 +104,10 @@ public:
     /// what contact presses harder than the gas.                                      N × 1
     void block(std::span<const std::uint8_t> touching, std::span<const std::uint8_t> pressed);
 
-    /// Chances for a flight over dt from t. inside: the gas at each opening.
+    /// Chances for a flight over dt from t.
+    /// @param inside  the gas at each opening  @param rooms  that in each room
     void set_transmission(double t, double dt, std::span<const Vec3> x,
-                          std::span<const Inside> inside);
+                          std::span<const Inside> inside, std::span<const Inside> rooms);
     /// The same for one opening.
     void set_chances(std::size_t row, double t, double dt, std::span<const Vec3> x,
                      const Inside& inside);
@@ -119,12 +131,15 @@ public:
 
     /// What the last flight let out.
     struct Passed {
-        double energy = 0.0;             ///< that the particles carried with them            [J]
-        std::vector<double> still_owed;  ///< by opening: enthalpy that they should have, less that
-        std::vector<std::size_t> rows;   ///< of the particles, ascending
+        double energy = 0.0;  ///< that the particles carried with them            [J]
+        /// By opening: enthalpy that they should have, less that; of internal ones what goes on
+        /// to the room ahead.                                                            [J]
+        std::vector<double> still_owed;
+        std::vector<std::size_t> rows;  ///< of the particles, ascending
     };
+    /// @param inside, rooms  as in set_transmission()  @param species  of the particles
     const Passed& count(const FlightResult& flight, double dt, std::span<const Inside> inside,
-                        std::span<const std::int32_t> species);
+                        std::span<const Inside> rooms, std::span<const std::int32_t> species);
 
     /// Mass of a room's air that wants to leave in dt, and the factor k in its energy
     /// u + k R T / M.
@@ -152,6 +167,7 @@ private:
     void add_leak(const BagWalls& walls, const LeakCard& leak, Index row,
                   const WettedSurface& surface, const WallSamples& samples,
                   std::span<const Vec3> x);
+    static void add_ahead(Opening& opening, const WettedSurface& surface);
     void add_opening(Opening opening, bool counts_all, double push);
     void add_collar(Opening& opening, Index row, double wanted, std::span<const Index> sides,
                     const WettedSurface& surface, std::span<const Vec3> x);
@@ -166,8 +182,8 @@ private:
     [[nodiscard]] double area_of(std::span<const Index> facets, std::span<const Vec3> x) const;
     [[nodiscard]] double curve_or(Index curve, double at, double otherwise) const;
     [[nodiscard]] double vent_factor(Opening& opening, double t, const Inside& inside) const;
-    [[nodiscard]] double steered(const Opening& opening, std::size_t species, double dt,
-                                 const Inside& inside) const;
+    [[nodiscard]] double steered(const Opening& opening, const Opening::Seepage& seepage,
+                                 std::size_t species, double dt, const Inside& inside) const;
     [[nodiscard]] double leak_share(const Opening& opening, double t) const;
     [[nodiscard]] double leak_area(const Opening& opening, const Inside& inside) const;
     void measure(Opening& opening, std::span<const Vec3> x) const;
@@ -177,6 +193,10 @@ private:
     void set_isentropic(Index row, double area, double dt, const Inside& inside);
     void set_intake(Index row, double t, double area, const Inside& inside);
     void set_seepage(Index row, double t, double dt, const Inside& inside);
+    void set_between(Index row, double t, double dt, std::span<const Inside> rooms);
+    [[nodiscard]] double seepage_velocity(const Opening& opening, double t, const Inside& from,
+                                          double p_out, double own, double molar_mass) const;
+    void count_through(const Arrival& arrival, std::span<const Inside> rooms, std::int32_t species);
     void expect_arrivals(Opening& opening, double dt, const Inside& inside) const;
 
     std::string name_;  ///< of the bag

@@ -3,6 +3,7 @@
 //
 // What internal openings let through from room to room, but for particles.
 
+#include <algorithm>
 #include <cmath>
 
 #include "gas/outflow/beyond_chance.hpp"
@@ -38,6 +39,41 @@ double Openings::flow_between(std::size_t row, double t, const Inside& from, dou
     return density * area * leak_share(opening, t) *
            curve_or(leak.velocity_curve, from.pressure, leak.velocity) *
            leak_speed(leak.law, from.pressure, p_out, density, from.gamma);
+}
+
+/// Through fabric inside the bag: as set_seepage(), for the gas on each side by itself.
+void Openings::set_between(Index row, double t, double dt, std::span<const Inside> rooms) {
+    Opening& opening = openings_[row];
+    const auto set = [&](const Inside& from, const Inside& to, Opening::Seepage& seepage,
+                         std::vector<double>& chance) {
+        chance.assign(species_.size(), 0.0);
+        if (!from.holds_gas()) return;
+        for (std::size_t s = 0; s < species_.size(); ++s) {
+            const double M = species_[s].molar_mass();
+            const double velocity =
+                seepage_velocity(opening, t, from, to.pressure, from.density[s], M);
+            seepage.share[s] =
+                std::clamp(velocity / effusion_speed(from.temperature, gas_constant_, M), 0.0, 1.0);
+            chance[s] = steered(opening, seepage, s, dt, from);
+        }
+    };
+    Transmission::Chances& chances = transmission_.all[row];
+    const Inside &behind = rooms[opening.room], &ahead = rooms[opening.ahead];
+    set(behind, ahead, opening.own, chances.chance);
+    set(ahead, behind, opening.front, chances.front_chance);
+}
+
+/// Gas that seeps takes its enthalpy along: what a particle that has passed lacks of it is owed by
+/// the gas that it came from, to that where it goes.
+void Openings::count_through(const Arrival& arrival, std::span<const Inside> rooms,
+                             std::int32_t species) {
+    const Index row = arrival.outcome.opening;
+    const Opening& opening = openings_[row];
+    if (opening.leak < 0 || opening.room == opening.ahead) return;
+    const bool from_front = arrival.outcome.from_front;
+    const Inside& from = rooms[from_front ? opening.ahead : opening.room];
+    const double lacks = mass_[species] * species_[species].h(from.temperature) - arrival.energy;
+    passed_.still_owed[row] += from_front ? -lacks : lacks;
 }
 
 double Openings::air_between(std::size_t row, double t, const Inside& from, const Inside& to) {

@@ -24,6 +24,7 @@ constexpr double GRAINS = 3.0;
 
 const Openings::Passed& Openings::count(const FlightResult& flight, double dt,
                                         std::span<const Inside> inside,
+                                        std::span<const Inside> rooms,
                                         std::span<const std::int32_t> species) {
     passed_.energy = 0.0;
     std::fill(passed_.still_owed.begin(), passed_.still_owed.end(), 0.0);
@@ -40,9 +41,14 @@ const Openings::Passed& Openings::count(const FlightResult& flight, double dt,
                 mass * weight_[s] *
                 (arrival.outcome.by_collar ? 1.0 : transmission_.open[arrival.facet]);
             const bool is_out = arrival.outcome.fate == Transmission::Fate::OUT;
-            if (opening.law == Opening::Law::SEEPAGE && !opening.is_internal)
-                opening.due_of[s] += mass * (opening.share[s] * transmission_.open[arrival.facet] -
-                                             (is_out ? 1.0 : 0.0));
+            if (opening.law == Opening::Law::SEEPAGE) {
+                Opening::Seepage& side = arrival.outcome.from_front ? opening.front : opening.own;
+                const bool stays = arrival.outcome.fate == Transmission::Fate::BACK;
+                side.due[s] += mass * (side.share[s] * transmission_.open[arrival.facet] -
+                                       (stays ? 0.0 : 1.0));
+            }
+            if (arrival.outcome.fate == Transmission::Fate::THROUGH)
+                count_through(arrival, rooms, s);
             if (!is_out) continue;
             opening.due -= mass;
             opening.mass_out += mass;

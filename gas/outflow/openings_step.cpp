@@ -24,9 +24,13 @@ constexpr double STEPS_KEPT = 6.0;
 }  // namespace
 
 void Openings::set_transmission(double t, double dt, std::span<const Vec3> x,
-                                std::span<const Inside> inside) {
+                                std::span<const Inside> inside, std::span<const Inside> rooms) {
     ++transmission_.step;
-    for (std::size_t o = 0; o < openings_.size(); ++o) set_chances(o, t, dt, x, inside[o]);
+    for (std::size_t o = 0; o < openings_.size(); ++o) {
+        set_chances(o, t, dt, x, inside[o]);
+        if (openings_[o].is_internal && openings_[o].leak >= 0)
+            set_between(static_cast<Index>(o), t, dt, rooms);
+    }
 }
 
 void Openings::set_chances(std::size_t o, double t, double dt, std::span<const Vec3> x,
@@ -38,6 +42,7 @@ void Openings::set_chances(std::size_t o, double t, double dt, std::span<const V
     if (!inside.holds_gas()) return;
     compare(opening, inside);
     if (opening.leak >= 0) {
+        if (opening.is_internal) return;  // set_between(), after TSW flow_between()
         const double area =
             opening.law == Opening::Law::ISENTROPIC ? leak_area(opening, inside) : 0.0;
         if (opening.law == Opening::Law::ISENTROPIC)
@@ -61,7 +66,8 @@ void Openings::close(Index row) {
     Transmission::Chances& chances = transmission_.all[row];
     std::fill(chances.chance.begin(), chances.chance.end(), 0.0);
     std::fill(chances.collar_chance.begin(), chances.collar_chance.end(), 0.0);
-    std::fill(opening.share.begin(), opening.share.end(), 0.0);
+    for (Opening::Seepage* side : {&opening.own, &opening.front})
+        std::fill(side->share.begin(), side->share.end(), 0.0);
 }
 
 /// Area, and the share of it that is free.
@@ -130,7 +136,7 @@ void Openings::set_plain(Index row, double share, std::span<const Vec3> x, const
 void Openings::set_isentropic(Index row, double area, double dt, const Inside& inside) {
     Opening& opening = openings_[row];
     Transmission::Chances& chances = transmission_.all[row];
-    if (opening.is_internal) return;  // after TSW: flow_between()
+    if (opening.is_internal) return;  // a hole after TSW: flow_between()
     const double flow =
         area * orifice_flow(beyond_chance(inside.pressure, p_atm_, inside.error), p_atm_,
                             inside.temperature, inside.gamma, gas_constant_ / inside.molar_mass);
@@ -205,42 +211,45 @@ void Openings::expect_arrivals(Opening& opening, double dt, const Inside& inside
 
 /// The share of a gas that is to pass, corrected by what has passed too little or too much before:
 /// chance alone would scatter the mass by the square root of the number that has passed.
-double Openings::steered(const Opening& opening, std::size_t s, double dt,
-                         const Inside& inside) const {
+double Openings::steered(const Opening& opening, const Opening::Seepage& seepage, std::size_t s,
+                         double dt, const Inside& inside) const {
     const double arriving =
         inside.density[s] * opening.area * opening.free *
         effusion_speed(inside.temperature, gas_constant_, species_[s].molar_mass());
-    const double passing = opening.share[s] * arriving;
-    if (!(passing > 0.0) || opening.is_internal) return opening.share[s];
+    const double share = seepage.share[s], passing = share * arriving;
+    if (!(passing > 0.0)) return share;
     const double memory = STEPS_KEPT * dt + ARRIVALS_KEPT * mass_[s] / passing;
-    return std::clamp(opening.share[s] + opening.due_of[s] / (memory * arriving), 0.0, 1.0);
+    return std::clamp(share + seepage.due[s] / (memory * arriving), 0.0, 1.0);
+}
+
+/// FLC · FAC · leak_speed() of a gas whose density is `own`.                                 [m/s]
+double Openings::seepage_velocity(const Opening& opening, double t, const Inside& from,
+                                  double p_out, double own, double molar_mass) const {
+    const LeakCard& leak = leaks_[opening.leak];
+    double density = from.air_density;
+    for (const double of_species : from.density) density += of_species;
+    const double component = own * gas_constant_ * from.temperature / molar_mass;  // its pressure
+    return leak_share(opening, t) *
+           leak_speed(leak.law, beyond_chance(from.pressure, p_out, from.error), p_out, density,
+                      from.gamma) *
+           curve_or(leak.velocity_curve, leak.by_component ? component : from.pressure,
+                    leak.velocity);
 }
 
 /// density · area · FLC · FAC · leak_speed() of each gas; those that arrive are
 /// density · effusion speed · area.
 void Openings::set_seepage(Index row, double t, double dt, const Inside& inside) {
     Opening& opening = openings_[row];
-    const LeakCard& leak = leaks_[opening.leak];
-    if (!opening.is_internal && inside.pressure - 3.0 * inside.error <= p_atm_) return;
-    double density = inside.air_density;
-    for (const double of_species : inside.density) density += of_species;
-    const double share = leak_share(opening, t) *
-                         leak_speed(leak.law, beyond_chance(inside.pressure, p_atm_, inside.error),
-                                    p_atm_, density, inside.gamma);
+    if (inside.pressure - 3.0 * inside.error <= p_atm_) return;
     const auto velocity = [&](double own, double molar_mass) {
-        const double component =
-            own * gas_constant_ * inside.temperature / molar_mass;  // its own pressure
-        return share * curve_or(leak.velocity_curve,
-                                leak.by_component ? component : inside.pressure, leak.velocity);
+        return seepage_velocity(opening, t, inside, p_atm_, own, molar_mass);
     };
     const double area = opening.area * opening.free;
     opening.air_flow =
-        opening.is_internal
-            ? 0.0
-            : inside.air_density * area * velocity(inside.air_density, inside.air_molar_mass);
+        inside.air_density * area * velocity(inside.air_density, inside.air_molar_mass);
     opening.air_heat = 1.0;
     if (inside.is_uniform) {
-        for (std::size_t s = 0; s < species_.size() && !opening.is_internal; ++s)
+        for (std::size_t s = 0; s < species_.size(); ++s)
             opening.air_flow +=
                 inside.density[s] * area * velocity(inside.density[s], species_[s].molar_mass());
         return;
@@ -249,9 +258,9 @@ void Openings::set_seepage(Index row, double t, double dt, const Inside& inside)
         const double M = species_[s].molar_mass();
         const double chance =
             velocity(inside.density[s], M) / effusion_speed(inside.temperature, gas_constant_, M);
-        opening.share[s] = std::clamp(chance, 0.0, 1.0);
-        transmission_.all[row].chance[s] = steered(opening, s, dt, inside);
-        if (chance > 1.0 && !opening.is_internal)
+        opening.own.share[s] = std::clamp(chance, 0.0, 1.0);
+        transmission_.all[row].chance[s] = steered(opening, opening.own, s, dt, inside);
+        if (chance > 1.0)
             opening.short_of += (1.0 - 1.0 / chance) * velocity(inside.density[s], M) * area *
                                 inside.density[s] * dt;
     }

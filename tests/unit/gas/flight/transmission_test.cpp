@@ -111,6 +111,29 @@ TEST_CASE("an internal opening lets particles through as if it were not there",
     for (const auto& chunk : sheet.flight.hits) CHECK(chunk.empty());
 }
 
+TEST_CASE("who comes from the front of internal fabric passes by that side's chance",
+          "[gas][transmission]") {
+    // The sheet's normal and the particles' way agree, or not
+    const bool from_front = GENERATE(false, true);
+    const double speed = GENERATE(0.0, 20.0);  // the sheet's, slower than the particles
+    Sheet sheet(20000, 0.2, true, 0.0, speed);
+    sheet.transmission.all[0].front_chance = {0.7};
+    if (from_front)
+        for (auto& corners : sheet.shape.triangles) std::swap(corners[1], corners[2]);
+    sheet.fly_through();
+    const double chance = from_front ? 0.7 : 0.2;
+    const auto through = static_cast<double>(sheet.passed(Transmission::Fate::THROUGH));
+    CHECK(std::abs(through - 20000.0 * chance) <
+          4.0 * std::sqrt(20000.0 * chance * (1.0 - chance)));
+    for (const auto& chunk : sheet.flight.arrivals)
+        for (const Arrival& arrival : chunk) {
+            CHECK(arrival.outcome.from_front == from_front);
+            if (arrival.outcome.fate != Transmission::Fate::THROUGH) continue;
+            const double u = 100.0 - speed;  // past the sheet
+            CHECK(arrival.energy == Approx(0.5 * 2.0 * (9.0 + u * u) + 7.0).epsilon(1e-12));
+        }
+}
+
 TEST_CASE("a collar draws particles but is pushed like closed fabric", "[gas][transmission]") {
     Sheet sheet(20000, 0.0, false, 0.0);
     sheet.transmission.of_facet = {-1, -1};
