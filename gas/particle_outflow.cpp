@@ -130,7 +130,7 @@ void ParticleGas::let_out(double dt) {
         bag_.load.charge(bag_.samples.points(static_cast<std::size_t>(opening.sample)),
                          passed.still_owed[o]);
         if (opening.is_internal)
-            bag_.load.charge(opening.points_ahead, -passed.still_owed[o]);
+            bag_.load.charge(opening.ahead.points, -passed.still_owed[o]);
         else
             bag_.balance.lost_energy += passed.still_owed[o];
     }

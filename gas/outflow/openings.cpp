@@ -156,8 +156,8 @@ void Openings::add_vent(const BagWalls& walls, const VentCard& vent, Index row,
 /// What is on the other side of internal fabric.
 void Openings::add_ahead(Opening& opening, const WettedSurface& surface) {
     const auto front = [&](Index f) { return surface.side(static_cast<std::size_t>(f), true); };
-    opening.ahead = surface.room(front(opening.facets[0]));
-    std::vector<Index>& points = opening.points_ahead;
+    opening.ahead.room = surface.room(front(opening.facets[0]));
+    std::vector<Index>& points = opening.ahead.points;
     for (const Index f : opening.facets)
         for (const Index p : surface.points(front(f))) points.push_back(p);
     std::sort(points.begin(), points.end());
@@ -194,10 +194,8 @@ void Openings::add_leak(const BagWalls& walls, const LeakCard& leak, Index row,
                       .why = "internal, and its pores grow with strain, expected a constant leak"});
         opening.first_area = area_of(opening.facets, x);
         whole += opening.first_area;
-        for (Opening::Seepage* side : {&opening.own, &opening.front}) {
-            side->share.assign(species_.size(), 0.0);
-            side->due.assign(species_.size(), 0.0);
-        }
+        const std::vector<double> none(species_.size(), 0.0);
+        opening.seepage.assign(2, {none, none});
         // Internal fabric is no wall to who passes; fabric that closes the bag is pushed by all who
         // come.
         const double push = opening.is_internal ? 0.0 : 1.0;

@@ -32,6 +32,11 @@ struct Opening {
             archive(share, due);
         }
     };
+    /// The other side.
+    struct Ahead {
+        Index room = 0;
+        std::vector<Index> points;  ///< of its wall
+    };
     enum class Law {
         PLAIN,       ///< a share of those that arrive passes
         ISENTROPIC,  ///< Wang-Nefske flow through an area
@@ -44,11 +49,10 @@ struct Opening {
     std::vector<Index> facets;
     std::vector<Index> collar;  ///< closed facets round a vent
     Index room = 0;             ///< that it leads out of; of an internal one the one behind it
-    Index ahead = 0;            ///< room on the other side of internal fabric that leaks
-    std::vector<Index> points_ahead;  ///< wall points of the same on that side
-    Index sample = -1;        ///< row in WallSamples that tells the state; internal vents: none
-    double first_area = 0.0;  ///< A0 of a leak: at the start, or of the reference shape [m^2]
-    bool has_opened = false;  ///< PPOP has been passed
+    Ahead ahead;                ///< of internal fabric that leaks
+    Index sample = -1;          ///< row in WallSamples that tells the state; internal vents: none
+    double first_area = 0.0;    ///< A0 of a leak: at the start, or of the reference shape [m^2]
+    bool has_opened = false;    ///< PPOP has been passed
 
     // This step's
     double area = 0.0;      ///< of all facets                                        [m^2]
@@ -59,9 +63,9 @@ struct Opening {
     double air_heat = 1.0;  ///< share of R T by which each mole of it carries more than u [-]
 
     // Carried from step to step
-    double due = 0.0;       ///< wanted and not passed yet                     [kg]
-    Seepage own, front;     ///< of SEEPAGE; front: of what comes from ahead of internal fabric
-    double arriving = 0.0;  ///< flow that arrives, smoothed, by weight        [kg/s]
+    double due = 0.0;              ///< wanted and not passed yet                     [kg]
+    std::vector<Seepage> seepage;  ///< SEEPAGE: of what comes from `room`, from ahead
+    double arriving = 0.0;         ///< flow that arrives, smoothed, by weight        [kg/s]
     double collar_arriving = 0.0;  ///< the same on the collar                        [kg/s]
     double memory = 0.0;           ///< time over which it is smoothed                [s]
     double short_of = 0.0;         ///< beyond what all arrivals could give           [kg]
@@ -70,7 +74,7 @@ struct Opening {
     /// What a checkpoint holds of it (solver/base/archive.hpp).
     template <class Archive>
     void visit_state(Archive& archive) {
-        archive(has_opened, area, free, flow, air_flow, intake, air_heat, due, own, front, arriving,
+        archive(has_opened, area, free, flow, air_flow, intake, air_heat, due, seepage, arriving,
                 collar_arriving, memory, short_of, mass_out);
     }
 };

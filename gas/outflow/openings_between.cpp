@@ -58,9 +58,9 @@ void Openings::set_between(Index row, double t, double dt, std::span<const Insid
         }
     };
     Transmission::Chances& chances = transmission_.all[row];
-    const Inside &behind = rooms[opening.room], &ahead = rooms[opening.ahead];
-    set(behind, ahead, opening.own, chances.chance);
-    set(ahead, behind, opening.front, chances.front_chance);
+    const Inside &behind = rooms[opening.room], &ahead = rooms[opening.ahead.room];
+    set(behind, ahead, opening.seepage[0], chances.chance);
+    set(ahead, behind, opening.seepage[1], chances.front_chance);
 }
 
 /// Gas that seeps takes its enthalpy along: what a particle that has passed lacks of it is owed by
@@ -69,9 +69,9 @@ void Openings::count_through(const Arrival& arrival, std::span<const Inside> roo
                              std::int32_t species) {
     const Index row = arrival.outcome.opening;
     const Opening& opening = openings_[row];
-    if (opening.leak < 0 || opening.room == opening.ahead) return;
+    if (opening.leak < 0 || opening.room == opening.ahead.room) return;
     const bool from_front = arrival.outcome.from_front;
-    const Inside& from = rooms[from_front ? opening.ahead : opening.room];
+    const Inside& from = rooms[from_front ? opening.ahead.room : opening.room];
     const double lacks = mass_[species] * species_[species].h(from.temperature) - arrival.energy;
     passed_.still_owed[row] += from_front ? -lacks : lacks;
 }

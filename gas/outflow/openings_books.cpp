@@ -42,7 +42,7 @@ const Openings::Passed& Openings::count(const FlightResult& flight, double dt,
                 (arrival.outcome.by_collar ? 1.0 : transmission_.open[arrival.facet]);
             const bool is_out = arrival.outcome.fate == Transmission::Fate::OUT;
             if (opening.law == Opening::Law::SEEPAGE) {
-                Opening::Seepage& side = arrival.outcome.from_front ? opening.front : opening.own;
+                Opening::Seepage& side = opening.seepage[arrival.outcome.from_front ? 1 : 0];
                 const bool stays = arrival.outcome.fate == Transmission::Fate::BACK;
                 side.due[s] += mass * (side.share[s] * transmission_.open[arrival.facet] -
                                        (stays ? 0.0 : 1.0));

@@ -66,8 +66,8 @@ void Openings::close(Index row) {
     Transmission::Chances& chances = transmission_.all[row];
     std::fill(chances.chance.begin(), chances.chance.end(), 0.0);
     std::fill(chances.collar_chance.begin(), chances.collar_chance.end(), 0.0);
-    for (Opening::Seepage* side : {&opening.own, &opening.front})
-        std::fill(side->share.begin(), side->share.end(), 0.0);
+    for (Opening::Seepage& side : opening.seepage)
+        std::fill(side.share.begin(), side.share.end(), 0.0);
 }
 
 /// Area, and the share of it that is free.
@@ -258,8 +258,8 @@ void Openings::set_seepage(Index row, double t, double dt, const Inside& inside)
         const double M = species_[s].molar_mass();
         const double chance =
             velocity(inside.density[s], M) / effusion_speed(inside.temperature, gas_constant_, M);
-        opening.own.share[s] = std::clamp(chance, 0.0, 1.0);
-        transmission_.all[row].chance[s] = steered(opening, opening.own, s, dt, inside);
+        opening.seepage[0].share[s] = std::clamp(chance, 0.0, 1.0);
+        transmission_.all[row].chance[s] = steered(opening, opening.seepage[0], s, dt, inside);
         if (chance > 1.0)
             opening.short_of += (1.0 - 1.0 / chance) * velocity(inside.density[s], M) * area *
                                 inside.density[s] * dt;

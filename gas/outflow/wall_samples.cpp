@@ -178,6 +178,17 @@ void WallSamples::add(const Hit& hit, const Vec3& wall, const Particles& particl
     now.square += along.squaredNorm();
 }
 
+/// What the steady memory tells, and the quick one's difference d from it as far as that is beyond
+/// chance: d (1 - (e / d)²), e its error.
+WallSamples::Known WallSamples::Sample::at(double room_pressure) const {
+    const Known known = steady.at(room_pressure), before = steady.at(quick.room_pressure());
+    const double d = quick.pressure() - before.pressure, e2 = quick.variance() + before.variance;
+    if (!(d * d > e2)) return known;
+    const double share = 1.0 - e2 / (d * d), kept = 1.0 - share;
+    return {known.pressure + share * d,
+            kept * kept * known.variance + share * share * quick.variance()};
+}
+
 void WallSamples::measure(std::span<const Vec3> x) {
     constexpr std::size_t A_CHUNK = 2;  // samples, of some ten facets each
     parallel::for_each(

@@ -139,6 +139,9 @@ private:
         bool tells = true;  ///< of differences in its room: all that come bounce
         Memory now, quick, steady;
 
+        /// Pressure here where the room's is so much. Needs hits.
+        [[nodiscard]] Known at(double room_pressure) const;
+
         template <class Archive>
         void visit_state(Archive& archive) {
             archive(area, quick, steady);

@@ -259,11 +259,10 @@ double WallSamples::excess(const Inside& room, const Drawn& drawn) const {
 void WallSamples::state(std::size_t sample, const Inside& room, const Drawn& drawn,
                         Inside& out) const {
     out = room;
-    const Memory& s = samples_[sample].steady;
-    if (!(s.exposure > 0.0) || !room.holds_gas()) return;
+    if (!(samples_[sample].steady.exposure > 0.0) || !room.holds_gas()) return;
     const Spread& spread = spread_[samples_[sample].room];
     const double of_room = room.pressure - room.air_pressure;
-    const Known hits = s.at(of_room);
+    const Known hits = samples_[sample].at(of_room);
     const double here = hits.pressure / (1.0 + excess(room, drawn));
     const double weight =
         spread.pressure > 0.0 ? spread.pressure / (spread.pressure + hits.variance) : 0.0;
