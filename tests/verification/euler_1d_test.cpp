@@ -145,3 +145,14 @@ TEST_CASE("the notes' fast piston: 17.95 kPa while it runs, about 110 kPa just a
     for (int i = 0; i < 3; ++i) CHECK(pressure[i] == Approx(plateau).epsilon(2e-3));
     CHECK(pressure[3] == Approx(110e3).epsilon(0.02));
 }
+
+TEST_CASE("a tube whose walls leak alike empties as a tank does", "[oracle]") {
+    constexpr double GAMMA = 1.4, SHARE = 3.0, T = 0.2;
+    EulerTube tube(GAMMA, 1.0, 200, [](double) { return Gas1D{1.0, 0.0, 1.0}; });
+    const double energy = tube.energy();
+    tube.leak([](double, const Gas1D&) { return SHARE; });
+    tube.advance(T, at_rest);
+    // dm = -share m, dE = -share gamma E
+    CHECK(tube.mass() == Approx(std::exp(-SHARE * T)).epsilon(1e-5));
+    CHECK(tube.energy() == Approx(energy * std::exp(-SHARE * GAMMA * T)).epsilon(1e-5));
+}

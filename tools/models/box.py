@@ -10,11 +10,12 @@ WALLS, PISTON, VENT, MEMBRANE = 1, 2, 2, 2
 HELD, MOVED = 1, 2  # node sets
 
 
-def box(side, cells, part_of_face, membrane_at=None):
+def box(side, cells, part_of_face, membrane_at=None, along=None):
     """A box from the origin to `side` (a cube's edge, or three), `cells` along each axis, normals inward.
 
     part_of_face(axis, end, i, j) names the part of quad i, j of the face where coordinate `axis` is
-    0 or its end. membrane_at: cells along x to a MEMBRANE from wall to wall.
+    0 or its end. membrane_at: cells along x to a MEMBRANE from wall to wall. along: places of the
+    nodes along x where cells are not alike.
     """
     sides = side if isinstance(side, tuple) else (side,) * 3
     mesh = Mesh()
@@ -22,7 +23,8 @@ def box(side, cells, part_of_face, membrane_at=None):
 
     def node(grid):
         if grid not in known:
-            known[grid] = mesh.node(*(s * i / n for s, i, n in zip(sides, grid, cells)))
+            x, y, z = (s * i / n for s, i, n in zip(sides, grid, cells))
+            known[grid] = mesh.node(along[grid[0]] if along else x, y, z)
         return known[grid]
 
     for axis, end, i, j, corners in box_faces(cells):
@@ -151,8 +153,29 @@ def piston_wave():
                 "Written by tools/models/box.py: change it there."])
 
 
+def porous_tube():
+    rings, columns = 8, 3  # of porous wall, each 0.1 m along the tube
+    along = [0.1 * i / columns for i in range(rings * columns + 1)] + [1.0]
+
+    def part(axis, end, i, j):
+        if axis == 0:
+            return PISTON if end else 3
+        column = j if axis == 1 else i
+        return 11 + column // columns if column < rings * columns else WALLS
+
+    mesh = box((1.0, 0.1, 0.1), (len(along) - 1, 6, 6), part, along=along)
+    moved = [n for n, x in mesh.nodes.items() if x[0] > 0.9]
+    mesh.node_sets[HELD] = ("all but the piston", [n for n in mesh.nodes if n not in moved])
+    mesh.node_sets[MOVED] = ("the piston, with the rim that the side walls share", moved)
+    mesh.write(MODELS / "verification" / "porous_tube" / "mesh.k",
+               ["A tube of 1 x 0.1 x 0.1; the end at x = 0 is part 3, the piston at x = 1 part 2; lengths in m.",
+                "Side walls: rings of 0.1 m, parts 11 to 18, then part 1 in one quad that the piston shortens.",
+                "Written by tools/models/box.py: change it there."])
+
+
 if __name__ == "__main__":
     sod()
+    porous_tube()
     vent_by_chamber()
     far_vent()
     free_jet()

@@ -10,6 +10,7 @@ namespace corpuscle::verify {
 
 Method method_of(const Card& card) {
     static const std::map<std::string, Method> ALL{
+        {"air_in_rooms", air_in_rooms},
         {"box_at_rest", box_at_rest},
         {"closed_membrane", closed_membrane},
         {"effusion", effusion},
@@ -25,6 +26,7 @@ Method method_of(const Card& card) {
         {"string", taut_string},
         {"piston_wave", piston_wave},
         {"porous_tank", porous_tank},
+        {"porous_tube", porous_tube},
         {"rebound", rebound},
         {"rubbing_sheet", rubbing_sheet},
         {"sliding_sheet", sliding_sheet},
@@ -44,6 +46,7 @@ Method method_of(const Card& card) {
         {"tube_vessel", tube_vessel},
         {"sphere_vessel", sphere_vessel},
         {"patch", patch},
+        {"seeping_wall", seeping_wall},
         {"shear_wave", shear_wave},
         {"ball_on_disc", ball_on_disc},
         {"capstan", capstan},

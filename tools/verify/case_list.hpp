@@ -42,6 +42,8 @@ Findings sod(const Runs&);
 Findings vacuum(const Runs&);
 Findings fast_piston(const Runs&);
 Findings piston_wave(const Runs&);
+/// cases/leaks.cpp
+Findings porous_tube(const Runs&);
 /// cases/momenta.cpp
 Findings spinning_bag(const Runs&);
 Findings spinning_box(const Runs&);
@@ -59,7 +61,9 @@ Findings vent_by_chamber(const Runs&);
 Findings uniform_tank(const Runs&);
 Findings far_vent(const Runs&);
 Findings mixing_chambers(const Runs&);
-
+/// cases/rooms.cpp
+Findings seeping_wall(const Runs&);
+Findings air_in_rooms(const Runs&);
 /// cases/vessels.cpp
 Findings hencky(const Runs&);
 Findings ball_on_disc(const Runs&);

@@ -121,7 +121,20 @@ std::vector<EulerTube::Conserved> EulerTube::rate(const std::vector<Conserved>& 
         for (int k = 0; k < 3; ++k) rates[i][k] = in[k] - out[k];
         in = out;
     }
+    if (leak_) take_leak(cells, length, rates);
     return rates;
+}
+
+void EulerTube::take_leak(const std::vector<Conserved>& cells, double length,
+                          std::vector<Conserved>& rates) const {
+    const double width = length / static_cast<double>(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const Gas1D here = gas(cells[i], width);
+        const double share = leak_((static_cast<double>(i) + 0.5) * width, here);
+        rates[i][0] -= share * cells[i][0];
+        rates[i][1] -= share * cells[i][1];
+        rates[i][2] -= share * (cells[i][2] + here.pressure * width);
+    }
 }
 
 /// HLLC flux through a face that moves: F(U) - w U of the state that the face w finds itself in.

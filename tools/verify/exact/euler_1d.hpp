@@ -27,6 +27,11 @@ public:
     EulerTube(double gamma, double length, std::size_t cells,
               const std::function<Gas1D(double x)>& initial);
 
+    /// Lets gas out through the side walls: share of what is at x that leaves in a time, with its
+    /// enthalpy and its velocity.                                                         [1/s]
+    ///     d(rho, rho u, E)/dt = -share (rho, rho u, E + p)
+    void leak(const std::function<double(double x, const Gas1D&)>& share) { leak_ = share; }
+
     /// Goes on to time `until`; the piston's velocity is a function of time.            [s], [m/s]
     void advance(double until, const std::function<double(double t)>& piston_velocity);
 
@@ -51,6 +56,8 @@ private:
                                                  double length) const;
     [[nodiscard]] std::vector<Conserved> rate(const std::vector<Conserved>& cells, double length,
                                               double piston_velocity) const;
+    void take_leak(const std::vector<Conserved>& cells, double length,
+                   std::vector<Conserved>& rates) const;
     [[nodiscard]] Conserved flux(const Gas1D& left, const Gas1D& right, double face_velocity) const;
     [[nodiscard]] double wall_pressure(const Gas1D& gas, double receding) const;
     [[nodiscard]] double stable_step(double piston_velocity) const;
@@ -59,6 +66,7 @@ private:
     double length_;
     double time_ = 0.0;
     double piston_velocity_ = 0.0;
+    std::function<double(double, const Gas1D&)> leak_;  ///< none: the walls are tight
     std::vector<Conserved> cells_;  ///< totals of each cell, per area of the tube
 };
 
