@@ -42,6 +42,7 @@ target_sources(corpuscle_io PRIVATE
     keywords/motion/boundary.cpp
     keywords/motion/initial_velocity.cpp
     keywords/motion/loads.cpp
+    keywords/motion/loads_rigid.cpp
     keywords/motion/motion.cpp
     # what no single keyword sees
     model/beam_bodies.cpp model/held_bodies.cpp model/loose_ends.cpp model/motion_check.cpp model/numbering.cpp model/part_remarks.cpp model/rigid_start.cpp model/solid_skin.cpp model/file_places.cpp model/transformation.cpp)

@@ -61,6 +61,8 @@ Loads::Loads(const Model& model) {
     }
     for (const NodeLoad& load : model.node_loads)
         node_.push_back({load.nodes, load.axis, load.scale, model.curves[load.curve]});
+    for (const RigidLoad& load : model.rigid_loads)
+        rigid_.push_back({load, model.curves[load.curve]});
 }
 
 namespace {
@@ -77,6 +79,16 @@ void press(const Facet& facet, double p, const Points& x, Points& f) {
     }
     const Vec3 all = area(0, 1, 2) + area(0, 2, 3);
     for (int k = 0; k < 4; ++k) f[facet[k]] -= p / 6.0 * (all + area(k, (k + 1) % 4, (k + 3) % 4));
+}
+
+/// Direction of a load that goes with nodes; 0 where they are on one line.
+Vec3 direction_at(const RigidLoad& load, const Points& x) {
+    if (load.nodes[0] < 0) return load.axis;
+    const Vec3 along = x[load.nodes[1]] - x[load.nodes[0]];
+    const Vec3 z = along.cross(x[load.nodes[2]] - x[load.nodes[0]]).normalized();
+    Mat3 axes;
+    axes << along.normalized(), z.cross(along).normalized(), z;
+    return axes * load.axis;
 }
 
 bool holds(const std::vector<Index>& parts, Index part) {
@@ -111,6 +123,16 @@ Vec3 Loads::acceleration(double t, Index part) const {
     Vec3 all = Vec3::Zero();
     for (const Body& load : body_)
         if (load.parts.empty() || holds(load.parts, part)) all[load.axis] -= load.value(t);
+    return all;
+}
+
+Loads::Push Loads::push(double t, const Points& x, const std::vector<Index>& parts) const {
+    Push all;
+    for (const Rigid& rigid : rigid_) {
+        if (!holds(parts, rigid.load.part)) continue;
+        const Vec3 value = rigid.load.scale * rigid.curve(t) * direction_at(rigid.load, x);
+        (rigid.load.is_moment ? all.moment : all.force) += value;
+    }
     return all;
 }
 

@@ -11,7 +11,8 @@ namespace corpuscle {
 
 class TiedNodes;
 
-/// Loads that the deck prescribes: base acceleration, pressure on facets, forces on nodes.
+/// Loads that the deck prescribes: base acceleration, pressure on facets, forces on nodes and on
+/// rigid bodies.
 class Loads {
 public:
     /// @param model  whose loads on bodies, facets and nodes it takes
@@ -23,11 +24,21 @@ public:
     void share_mass(const Model& model, const std::vector<double>& shell_mass,
                     const TiedNodes& ties);
 
-    /// Whether the model has none: find_force() would give 0.
+    /// Whether no load acts on nodes: find_force() would give 0.
     [[nodiscard]] bool empty() const { return body_.empty() && pressure_.empty() && node_.empty(); }
 
     /// What the frame's acceleration gives to a part at t: -a(t).                        [m/s^2]
     [[nodiscard]] Vec3 acceleration(double t, Index part) const;
+
+    /// Force at a body's mass centre, and moment about it.
+    struct Push {
+        Vec3 force = Vec3::Zero(),  ///< [N]
+            moment = Vec3::Zero();  ///< [N m]
+    };
+    /// What *LOAD_RIGID_BODY gives at t to a body.
+    /// @param x      of all nodes at t, N × 3                                            [m]
+    /// @param parts  rows of the parts that the body is made of
+    [[nodiscard]] Push push(double t, const Points& x, const std::vector<Index>& parts) const;
 
     /// f = loads at t.
     ///
@@ -63,8 +74,13 @@ private:
         double scale;
         Curve curve;
     };
+    struct Rigid {
+        RigidLoad load;
+        Curve curve;
+    };
     std::vector<Pressure> pressure_;
     std::vector<Node> node_;
+    std::vector<Rigid> rigid_;
 };
 
 }  // namespace corpuscle

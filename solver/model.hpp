@@ -145,6 +145,18 @@ struct NodeLoad {
     double scale = 1.0;        ///< SF: factor on the curve                            [-]
 };
 
+/// *LOAD_RIGID_BODY: a force at the mass centre of a rigid part's body, or a moment, SF · curve(t)
+/// along an axis.
+struct RigidLoad {
+    Index part = -1;            ///< row of a *MAT_RIGID part; its body bears the load
+    bool is_moment = false;     ///< DOF 5 to 8; else a force
+    Vec3 axis = Vec3::UnitX();  ///< unit, global, or in the axes of `nodes`
+    /// Rows; local x along 1-2, z normal to 1-2-3, as they are at t; -1: none.
+    std::array<Index, 3> nodes{-1, -1, -1};
+    Index curve = -1;    ///< over time                                       [N] or [N m]
+    double scale = 1.0;  ///< SF: factor on the curve                            [-]
+};
+
 /// *ELEMENT_MASS: mass that a node has beside that of its shells.
 struct NodeMass {
     Index node = -1;    ///< row among the nodes
@@ -206,6 +218,7 @@ struct ModelLoads {
     std::vector<BodyLoad> body_loads;          ///< gravity and other accelerations of the frame
     std::vector<PressureLoad> pressure_loads;  ///< on facets
     std::vector<NodeLoad> node_loads;          ///< on nodes
+    std::vector<RigidLoad> rigid_loads;        ///< on rigid bodies
     std::vector<PartDamping> part_dampings;    ///< by part
     double mass_damping = 0.0;      ///< *DAMPING_GLOBAL VALDMP                        [1/s]
     Index mass_damping_curve = -1;  ///< *DAMPING_GLOBAL LCID                          [1/s]

@@ -155,6 +155,7 @@ void damping_part_mass(Cards&, Draft&);
 void damping_part_stiffness(Cards&, Draft&);
 void load_node_point(Cards&, Draft&);
 void load_node_set(Cards&, Draft&);
+void load_rigid_body(Cards&, Draft&);  // loads_rigid.cpp
 void element_mass(Cards&, Draft&);
 void element_mass_node_set(Cards&, Draft&);
 void control_dynamic_relaxation(Cards&, Draft&);

@@ -140,6 +140,7 @@ const Keyword KEYWORDS[] = {
     {"LOAD_SHELL_SET", "ID", "", P::SCENE, load_shell_set},
     {"LOAD_NODE_POINT", "", "", P::SCENE, load_node_point},
     {"LOAD_NODE_SET", "", "", P::SCENE, load_node_set},
+    {"LOAD_RIGID_BODY", "", "", P::SCENE, load_rigid_body},
     {"DAMPING_GLOBAL", "", "", P::SCENE, damping_global, ONCE},
     {"DAMPING_PART_MASS", "SET", "", P::SCENE, damping_part_mass},
     {"DAMPING_PART_STIFFNESS", "SET", "", P::SCENE, damping_part_stiffness},

@@ -24,11 +24,11 @@ struct Inclusion;
 struct Section {
     double thickness = NaN;
     int element_form = 0;
-    bool is_solid = false;  ///< *SECTION_SOLID
-    bool is_tube = false;   ///< *SECTION_BEAM, CST = 1
-    double area = NaN;      ///< of *SECTION_BEAM                                      [m^2]
-    std::string other;      ///< the keyword of one that is no shell's and no solid's
-    Place place;            ///< of its card
+    bool is_solid = false;      ///< *SECTION_SOLID
+    bool is_tube = false;       ///< *SECTION_BEAM, CST = 1
+    double area = NaN;          ///< of *SECTION_BEAM                                      [m^2]
+    std::string other;          ///< the keyword of one that is no shell's and no solid's
+    Place place;                ///< of its card
 };
 
 /// A keyword that is in the deck and that nothing acts on, as long as no element needs it.
@@ -57,6 +57,7 @@ struct Solid {
 struct LocalAxes {
     Mat3 axes = Mat3::Identity();            ///< columns: local x, y, z
     std::array<Index, 3> nodes{-1, -1, -1};  ///< _NODES: rows; they give the axes
+    bool moves = false;                      ///< FLAG = 1: the axes go with the nodes
 };
 
 /// *DEFINE_BOX, along the axes of its file.
@@ -145,9 +146,17 @@ struct CurveUse {
     double from = 0.0, to = 1e28;  ///< when it acts                                  [s]
 };
 
+/// Where cards stand that say something of what others make, for faults of the whole.
+struct DraftUses {
+    std::vector<Place> motion_places;  ///< of the cards of Model::motions
+    std::vector<CurveUse> curve_uses;
+    std::vector<std::pair<Index, Place>> body_uses;  ///< rigid parts that loads and springs act on
+    Place node_masses_at;                            ///< the first *ELEMENT_MASS
+};
+
 /// A model under construction: what keywords refer to each other by, and what the model itself does
 /// not keep.
-struct Draft : DraftNames, DraftOptions, DraftSets, DraftAirbags {
+struct Draft : DraftNames, DraftOptions, DraftSets, DraftAirbags, DraftUses {
     explicit Draft(Model& under_construction) : model(under_construction) {}
 
     Model& model;
@@ -159,7 +168,6 @@ struct Draft : DraftNames, DraftOptions, DraftSets, DraftAirbags {
     std::map<Index, Unread> unread_materials;  ///< by material row
     std::map<Index, Unread> bare_parts;        ///< without section or material, by part row
     std::vector<Index> stiffened_parts;        ///< of solids that deform, taken as rigid
-    Place node_masses_at;                      ///< the first *ELEMENT_MASS
     std::vector<Index> inertia_nodes;          ///< NODEID of *PART_INERTIA, node rows
     std::vector<SetBox> box;
     std::vector<Transformation> transformation;
@@ -170,9 +178,6 @@ struct Draft : DraftNames, DraftOptions, DraftSets, DraftAirbags {
     std::vector<LocalAxes> coordinate;
     std::vector<std::pair<Index, Index>> local_constraints;  ///< rigid material, its axes: rows
     Points vector;                                           ///< head - tail
-
-    std::vector<Place> motion_places;  ///< of the cards of Model::motions
-    std::vector<CurveUse> curve_uses;
 
     std::vector<std::pair<Index, Place>> added_leaks;  ///< *MAT_ADD_AIRBAG_POROSITY_LEAKAGE
     std::vector<Index> body_load_parts;                ///< *LOAD_BODY_PARTS; none: all

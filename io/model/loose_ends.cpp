@@ -233,6 +233,22 @@ void check_gravity(const Draft& draft, Faults& faults) {
                                          name_of(draft, merge.part)));
 }
 
+/// What acts on a rigid part needs a body: shells, or nodes that ride on it or on those merged.
+void check_bodies(const Draft& draft, Faults& faults) {
+    const Model& model = draft.model;
+    std::vector<std::uint8_t> has_body(model.parts.size(), 0);  // by lead
+    const auto mark = [&](Index part) {
+        if (part >= 0) has_body[static_cast<std::size_t>(keywords::lead_of(draft, part))] = 1;
+    };
+    for (const Shell& shell : model.shells) mark(shell.part);
+    for (const RigidExtraNode& extra : model.rigid_extra_nodes) mark(extra.part);
+    for (const auto& [part, place] : draft.body_uses)
+        if (has_body[static_cast<std::size_t>(keywords::lead_of(draft, part))] == 0)
+            faults.fault(place, fmt::format("{} has no elements and no nodes, expected a rigid "
+                                            "part that has some",
+                                            name_of(draft, part)));
+}
+
 }  // namespace
 
 void settle_loose_ends(Draft& draft, Faults& faults) {
@@ -244,6 +260,7 @@ void settle_loose_ends(Draft& draft, Faults& faults) {
     check_curves(draft, faults);
     check_leaks_count(draft, faults);
     check_gravity(draft, faults);
+    check_bodies(draft, faults);
     warn_of_lost_masses(draft, faults);
 }
 

@@ -104,7 +104,8 @@ void RigidBody::advance(double t, double dt, double span, const Field& field,
     kick_ = {span,
              force,
              torque,
-             mass_ * field.acceleration,
+             mass_ * field.acceleration + field.force,
+             field.moment,
              -field.damping * mass_ * velocity_,
              -field.damping * angular_momentum_,
              spin(),
@@ -114,7 +115,7 @@ void RigidBody::advance(double t, double dt, double span, const Field& field,
     velocity_before_ = velocity_;
     momentum_before_ = angular_momentum_;
     velocity_ += span / mass_ * (force + kick_.weight + kick_.drag);
-    angular_momentum_ += span * (torque + kick_.turning_drag);
+    angular_momentum_ += span * (torque + kick_.moment + kick_.turning_drag);
     hold_translation(t, dt, span);
     hold_rotation(t, dt, span);
     if (span > 0.0) acceleration_ = (velocity_ - velocity_before_) / span;
@@ -127,7 +128,7 @@ void RigidBody::book_kick() {
     const Kick& k = kick_;
     mid_velocity_ = 0.5 * (velocity_before_ + velocity_);
     mid_spin_ = 0.5 * (k.spin + spin());
-    field_work_ = k.span * k.weight.dot(mid_velocity_);
+    field_work_ = k.span * (k.weight.dot(mid_velocity_) + k.moment.dot(mid_spin_));
     damped_ = -k.span * (k.drag.dot(mid_velocity_) + k.turning_drag.dot(mid_spin_));
     held_work_ = kinetic_energy() - k.kinetic - field_work_ + damped_ -
                  (k.span * k.force + k.joint_impulse).dot(mid_velocity_) -

@@ -30,10 +30,12 @@ public:
     /// @throws InputError for a body without mass
     RigidBody(const Model& model, Index part, const std::vector<double>& node_mass);
 
-    /// What acts on all matter of a body alike.
+    /// What acts on a body as a whole.
     struct Field {
         Vec3 acceleration = Vec3::Zero();  ///< of all its matter  [m/s^2]
         double damping = 0.0;              ///< by mass, *DAMPING_GLOBAL [1/s]
+        Vec3 force = Vec3::Zero(),         ///< *LOAD_RIGID_BODY: at the mass centre          [N]
+            moment = Vec3::Zero();         ///< *LOAD_RIGID_BODY                            [N m]
     };
     /// Is at t, where its nodes have been carried.
     void arrive() {
@@ -124,7 +126,7 @@ public:
     }
     /// By supports and prescribed motions in the last kick.                                 [J]
     [[nodiscard]] double held_work() const { return held_work_; }
-    /// By the field's acceleration in the last kick.                                         [J]
+    /// By the field's acceleration, force and moment in the last kick.                       [J]
     [[nodiscard]] double field_work() const { return field_work_; }
     /// What the field's damping took in the last kick.                                       [J]
     [[nodiscard]] double damped() const { return damped_; }
@@ -194,8 +196,9 @@ private:
 
     struct Kick {                           ///< the last one
         double span = 0.0;                  ///< [s]
-        Vec3 force, torque;                 ///< on the nodes                               [N]
-        Vec3 weight, drag, turning_drag;    ///< [N], [N m]
+        Vec3 force, torque;                 ///< on the nodes                      [N], [N m]
+        Vec3 weight, moment;                ///< of the field                      [N], [N m]
+        Vec3 drag, turning_drag;            ///< [N], [N m]
         Vec3 spin;                          ///< before it                              [rad/s]
         double kinetic = 0.0;               ///< before it                                  [J]
         Vec3 joint_impulse, joint_turning;  ///< [N s], [N m s]

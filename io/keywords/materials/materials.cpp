@@ -72,6 +72,8 @@ void hold_locally(Card& c, Draft& draft, fabric::RigidCard& rigid) {
     }
     rigid.fixed_moves = held & 7U;
     rigid.fixed_turns = held >> 3U;
+    if (system >= 0 && draft.coordinate[static_cast<std::size_t>(system)].moves)
+        c.warn("CON1", "the axes hold as they are at the start, FLAG of the system does not count");
     if (system >= 0)
         draft.local_constraints.emplace_back(static_cast<Index>(draft.model.materials.size()),
                                              system);

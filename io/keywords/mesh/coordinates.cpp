@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "io/keywords/keywords.hpp"
 
 /// *DEFINE_COORDINATE_..., at rest: local x along one direction, local xy with another.
@@ -67,7 +69,7 @@ void define_coordinate_nodes(Cards& cards, Draft& draft) {
         LocalAxes system;
         system.nodes = {c.row("N1", draft.nodes), c.row("N2", draft.nodes),
                         c.row("N3", draft.nodes)};
-        c.noted("FLAG", "what refers to the system here takes it as it is at the start");
+        system.moves = c.choice("FLAG", {0, 1}) == 1;
         if (c.given("DIR") && c.text("DIR") != "X" && c.text("DIR") != "x")
             c.fault("DIR", "X or blank: other axes are not acted on yet");
         const auto x = [&](int k) -> const Vec3& {
@@ -79,19 +81,20 @@ void define_coordinate_nodes(Cards& cards, Draft& draft) {
     }
 }
 
+Mat3 axes_at_start(const Draft& draft, Index system) {
+    const LocalAxes& local = draft.coordinate[static_cast<std::size_t>(system)];
+    if (std::any_of(local.nodes.begin(), local.nodes.end(), [](Index n) { return n < 0; }))
+        return local.axes;
+    const auto x = [&](int k) -> const Vec3& {
+        return draft.model.x[static_cast<std::size_t>(local.nodes[k])];
+    };
+    return axes_along(x(1) - x(0), x(2) - x(0));
+}
+
 void place_local_axes(Draft& draft) {
-    for (const auto& [material, row] : draft.local_constraints) {
-        const LocalAxes& system = draft.coordinate[static_cast<std::size_t>(row)];
-        Mat3 axes = system.axes;
-        if (system.nodes[0] >= 0) {
-            const auto x = [&](int k) -> const Vec3& {
-                return draft.model.x[static_cast<std::size_t>(system.nodes[k])];
-            };
-            axes = axes_along(x(1) - x(0), x(2) - x(0));
-        }
+    for (const auto& [material, system] : draft.local_constraints)
         std::get<fabric::RigidCard>(draft.model.materials[static_cast<std::size_t>(material)].card)
-            .axes = axes;
-    }
+            .axes = axes_at_start(draft, system);
 }
 
 }  // namespace corpuscle::io::keywords

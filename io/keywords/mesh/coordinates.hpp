@@ -6,6 +6,10 @@
 
 namespace corpuscle::io::keywords {
 
+/// Local x, y, z of a *DEFINE_COORDINATE_... as columns, by its row; those of nodes as these lie at
+/// the start, once *NODE_TRANSFORM has been read. Of a system that is a fault: the deck's axes.
+Mat3 axes_at_start(const Draft& draft, Index system);
+
 /// Gives rigid materials of CMO = -1 their axes, once all nodes are where they start.
 void place_local_axes(Draft& draft);
 

@@ -30,6 +30,31 @@ TEST_CASE("forces on nodes, added masses, damping of a part, and what cannot mat
     CHECK(tells(run.scene.model().warnings, "stiffness damping is not acted on"));
 }
 
+TEST_CASE("forces and moments on rigid bodies act as Newton and Euler say, and bring their work",
+          "[io]") {
+    Run run("rigid_loads.k");
+    constexpr double MASS = 0.08, FORCE = 4.0, WIDTH = 0.2, DEPTH = 0.1, SPIN = 40.0;
+    constexpr double MOMENT = 0.02, ABOUT_Z = MASS / 4.0 * (WIDTH * WIDTH + DEPTH * DEPTH);
+    run.to_the_end();
+    const auto& bodies = run.scene.bodies();
+    REQUIRE(bodies.size() == 5);
+    REQUIRE(bodies[0].mass() == Approx(MASS).epsilon(1e-12));
+    const double t = run.half_step, end = run.scene.time();
+    // x = F t^2 / 2 m, of corners too; L = M t
+    CHECK(run.x(11).x() + 0.1 == Approx(FORCE * end * end / (2.0 * MASS)).epsilon(1e-10));
+    CHECK((bodies[1].spin() - MOMENT / ABOUT_Z * t * Vec3::UnitZ()).norm() < 1e-12 * SPIN);
+    CHECK(bodies[1].velocity().norm() == 0.0);
+    // along the normal of a plate that turns about y: v = F / (m w) (1 - cos w t, 0, sin w t)
+    const Vec3 followed(1.0 - std::cos(SPIN * t), 0.0, std::sin(SPIN * t));
+    for (const std::size_t b : {2U, 3U}) {
+        CHECK((bodies[b].velocity() - FORCE / (MASS * SPIN) * followed).norm() < 1e-5);
+        CHECK((bodies[b].velocity() - bodies[2].velocity()).norm() < 1e-14);
+    }
+    CHECK((bodies[4].velocity() - FORCE / MASS * t * Vec3::UnitY()).norm() < 1e-12);
+    CHECK((bodies[4].angular_momentum() - 0.01 * t * Vec3::UnitY()).norm() < 1e-14);
+    CHECK(run.residual < 1e-12 * run.moved);
+}
+
 TEST_CASE("a flat bag of quads closes, also where both panels' corners lie between the same nodes",
           "[io]") {
     Run run("flat_corners.k");

@@ -59,6 +59,20 @@ void check_closed(const Model& model, Index part, double volume) {
 
 }  // namespace
 
+TEST_CASE("loads on rigid bodies: what is expected of their cards", "[io]") {
+    const std::string rigid = "*PART\nblock\n3,1,2\n*MAT_RIGID\n2,1000.,1.e9,0.3\n\n\n";
+    const auto fault = [&](const std::string& card) {
+        return only_fault(rigid + "*LOAD_RIGID_BODY\n" + card + "\n");
+    };
+    CHECK(contains(fault("1,1,7"), "field 1 (PID) = 1, expected a part with *MAT_RIGID"));
+    CHECK(contains(fault("3,1,7"), "part 3 \"block\" has no elements and no nodes"));
+    CHECK(contains(fault("3,9,7"), "field 2 (DOF) = 9, expected 1 or 2 or 3 or 4 or 5 or 6"));
+    CHECK(contains(fault("3,1,8"), "field 3 (LCID) = 8"));
+    CHECK(contains(fault("3,1,7,1,6"), "field 5 (CID) = 6"));
+    CHECK(contains(fault("3,4,7,1,0,1,2,5"), "field 8 (M3) = 5, expected a node off the line"));
+    CHECK(contains(fault("3,8,7,1,0,1,2"), "field 8 (M3)"));
+}
+
 TEST_CASE("*PART_INERTIA: mass, centre and inertia as they are written", "[io]") {
     const Model model = read_small(INERTIA + "1,2,3,4.5\n1,0.1,0.2,2,0.3,2.5\n7,8,9,1,2,3\n");
     REQUIRE(model.rigid_inertia.size() == 1);

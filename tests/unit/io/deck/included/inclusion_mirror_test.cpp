@@ -3,8 +3,11 @@
 //
 // Claim: a file that is mirrored is the mirror image of its scene, normals of facets with it.
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 
+#include "solver/loads.hpp"
 #include "tests/unit/io/deck/included/inclusion_setup.hpp"
 
 using namespace corpuscle;
@@ -94,6 +97,26 @@ TEST_CASE("what turns, turns the other way in the mirror", "[io]") {
     check_same(moved.motions[2].axis, {0, 0, -1});
     check_same(moved.motions[3].axis, {1, 0, 0});
     check_same(moved.motions[4].axis, {0, -1, 0});
+}
+
+TEST_CASE("loads on a rigid body push and turn the mirror image", "[io]") {
+    const std::string body =
+        "*MAT_RIGID\n5,2.0,1.e9,0.3\n\n\n*NODE\n21,5,0,0\n22,6,0.1,0.2\n23,5,1,0.3\n*PART\nhead\n"
+        "50,1,5\n*ELEMENT_SHELL\n91,50,21,22,23,23\n*DEFINE_COORDINATE_NODES\n3,21,22,23\n"
+        "4,21,22,23,1\n*LOAD_RIGID_BODY\n";
+    for (const int dof : {1, 2, 3, 4, 5, 6, 7, 8})
+        for (const int system : {0, 3, 4}) {
+            CAPTURE(dof, system);
+            const std::string load = fmt::format("50,{},7,1.0,{},21,22,23\n", dof, system);
+            const auto [plain, moved] = placed_small(body + load, ROWS);
+            const auto push = [](const Model& model) {
+                return Loads(model).push(1.0, model.x, {2});
+            };
+            const auto was = push(plain), is = push(moved);
+            CHECK((was.force + was.moment).norm() == Approx(3.0));
+            check_same(is.force, reflected(was.force));
+            check_same(is.moment, -reflected(was.moment));
+        }
 }
 
 TEST_CASE("solids of every shape keep their volume above zero", "[io]") {
