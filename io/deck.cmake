@@ -19,6 +19,7 @@ target_sources(corpuscle_io PRIVATE
     keywords/airbag/airbag_wang_nefske.cpp
     keywords/airbag/leakage.cpp
     keywords/airbag/mole_fraction.cpp
+    keywords/bodies/deformable_to_rigid.cpp
     keywords/bodies/joined_nodes.cpp
     keywords/bodies/joints.cpp
     keywords/bodies/links.cpp

@@ -163,6 +163,12 @@ struct NodeMass {
     double mass = 0.0;  ///< added to that of its shells  [kg]
 };
 
+/// *ELEMENT_INERTIA: of a node of a rigid body, beside its mass.
+struct NodeInertia {
+    Index node = -1;              ///< row among the nodes
+    Mat3 inertia = Mat3::Zero();  ///< about the node, global axes                       [kg m^2]
+};
+
 /// *DAMPING_PART_MASS: f = -SF · curve(t) m v on the nodes of a part, m being what its shells give
 /// them; what tied nodes get of it counts at the nodes that bear their mass. A rigid part has it by
 /// its mass as a whole, translation and spin alike; of a merged body, whose parts move as one, by
@@ -198,6 +204,7 @@ struct ModelMesh {
     std::vector<ReferenceGeometry> references;     ///< stress-free shapes of nodes
     std::vector<ShellReference> shell_references;  ///< go before `references`
     std::vector<NodeMass> node_masses;             ///< beside those of shells
+    std::vector<NodeInertia> node_inertias;        ///< of nodes of rigid bodies
 };
 
 /// Rigid bodies, and what joins them and nodes.

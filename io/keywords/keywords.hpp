@@ -25,6 +25,7 @@ enum class Phase {
     AXES,
     MATERIAL,
     PART,
+    STIFFENED,  ///< parts that are rigid though their material is not
     SHELL,
     SET,
     SUM_OF_SETS,
@@ -76,6 +77,7 @@ void extra_nodes_node(Cards&, Draft&);
 void extra_nodes_set(Cards&, Draft&);
 // rigid_merges.cpp
 void constrained_rigid_bodies(Cards&, Draft&);
+void deformable_to_rigid(Cards&, Draft&);  // deformable_to_rigid.cpp
 // materials.cpp, mat_fabric.cpp
 void mat_elastic(Cards&, Draft&);
 void mat_null(Cards&, Draft&);
@@ -157,6 +159,7 @@ void load_node_point(Cards&, Draft&);
 void load_node_set(Cards&, Draft&);
 void load_rigid_body(Cards&, Draft&);  // loads_rigid.cpp
 void element_mass(Cards&, Draft&);
+void element_inertia(Cards&, Draft&);  // nodes_elements.cpp
 void element_mass_node_set(Cards&, Draft&);
 void control_dynamic_relaxation(Cards&, Draft&);
 void termination(Cards&, Draft&);

@@ -12,6 +12,34 @@
 namespace corpuscle::io::keywords {
 namespace {
 
+/// Beginnings of what cannot change the answer here: output, other solvers, and numerics that have
+/// no counterpart.
+constexpr std::string_view HARMLESS =
+    "DATABASE_ COMMENT HOURGLASS INTERFACE_SPRINGBACK EOS_ DEFINE_SD_ORIENTATION "
+    "INITIAL_FOAM_REFERENCE_GEOMETRY BOUNDARY_NON_REFLECTING DEFINE_FRICTION "
+    "DEFINE_HEX_SPOTWELD_ASSEMBLY INITIAL_TEMPERATURE LOAD_THERMAL SET_BEAM SET_DISCRETE SET_SOLID "
+    "CONTROL_ACCURACY CONTROL_ACOUSTIC CONTROL_AIRBAG CONTROL_ALE "
+    "CONTROL_BULK_VISCOSITY CONTROL_CESE CONTROL_CHECK_SHELL CONTROL_CONTACT CONTROL_CPU "
+    "CONTROL_DEBUG "
+    "CONTROL_DISCRETE_ELEMENT CONTROL_EFG "
+    "CONTROL_ENERGY CONTROL_EXPLICIT_THERMAL CONTROL_FREQUENCY CONTROL_HOURGLASS CONTROL_IMPLICIT "
+    "CONTROL_MPP CONTROL_NONLOCAL CONTROL_OUTPUT CONTROL_PARALLEL CONTROL_PORE_FLUID "
+    "CONTROL_REMESHING CONTROL_REQUIRE_REVISION CONTROL_RIGID CONTROL_SPOTWELD_BEAM "
+    "CONTACT_FORCE_TRANSDUCER CONTACT_INTERIOR CONTROL_ADAPTIVE CONTROL_ADAPSTEP "
+    "CONTROL_SHELL CONTROL_SOLID CONTROL_SOLUTION CONTROL_SPH CONTROL_STRUCTURED CONTROL_SUBCYCLE "
+    "CONTROL_THERMAL "
+    "CONTROL_UNITS";
+
+/// Beginnings of definitions that say nothing unless something refers to them.
+constexpr std::string_view DEFINITIONS =
+    "DEFINE_FUNCTION DEFINE_TABLE DEFINE_FILTER DEFINE_PLANE DEFINE_REGION SENSOR_DEFINE "
+    "SENSOR_SWITCH SET_2D_SEGMENT SET_TSHELL";
+
+/// Beginnings of families of which LS-DYNA has more than is read here.
+constexpr std::string_view LATER =
+    "AIRBAG_ CONSTRAINED_ CONTACT_ DEFINE_ ELEMENT_ INITIAL_ LOAD_ MAT_ RIGIDWALL_ "
+    "SECTION_";
+
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
@@ -29,6 +57,20 @@ bool is_output(std::string_view keyword) {
 }
 
 }  // namespace
+
+bool begins_with_any(std::string_view keyword, std::string_view beginnings) {
+    bool found = false;
+    for_each_word(beginnings, [&](std::string_view b) { found |= keyword.starts_with(b); });
+    return found;
+}
+
+std::string_view harmless_beginnings() {
+    return HARMLESS;
+}
+
+std::string_view unread_definitions() {
+    return DEFINITIONS;
+}
 
 std::string did_you_mean(std::string_view keyword) {
     std::vector<std::string_view> names = {"INCLUDE",
@@ -55,6 +97,18 @@ std::string_view reason(std::string_view base, std::string_view keyword) {
     if (keyword.find("_FAILURE") != std::string_view::npos)
         return ": a joint here is exact and does not break";
     return ": the forces of joints are told in the axes of the deck";
+}
+
+std::string_view own_refusal(std::string_view keyword) {
+    if (keyword.starts_with("SENSOR_")) return "is not supported yet: sensors switch nothing here";
+    if (keyword.starts_with("DEFORMABLE_TO_RIGID_"))
+        return "is not supported: no part becomes rigid or deforms again during a run, expected "
+               "*DEFORMABLE_TO_RIGID of parts that are rigid from the start";
+    return {};
+}
+
+std::string refusal(std::string_view keyword) {
+    return begins_with_any(keyword, LATER) ? "is not supported yet" : "is not supported";
 }
 
 std::string remark_on(std::string_view keyword) {

@@ -66,6 +66,7 @@ const Keyword KEYWORDS[] = {
     {"MAT_FABRIC MAT_034", "TITLE", "MAP", P::MATERIAL, mat_fabric},
     {"MAT_ADD_AIRBAG_POROSITY_LEAKAGE", "TITLE", "", P::PART, mat_add_leakage},
     {"PART", "CONTACT INERTIA", "PRINT ATTACHMENT REPOSITION AVERAGED COMPOSITE", P::PART, part},
+    {"DEFORMABLE_TO_RIGID", "", "", P::STIFFENED, deformable_to_rigid},
     {"ELEMENT_BEAM", "THICKNESS SECTION SCALAR SCALR PID OFFSET ORIENTATION WARPAGE", "", P::SHELL,
      element_beam},
     {"ELEMENT_DISCRETE", "", "LCO", P::SHELL, element_discrete},
@@ -76,6 +77,7 @@ const Keyword KEYWORDS[] = {
     {"ELEMENT_SEATBELT", "", "", P::SHELL, element_seatbelt},
     {"ELEMENT_MASS", "", "PART MATRIX", P::SCENE, element_mass},
     {"ELEMENT_MASS_NODE_SET", "", "", P::SCENE, element_mass_node_set},
+    {"ELEMENT_INERTIA", "", "OFFSET", P::SCENE, element_inertia},
     {"ELEMENT_SHELL", "THICKNESS BETA", "MCID OFFSET DOF COMPOSITE", P::SHELL, element_shell},
     {"ELEMENT_SOLID", "", "ORTHO DOF TET4TOTET10 H20 H27 H64", P::SHELL, element_solid},
 
@@ -173,40 +175,6 @@ const Keyword KEYWORDS[] = {
 /// Materials of which only elements would need more than their numbers.
 const Keyword OTHER_MATERIAL = {"MAT", "TITLE", "", P::MATERIAL, mat_other};
 
-/// Beginnings of what cannot change the answer here: output, other solvers, and numerics that have
-/// no counterpart.
-constexpr std::string_view HARMLESS =
-    "DATABASE_ COMMENT HOURGLASS INTERFACE_SPRINGBACK EOS_ DEFINE_SD_ORIENTATION "
-    "INITIAL_FOAM_REFERENCE_GEOMETRY BOUNDARY_NON_REFLECTING DEFINE_FRICTION "
-    "DEFINE_HEX_SPOTWELD_ASSEMBLY INITIAL_TEMPERATURE LOAD_THERMAL SET_BEAM SET_DISCRETE SET_SOLID "
-    "CONTROL_ACCURACY CONTROL_ACOUSTIC CONTROL_AIRBAG CONTROL_ALE "
-    "CONTROL_BULK_VISCOSITY CONTROL_CESE CONTROL_CHECK_SHELL CONTROL_CONTACT CONTROL_CPU "
-    "CONTROL_DEBUG "
-    "CONTROL_DISCRETE_ELEMENT CONTROL_EFG "
-    "CONTROL_ENERGY CONTROL_EXPLICIT_THERMAL CONTROL_FREQUENCY CONTROL_HOURGLASS CONTROL_IMPLICIT "
-    "CONTROL_MPP CONTROL_NONLOCAL CONTROL_OUTPUT CONTROL_PARALLEL CONTROL_PORE_FLUID "
-    "CONTROL_REMESHING CONTROL_REQUIRE_REVISION CONTROL_RIGID CONTROL_SPOTWELD_BEAM "
-    "CONTACT_FORCE_TRANSDUCER CONTACT_INTERIOR CONTROL_ADAPTIVE CONTROL_ADAPSTEP "
-    "CONTROL_SHELL CONTROL_SOLID CONTROL_SOLUTION CONTROL_SPH CONTROL_STRUCTURED CONTROL_SUBCYCLE "
-    "CONTROL_THERMAL "
-    "CONTROL_UNITS";
-
-/// Beginnings of definitions that say nothing unless something refers to them.
-constexpr std::string_view DEFINITIONS =
-    "DEFINE_FUNCTION DEFINE_TABLE DEFINE_FILTER DEFINE_PLANE DEFINE_REGION SENSOR_DEFINE "
-    "SENSOR_SWITCH SET_2D_SEGMENT SET_TSHELL";
-
-/// Beginnings of families of which LS-DYNA has more than is read here.
-constexpr std::string_view LATER =
-    "AIRBAG_ CONSTRAINED_ CONTACT_ DEFINE_ ELEMENT_ INITIAL_ LOAD_ MAT_ RIGIDWALL_ "
-    "SECTION_";
-
-bool begins_with_any(std::string_view keyword, std::string_view beginnings) {
-    bool found = false;
-    for_each_word(beginnings, [&](std::string_view b) { found |= keyword.starts_with(b); });
-    return found;
-}
-
 /// The suffixes after `base` when all of them are in `allowed`; none otherwise.
 std::optional<std::vector<std::string_view>> suffixes(std::string_view keyword,
                                                       std::string_view base,
@@ -247,14 +215,6 @@ std::span<const Keyword> all() {
     return KEYWORDS;
 }
 
-std::string_view harmless_beginnings() {
-    return HARMLESS;
-}
-
-std::string_view unread_definitions() {
-    return DEFINITIONS;
-}
-
 Match find(std::string_view keyword) {
     const auto [entry, base] = longest_base(keyword);
     if (entry != nullptr) {
@@ -272,8 +232,11 @@ Match find(std::string_view keyword) {
                                     : fmt::format(" with no suffix but {}", entry->options),
                                 reason(base, keyword))};
     }
-    if (begins_with_any(keyword, HARMLESS)) return {nullptr, {}, {}, true, remark_on(keyword)};
-    if (begins_with_any(keyword, DEFINITIONS)) return {nullptr, {}, {}, false, {}, true};
+    if (begins_with_any(keyword, harmless_beginnings()))
+        return {nullptr, {}, {}, true, remark_on(keyword)};
+    if (begins_with_any(keyword, unread_definitions())) return {nullptr, {}, {}, false, {}, true};
+    if (const std::string_view why = own_refusal(keyword); !why.empty())
+        return {nullptr, {}, {}, false, std::string(why)};
     if (const std::string meant = did_you_mean(keyword); !meant.empty())
         return {nullptr, {}, {}, false, fmt::format("is not supported, did you mean *{}?", meant)};
     if (keyword.starts_with("MAT_") && !keyword.starts_with("MAT_ADD_"))
@@ -283,10 +246,7 @@ Match find(std::string_view keyword) {
                 "MAT",
                 false,
                 {}};
-    if (keyword.starts_with("SENSOR_"))
-        return {nullptr, {}, {}, false, "is not supported yet: sensors switch nothing here"};
-    const bool is_later = begins_with_any(keyword, LATER);
-    return {nullptr, {}, {}, false, is_later ? "is not supported yet" : "is not supported"};
+    return {nullptr, {}, {}, false, refusal(keyword)};
 }
 
 }  // namespace corpuscle::io::keywords

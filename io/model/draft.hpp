@@ -151,7 +151,8 @@ struct DraftUses {
     std::vector<Place> motion_places;  ///< of the cards of Model::motions
     std::vector<CurveUse> curve_uses;
     std::vector<std::pair<Index, Place>> body_uses;  ///< rigid parts that loads and springs act on
-    Place node_masses_at;                            ///< the first *ELEMENT_MASS
+    Place node_masses_at;                            ///< the first *ELEMENT_MASS or _INERTIA
+    std::vector<Place> node_inertias_at;             ///< of Model::node_inertias
 };
 
 /// A model under construction: what keywords refer to each other by, and what the model itself does

@@ -249,6 +249,19 @@ void check_bodies(const Draft& draft, Faults& faults) {
                                             name_of(draft, part)));
 }
 
+/// Nodes do not turn, but bodies do.
+void check_inertias(Draft& draft, Faults& faults) {
+    const std::vector<Index>& owner = keywords::rigid_owners(draft);
+    for (std::size_t k = 0; k < draft.node_inertias_at.size(); ++k) {
+        const auto node = static_cast<std::size_t>(draft.model.node_inertias[k].node);
+        if (owner[node] < 0)
+            faults.fault(draft.node_inertias_at[k],
+                         fmt::format("*ELEMENT_INERTIA gives a tensor to node {}, expected a node "
+                                     "of a rigid part: others do not turn",
+                                     draft.model.node_id[node]));
+    }
+}
+
 }  // namespace
 
 void settle_loose_ends(Draft& draft, Faults& faults) {
@@ -260,6 +273,7 @@ void settle_loose_ends(Draft& draft, Faults& faults) {
     check_curves(draft, faults);
     check_leaks_count(draft, faults);
     check_gravity(draft, faults);
+    check_inertias(draft, faults);
     check_bodies(draft, faults);
     warn_of_lost_masses(draft, faults);
 }

@@ -83,7 +83,7 @@ void warn_of_lost_masses(const Draft& draft, Faults& faults) {
     if (count > 0)
         faults.warn(
             draft.node_masses_at,
-            fmt::format("*ELEMENT_MASS: {} masses, {:g} in all, are on nodes of rigid parts "
+            fmt::format("*ELEMENT_MASS or _INERTIA: {} masses, {:g} in all, are on nodes of rigid parts "
                         "whose mass *PART_INERTIA says: they count for nothing",
                         count, mass));
 }

@@ -14,9 +14,10 @@ Mat3 moved_inertia(double mass, const Vec3& r) {
     return mass * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
 }
 
-/// Mass, centre and inertia of nodes.
-RigidInertia inertia_of(const Points& x, const std::vector<Index>& nodes,
+/// Mass, centre and inertia of nodes, in ascending order.
+RigidInertia inertia_of(const Model& model, const std::vector<Index>& nodes,
                         const std::vector<double>& node_mass) {
+    const Points& x = model.x;
     RigidInertia all;
     all.mass = 0.0;
     for (const Index n : nodes) {
@@ -26,6 +27,8 @@ RigidInertia inertia_of(const Points& x, const std::vector<Index>& nodes,
     if (!(all.mass > 0.0)) return all;
     all.centre /= all.mass;
     for (const Index n : nodes) all.inertia += moved_inertia(node_mass[n], x[n] - all.centre);
+    for (const NodeInertia& own : model.node_inertias)
+        if (std::binary_search(nodes.begin(), nodes.end(), own.node)) all.inertia += own.inertia;
     return all;
 }
 
@@ -98,7 +101,7 @@ RigidInertia inertia_of_parts(const Model& model, const std::vector<Index>& part
             others.push_back(part);
     }
     if (!others.empty())
-        bodies.push_back(inertia_of(model.x, nodes_of_rigid_parts(model, others), node_mass));
+        bodies.push_back(inertia_of(model, nodes_of_rigid_parts(model, others), node_mass));
     RigidInertia all = bodies.front();
     for (std::size_t k = 1; k < bodies.size(); ++k) all = merged(all, bodies[k]);
     return all;

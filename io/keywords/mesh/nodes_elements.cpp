@@ -1,6 +1,7 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 
 #include <array>
 #include <cmath>
@@ -96,6 +97,38 @@ void element_mass(Cards& cards, Draft& draft) {
         c.harmless("EID PID");
         if (draft.model.node_masses.empty()) draft.node_masses_at = c.place();
         if (node >= 0) draft.model.node_masses.push_back({node, mass});
+    }
+}
+
+/// EID NID CSID, then the tensor and the mass, which count as *ELEMENT_MASS.
+void element_inertia(Cards& cards, Draft& draft) {
+    static const Layout first("EID:8 NID:8 CSID:8"), second("IXX IXY IXZ IYY IYZ IZZ MASS");
+    constexpr double ROUNDING = 1e-9;
+    while (cards.rows()) {
+        Index node = -1;
+        Place place;
+        {
+            Card c = cards.next(first);
+            node = c.row("NID", draft.nodes);
+            c.harmless("EID");
+            if (c.integer("CSID") != 0) c.fault("CSID", "0: a tensor along the axes of the deck");
+            place = c.place();
+        }
+        Card c = cards.next(second);
+        const double mass = c.real("MASS", NON_NEGATIVE);
+        const double xy = c.real("IXY"), xz = c.real("IXZ"), yz = c.real("IYZ");
+        Mat3 inertia;
+        inertia << c.real("IXX"), xy, xz, xy, c.real("IYY"), yz, xz, yz, c.real("IZZ");
+        const Vec3 moments = Eigen::SelfAdjointEigenSolver<Mat3>(inertia).eigenvalues();
+        if (c.good() && moments[0] < -ROUNDING * moments.cwiseAbs().maxCoeff())
+            c.fault("IXX", "a tensor whose three principal moments are not below 0");
+        if (!c.good() || node < 0) continue;
+        if (draft.model.node_masses.empty()) draft.node_masses_at = place;
+        draft.model.node_masses.push_back({node, mass});
+        if (inertia.isZero(0.0)) continue;
+        const Mat3& turn = c.file().turn();
+        draft.model.node_inertias.push_back({node, turn * inertia * turn.transpose()});
+        draft.node_inertias_at.push_back(place);
     }
 }
 

@@ -55,6 +55,25 @@ TEST_CASE("forces and moments on rigid bodies act as Newton and Euler say, and b
     CHECK(run.residual < 1e-12 * run.moved);
 }
 
+TEST_CASE(
+    "parts that are rigid from the start have the mass of their material, and their nodes' own",
+    "[io]") {
+    Run run("stiffened.k");
+    constexpr double PLATE = 0.08, NODE = 0.02, FORCE = 4.0, MOMENT = 0.02;
+    // of the plate, by the shift of its centre, of the node, and what the node has itself
+    constexpr double ABOUT_Z =
+        PLATE / 4.0 * 0.05 + PLATE * 5e-4 + NODE * (0.08 * 0.08 + 0.04 * 0.04) + 5e-4;
+    run.to_the_end();
+    const auto& bodies = run.scene.bodies();
+    REQUIRE(bodies.size() == 2);
+    const double t = run.half_step;
+    CHECK(run.scene.active_shells() == 0);
+    CHECK((bodies[0].velocity() - FORCE / (PLATE + NODE) * t * Vec3::UnitX()).norm() < 1e-12);
+    CHECK(bodies[0].spin().z() == Approx(MOMENT / ABOUT_Z * t).epsilon(1e-12));
+    CHECK((bodies[1].velocity() - FORCE / (2.0 * PLATE) * t * Vec3::UnitY()).norm() < 1e-12);
+    CHECK(run.residual < 1e-12 * run.moved);
+}
+
 TEST_CASE("a flat bag of quads closes, also where both panels' corners lie between the same nodes",
           "[io]") {
     Run run("flat_corners.k");
