@@ -21,6 +21,7 @@ target_sources(corpuscle_io PRIVATE
     keywords/airbag/mole_fraction.cpp
     keywords/bodies/deformable_to_rigid.cpp
     keywords/bodies/joined_nodes.cpp
+    keywords/bodies/joint_stiffness.cpp
     keywords/bodies/joints.cpp
     keywords/bodies/links.cpp
     keywords/bodies/rigid_merges.cpp

@@ -17,6 +17,7 @@
 #include "gas/sensor.hpp"
 #include "solver/base/curve.hpp"
 #include "solver/base/vec.hpp"
+#include "solver/bodies/body_cards.hpp"
 
 namespace corpuscle {
 
@@ -59,42 +60,6 @@ struct PrescribedMotion {
     double scale = 1.0;                      ///< SF: factor on the curve                      [-]
     double birth = 0.0,                      ///< acts from then on                            [s]
         death = 1e28;                        ///< no more from then on                         [s]
-};
-
-/// Initial velocity of a rigid part.
-struct RigidVelocity {
-    Index part = -1;               ///< row of a *MAT_RIGID part
-    Vec3 velocity = Vec3::Zero();  ///< of the centre of mass          [m/s]
-    Vec3 spin = Vec3::Zero();      ///< angular velocity               [rad/s]
-};
-
-/// *PART_INERTIA, or the solids of a rigid part: its mass, whatever its shells would weigh.
-struct RigidInertia {
-    Index part = -1;              ///< row of a *MAT_RIGID part
-    double mass = NaN;            ///< of the part                                [kg]
-    Vec3 centre = Vec3::Zero();   ///< of mass, at the start                     [m]
-    Mat3 inertia = Mat3::Zero();  ///< about the centre, global axes             [kg m^2]
-};
-
-/// *CONSTRAINED_EXTRA_NODES: a node that rides on a rigid part without being one of its shells'.
-struct RigidExtraNode {
-    Index part = -1;  ///< row of a *MAT_RIGID part
-    Index node = -1;  ///< row among the nodes
-};
-
-/// *CONSTRAINED_RIGID_BODIES: two *MAT_RIGID parts that move as one body, the lead's.
-struct RigidMerge {
-    Index lead = -1,             ///< row of the part that leads
-        part = -1;               ///< row of the part that goes with it
-    bool keeps_inertia = false;  ///< the lead's *PART_INERTIA holds for both, IFLAG = 0
-};
-
-/// *CONSTRAINED_JOINT_SPHERICAL, _REVOLUTE: two rigid parts share a place, or two places and with
-/// them an axis.
-struct RigidJoint {
-    std::array<Index, 2> parts{-1, -1};  ///< rows of *MAT_RIGID parts
-    std::vector<Vec3> places;            ///< one or two, at the start                       [m]
-    std::string name;                    ///< for messages: "*CONSTRAINED_JOINT_REVOLUTE 3"
 };
 
 /// *CONSTRAINED_ADAPTIVITY, or a node that hangs on an edge: it moves with the edge's ends,
@@ -214,7 +179,8 @@ struct ModelBodies {
     std::vector<RigidExtraNode> rigid_extra_nodes;  ///< that ride on parts
     std::vector<RigidMerge> rigid_merges;  ///< a part is led by one other at most, none by itself
     std::vector<RigidJoint> rigid_joints;  ///< between two bodies
-    std::vector<TiedNode> tied_nodes;      ///< a node at most once
+    std::vector<JointStiffness> joint_stiffnesses;  ///< likewise
+    std::vector<TiedNode> tied_nodes;               ///< a node at most once
 };
 
 /// What holds, moves and loads nodes.

@@ -70,10 +70,12 @@ void SceneState::kick(double dt, double span) {
 
 void SceneState::move_bodies(double dt, double span) {
     if (bodies.all.empty()) return;
+    if (bodies.springs) bodies.springs->find(clock.t, bodies.all);
     for (std::size_t b = 0; b < bodies.all.size(); ++b) {
         const Index part = bodies.all[b].part();
         const auto [force, moment] = loads.push(clock.t, nodes.x, bodies.all[b].parts());
         RigidBody::Field field{loads.acceleration(clock.t, part), mass_damping(), force, moment};
+        if (bodies.springs) field.springs = bodies.springs->moment(b);
         for (std::size_t k = 0; k < model.part_dampings.size(); ++k)
             if (bodies.damped[b][k] > 0.0) field.damping += bodies.damped[b][k] * part_damping(k);
         bodies.all[b].advance(clock.t, dt, span, field, nodes);

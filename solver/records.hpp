@@ -52,11 +52,11 @@ struct RecordLayout {
 /// The ledger at one instant: start + inflow + external = all others + residual.              [J]
 struct EnergyBooks {
     double kinetic = 0;    ///< of nodes, bodies and walls of mass
-    double strain = 0;     ///< of membranes, coats and hourglass control
+    double strain = 0;     ///< of membranes, coats, hourglass control and springs of joints
     double gas = 0;        ///< all that the gas inside holds, initial air too
     double contact = 0;    ///< stored in contact, or lost there, friction apart; never below 0
-    double friction = 0;   ///< lost by friction in contact and at walls
-    double damping = 0;    ///< lost by DAMP, *DAMPING_ and loops of loading
+    double friction = 0;   ///< lost by friction in contact, at walls and in joints
+    double damping = 0;    ///< lost by DAMP, *DAMPING_, dampers of joints and loops of loading
     double smoothing = 0;  ///< given by particles to the wall, not yet passed on to the fabric
     double ambient = 0;    ///< p_atm · (V - V at the start)
     double inflow = 0;     ///< brought by inflators and ambient air

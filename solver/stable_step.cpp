@@ -18,6 +18,8 @@ std::string StepLimit::text() const {
             return "the start of strained cloth";
         case Who::GAS:
             return fmt::format("gas of bag {}", id);
+        case Who::JOINT:
+            return fmt::format("joint stiffness {}", id);
         case Who::START:
             return "the first step asked for";
         case Who::END:
@@ -49,6 +51,10 @@ StepLimit SceneState::stable_step(bool without_start) const {
     // Rigid bodies and gas at uniform pressure set no limit: a thousand steps are what a path and a
     // curve of inflow want to be seen.
     if (limit.who == StepLimit::Who::NOTHING) limit.dt = model.end_time / 1000.0;
+    if (bodies.springs) {
+        const JointSprings::Limit joint = bodies.springs->stable_step(bodies.all);
+        limit.tighten(model.step_factor * joint.dt, StepLimit::Who::JOINT, joint.id);
+    }
     for (const gas::UniformBag& bag : airbags.uniform)
         limit.tighten(bag.stable_step(), StepLimit::Who::GAS, bag.card().id);
     if (clock.step == 0 && model.step_start > 0.0 && !without_start)

@@ -17,13 +17,14 @@ struct StepLimit {
         SHELL,    ///< fabric, `id` is a shell's
         STRAIN,   ///< release of the fabric's initial strain
         GAS,      ///< gas, `id` is a bag's
+        JOINT,    ///< springs and dampers of a joint, `id` is its JSID
         START,    ///< DTINIT, in the first step
         END       ///< the end of the run
     };
 
     double dt = INF;         ///< of the next step, INF: no limit  [s]
     Who who = Who::NOTHING;  ///< the limiter
-    int id = 0;              ///< shell or bag id
+    int id = 0;              ///< of shell, bag or joint stiffness
 
     /// Keeps the shorter of the two.
     void tighten(double other, Who whose, int whose_id) {

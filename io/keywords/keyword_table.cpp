@@ -107,6 +107,8 @@ const std::pair<const char*, const char*> EXAMPLES[] = {
     {"BOUNDARY_PRESCRIBED_MOTION_NODE", "1,4,0,1,1,1\n"},
     {"BOUNDARY_PRESCRIBED_MOTION_SET", "1,4,0,1,1,1\n"},
     {"BOUNDARY_PRESCRIBED_MOTION_RIGID", "2,4,0,1,1,1\n"},
+    {"CONSTRAINED_JOINT_STIFFNESS_GENERALIZED",
+     "1,2,2,1,1\n1,1,1,1,1,1\n1,1,1,1,1,1\n1,1,1,1,1,1\n"},
     {"DEFORMABLE_TO_RIGID", "1,2,PART\n"},
     {"LOAD_RIGID_BODY", "2,4,1,1,0,1,2,3\n2,1,1,1,1\n"},
     {"SET_NODE_GENERAL", "9\nPART,1\nSET,1\nSET_SHELL,1\n"},

@@ -175,6 +175,7 @@ void constrained_adaptivity(Cards&, Draft&);
 // joints.cpp
 void joint_spherical(Cards&, Draft&);
 void joint_revolute(Cards&, Draft&);
+void joint_stiffness_generalized(Cards&, Draft&);  // joint_stiffness.cpp
 void tied_nodes(Cards&, Draft&);
 // contact.cpp, walls.cpp, walls_geometric.cpp
 void contact_single_surface(Cards&, Draft&);

@@ -126,6 +126,7 @@ const Keyword KEYWORDS[] = {
     {"CONSTRAINED_TIED_NODES", "FAILURE", "", P::RELATION, tied_nodes},
     {"CONSTRAINED_JOINT_SPHERICAL", "ID", "LOCAL FAILURE", P::RELATION, joint_spherical},
     {"CONSTRAINED_JOINT_REVOLUTE", "ID", "LOCAL FAILURE", P::RELATION, joint_revolute},
+    {"CONSTRAINED_JOINT_STIFFNESS_GENERALIZED", "", "", P::RELATION, joint_stiffness_generalized},
     {"INITIAL_VELOCITY", "", "", P::SCENE, initial_velocity},
     {"INITIAL_VELOCITY_NODE", "", "", P::SCENE, initial_velocity_node},
     {"INITIAL_VELOCITY_RIGID_BODY", "", "", P::SCENE, initial_velocity_rigid_body},

@@ -100,6 +100,7 @@ void RigidBody::advance(double t, double dt, double span, const Field& field,
         force += nodes.f[n];
         torque += (nodes.x[n] - centre_).cross(nodes.f[n]);
     }
+    torque += field.springs;
     const Vec3 zero = Vec3::Zero();
     kick_ = {span,
              force,

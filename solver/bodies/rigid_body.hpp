@@ -36,6 +36,7 @@ public:
         double damping = 0.0;              ///< by mass, *DAMPING_GLOBAL [1/s]
         Vec3 force = Vec3::Zero(),         ///< *LOAD_RIGID_BODY: at the mass centre          [N]
             moment = Vec3::Zero();         ///< *LOAD_RIGID_BODY                            [N m]
+        Vec3 springs = Vec3::Zero();       ///< moment of springs of joints                 [N m]
     };
     /// Is at t, where its nodes have been carried.
     void arrive() {
@@ -124,6 +125,8 @@ public:
     [[nodiscard]] Vec3 mid_velocity_at(const Vec3& x) const {
         return mid_velocity_ + mid_spin_.cross(x - centre_);
     }
+    /// Spin, the same mean.                                                            [rad/s]
+    [[nodiscard]] const Vec3& mid_spin() const { return mid_spin_; }
     /// By supports and prescribed motions in the last kick.                                 [J]
     [[nodiscard]] double held_work() const { return held_work_; }
     /// By the field's acceleration, force and moment in the last kick.                       [J]
@@ -196,7 +199,7 @@ private:
 
     struct Kick {                           ///< the last one
         double span = 0.0;                  ///< [s]
-        Vec3 force, torque;                 ///< on the nodes                      [N], [N m]
+        Vec3 force, torque;                 ///< on the nodes, and of springs         [N], [N m]
         Vec3 weight, moment;                ///< of the field                      [N], [N m]
         Vec3 drag, turning_drag;            ///< [N], [N m]
         Vec3 spin;                          ///< before it                              [rad/s]

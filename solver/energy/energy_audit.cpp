@@ -63,6 +63,7 @@ void EnergyAudit::book_forces(SceneState& scene, double span) {
         moved.external += body.held_work() + body.field_work();
         moved.damping += body.damped();
     }
+    if (scene.bodies.springs) moved.damping += scene.bodies.springs->damped(span, scene.bodies.all);
     moved.external += scene.forces.loads.work(v.mid, span);
 
     moved.damping -= scene.forces.damping.work(v.mid, span);
@@ -127,6 +128,10 @@ void EnergyAudit::book_impulses(SceneState& scene, double span) {
 
 EnergyBooks EnergyAudit::books(const SceneState& scene) {
     EnergyBooks instant;
+    if (scene.bodies.springs) {
+        instant.strain += scene.bodies.springs->energy();
+        instant.friction += scene.bodies.springs->rubbed();
+    }
     if (scene.cloth.membranes) {
         instant.strain += scene.cloth.membranes->strain_energy();
         instant.damping += scene.cloth.membranes->lost_energy();

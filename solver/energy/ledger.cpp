@@ -11,7 +11,7 @@ EnergyBooks Ledger::balance(const EnergyBooks& instant) const {
     EnergyBooks books = instant;
     books.kinetic = mean(&Moved::kinetic);
     books.contact = mean(&Moved::contact);
-    books.friction = mean(&Moved::friction);
+    books.friction += mean(&Moved::friction);
     books.damping += mean(&Moved::damping);
     books.ambient = mean(&Moved::ambient);
     books.external = mean(&Moved::external);

@@ -33,8 +33,8 @@ public:
         after;            ///< up to t + dt/2
     double weight = 0.5;  ///< of `after` at t: dt_last / (dt_last + dt)                        [-]
 
-    /// What is where at t: strain, gas, inflow and outflow are the instant's own, and of damping
-    /// what loops of loading have lost.
+    /// What is where at t: strain, gas, inflow and outflow are the instant's own, of damping what
+    /// loops of loading have lost, of friction what joints have.
     [[nodiscard]] EnergyBooks balance(const EnergyBooks& instant) const;
 
     /// Fixes what there is at the start; everything later is compared with it.

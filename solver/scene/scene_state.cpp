@@ -145,6 +145,7 @@ void SceneState::build_bodies() {
     for (std::size_t b = 0; b < bodies.all.size(); ++b)
         for (const Index n : bodies.all[b].nodes()) bodies.of_node[n] = static_cast<Index>(b);
     if (!model.rigid_joints.empty()) join_bodies();
+    if (!model.joint_stiffnesses.empty()) bodies.springs.emplace(model, bodies.all);
 }
 
 /// Of bodies, by the mass of their parts that are damped.

@@ -16,6 +16,7 @@
 #include "gas/exchange.hpp"
 #include "gas/uniform_bag.hpp"
 #include "solver/bodies/constraints.hpp"
+#include "solver/bodies/joint_springs.hpp"
 #include "solver/bodies/rigid_body.hpp"
 #include "solver/bodies/rigid_joints.hpp"
 #include "solver/bodies/tied_nodes.hpp"
@@ -68,6 +69,7 @@ struct SceneBodies {
     std::vector<Index> of_node;                ///< N: row in `all` or -1; empty without bodies
     std::vector<contact::RigidProxy> proxies;  ///< the same as contact sees them
     std::optional<RigidJoints> joints;         ///< none: no body is joined
+    std::optional<JointSprings> springs;       ///< none: no *CONSTRAINED_JOINT_STIFFNESS
     std::vector<std::vector<double>> damped;   ///< by body, by *DAMPING_PART_MASS: share of its
                                                ///< mass that is damped                    [-]
 
@@ -175,8 +177,9 @@ struct SceneState {
         if (cloth.next_birth != next_birth && cloth.membranes)  // read: references that count
             cloth.membranes = membranes_now();
         archive(cloth.membranes, cloth.growth, cloth.strained_start, supports, bodies.all,
-                airbags.particle, airbags.uniform, obstacles.contact, obstacles.walls,
-                impulses.walls, impulses.contacts, impulses.joints, impulses.turnings);
+                bodies.springs, airbags.particle, airbags.uniform, obstacles.contact,
+                obstacles.walls, impulses.walls, impulses.contacts, impulses.joints,
+                impulses.turnings);
     }
 
     Model model;                   ///< what the scene was built from

@@ -147,6 +147,37 @@ TEST_CASE("the force on a jointed body is that of contact alone", "[contact]") {
     CHECK((on_third + on_bullet).norm() < 1e-12 * on_third.norm());
 }
 
+TEST_CASE("springs, a damper, friction and a stop of joints move plates as one degree of freedom",
+          "[io]") {
+    Run run("joint_stiffness.k");
+    constexpr double ABOUT_Z = 1e-3, ABOUT_Y = 8e-4, SPIN = 20.0;  // of a plate; at the start
+    constexpr double SPRING = 100.0, DAMPER = 0.1, FRICTION = 0.5, STOP = 1e4, MOVES = 1e-9;
+    run.to_the_end();
+    const auto spin = [&](int part) -> Vec3 {
+        for (const RigidBody& body : run.scene.bodies())
+            if (run.scene.model().parts[body.part()].id == part) return body.spin();
+        return Vec3::Constant(NaN);
+    };
+    const double t = run.half_step, all = 5.0 * 0.5 * ABOUT_Z * SPIN * SPIN;
+    const double on_spring = std::sqrt(SPRING / ABOUT_Z), dt = run.scene.time() - run.last_time;
+    CHECK(spin(1).norm() < MOVES);
+    // leapfrog's frequency is above the exact one by (w dt)^2 / 24
+    CHECK(spin(2).z() == Approx(SPIN * std::cos(on_spring * t)).margin(1e-2));
+    CHECK(spin(3).z() == Approx(SPIN * std::exp(-DAMPER / ABOUT_Z * t)).epsilon(5e-2));
+    CHECK(std::abs(spin(4).z()) < FRICTION / std::sqrt(1e5 * ABOUT_Z));  // stopped at 0.04 s
+    CHECK(spin(5).z() == Approx(-SPIN).epsilon(std::pow(std::sqrt(STOP / ABOUT_Z) * dt, 2.0)));
+    const double free_pair = std::sqrt(2.0 * SPRING / ABOUT_Y);
+    CHECK(spin(6).y() == Approx(10.0 * std::cos(free_pair * t)).margin(2e-2));
+    CHECK((spin(6) + spin(7)).norm() < MOVES);
+    EnergyBooks books;
+    run.scene.close([&](Simulation& at) { books = at.books(); });
+    CHECK(books.friction == Approx(0.5 * ABOUT_Z * SPIN * SPIN).epsilon(1e-2));
+    CHECK(books.damping == Approx(0.5 * ABOUT_Z * SPIN * SPIN).epsilon(1e-2));
+    CHECK(std::abs(books.external) < MOVES);
+    CHECK(run.residual < 5e-3 * all);
+    CHECK(std::abs(books.residual) < 1e-3 * all);
+}
+
 TEST_CASE("nodes that are tied in one place are one", "[io][fabric]") {
     Run tied("tied_nodes.k"), whole("wang_nefske_inflator_card.k");
     CHECK(tied.scene.model().tied_nodes.size() == 8);

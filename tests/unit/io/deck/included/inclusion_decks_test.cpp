@@ -183,7 +183,7 @@ TEST_CASE("a mirrored scene runs as the mirror image: bodies, walls, loads, ties
         Eigen::Translation3d(0.2, 0, 0) * Eigen::Affine3d(Eigen::Scaling(-1.0, 1.0, 1.0));
     const DeckFolder folder;
     for (const char* deck :
-         {"gravity_part.k", "joint_hinge.k", "joints_chain.k", "joints_hit.k",
+         {"gravity_part.k", "joint_hinge.k", "joint_stiffness.k", "joints_chain.k", "joints_hit.k",
           "loads_of_nodes.k", "masses_of_rigid.k", "rigid_loads.k", "stiffened.k", "tied_contact.k",
           "wall_box.k", "adaptivity.k", "table_of_solids.k"})
         CHECK(compare(folder, fs::path(CORPUSCLE_DECKS) / deck, "MIRROR,0.1,0,0,1.1,0,0\n", map));

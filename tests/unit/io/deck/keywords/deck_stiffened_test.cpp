@@ -1,9 +1,11 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 //
-// Parts that are rigid from the start, tensors of their nodes.
+// Parts that are rigid from the start, tensors of their nodes, stiffness of their joints.
 
 #include <catch2/catch.hpp>
+
+#include <numbers>
 
 #include "solver/bodies/rigid_parts.hpp"
 #include "tests/unit/io/deck/deck_scene.hpp"
@@ -77,4 +79,48 @@ TEST_CASE("a tensor of a node is its body's, about the body's centre", "[io]") {
                    "a tensor to node 5, expected a node of a rigid part"));
     CHECK(contains(only_fault("*ELEMENT_INERTIA\n1,5,7\n1,0,0,1,0,1\n"), "field 3 (CSID) = 7"));
     CHECK(contains(only_fault("*ELEMENT_INERTIA\n1,5\n1,2,0,1,0,1\n"), "field 1 (IXX) = 1"));
+}
+
+TEST_CASE("stiffness of joints: axes, stops in degrees, and what is expected of curves", "[io]") {
+    const std::string bodies =
+        "*DEFORMABLE_TO_RIGID\n1\n2\n*DEFINE_CURVE\n8\n-1,-5\n1,5\n*DEFINE_CURVE\n9\n-1,5\n1,5\n"
+        "*DEFINE_CURVE\n10\n-1,-1\n0,-1\n0,1\n1,1\n*DEFINE_COORDINATE_SYSTEM\n1,0,0,0,0,1\n-1\n"
+        "*DEFINE_COORDINATE_NODES\n2,1,2,4,1\n3,2,5,3,1\n*SET_NODE\n5\n2,3\n"
+        "*NODE\n31,1,0,0\n32,1,1,0\n";
+    const std::string apart = [] {
+        std::string deck = small_deck();
+        return deck.replace(deck.find("13,2,2,5,6,3"), 12, "13,2,31,5,6,32");
+    }();
+    const DeckFolder folder;
+    const auto with = [&](const std::string& joint) {
+        std::string deck = apart;
+        const std::string cards =
+            bodies + "*CONSTRAINED_JOINT_STIFFNESS_GENERALIZED\n" + joint + "\n";
+        return deck.insert(deck.find("*END"), cards);
+    };
+    const Model model = folder.read(with("4,1,2,1,0\n8,0,0,0,0,8\n1,2,3\n-10,20,0,30"));
+    REQUIRE(model.joint_stiffnesses.size() == 1);
+    const JointStiffness& joint = model.joint_stiffnesses[0];
+    CHECK(joint.id == 4);
+    CHECK(joint.parts == std::array<Index, 2>{0, 1});
+    CHECK((joint.axes[0].col(0) - Vec3::UnitY()).norm() < 1e-12);
+    CHECK(joint.axes[1] == joint.axes[0]);
+    CHECK(joint.about[0].spring == joint.about[2].damper);
+    CHECK(joint.about[0].stiffness == 1.0);
+    CHECK(joint.about[0].friction == 2.0);
+    CHECK(joint.about[0].low == Approx(-std::numbers::pi / 18.0));
+    CHECK(joint.about[0].high == Approx(std::numbers::pi / 9.0));
+    CHECK(joint.about[1].low == -INF);
+    const auto fault = [&](const std::string& joint_cards) {
+        const auto faults = folder.faults(with(joint_cards));
+        return faults.size() == 1 ? faults[0] : std::to_string(faults.size()) + " faults";
+    };
+    CHECK(contains(fault("4,1,1,1\n\n\n"), "(PIDB) = 1, expected a part of another body"));
+    CHECK(contains(fault("4,1,2,2,2\n\n\n"), "(CIDB) = 2, expected a system whose nodes are of"));
+    CHECK(
+        contains(fault("4,1,2,1\n0,10\n\n"), "(LCIDT) = 10, expected a curve without two points"));
+    CHECK(contains(fault("4,1,2,1\n0,0,0,9\n\n"), "(DLCIDPH) = 9, expected a curve of moments"));
+    CHECK(contains(fault("4,1,2,1\n\n1,-9\n"), "(FMPH) = -9, expected 0 or above: a curve of"));
+    CHECK(contains(only_fault("*CONSTRAINED_JOINT_STIFFNESS_TRANSLATIONAL\n1\n"),
+                   "is not supported yet"));
 }
