@@ -33,8 +33,10 @@ target_sources(corpuscle_io PRIVATE
     keywords/contact/walls_geometric.cpp
     keywords/materials/mat_fabric.cpp
     keywords/materials/materials.cpp
+    keywords/materials/part_composite.cpp
     keywords/materials/parts_sections.cpp
     keywords/mesh/coordinates.cpp
+    keywords/mesh/element_state.cpp
     keywords/mesh/nodes_elements.cpp
     keywords/mesh/reference_geometry.cpp
     keywords/mesh/set_order.cpp

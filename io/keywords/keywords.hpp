@@ -78,6 +78,10 @@ void extra_nodes_set(Cards&, Draft&);
 // rigid_merges.cpp
 void constrained_rigid_bodies(Cards&, Draft&);
 void deformable_to_rigid(Cards&, Draft&);  // deformable_to_rigid.cpp
+void part_composite(Cards&, Draft&);       // part_composite.cpp
+// element_state.cpp
+void element_death(Cards&, Draft&);
+void initial_stress(Cards&, Draft&);
 // materials.cpp, mat_fabric.cpp
 void mat_elastic(Cards&, Draft&);
 void mat_null(Cards&, Draft&);

@@ -26,6 +26,7 @@ struct Section {
     int element_form = 0;
     bool is_solid = false;      ///< *SECTION_SOLID
     bool is_tube = false;       ///< *SECTION_BEAM, CST = 1
+    bool is_composite = false;  ///< of *PART_COMPOSITE itself
     double area = NaN;          ///< of *SECTION_BEAM                                      [m^2]
     std::string other;          ///< the keyword of one that is no shell's and no solid's
     Place place;                ///< of its card

@@ -49,7 +49,9 @@ void check_forms(const Draft& draft, Faults& faults) {
         const Section& section = draft.section[static_cast<std::size_t>(row)];
         const int form = section.element_form;
         if (!section.other.empty() || section.is_solid || form == 5 || form == 9) continue;
-        const std::string which = fmt::format("*SECTION_SHELL, field 2 (ELFORM) = {}", form),
+        const std::string which = fmt::format(
+                              "*{}, field 2 (ELFORM) = {}",
+                              section.is_composite ? "PART_COMPOSITE" : "SECTION_SHELL", form),
                           whose = fmt::format(" (part{} {})", parts.size() > 1 ? "s" : "",
                                               fmt::join(parts, ", "));
         if ((form >= 12 && form <= 15) || form > 40 || form == 23 || form == 24)
@@ -83,9 +85,10 @@ void warn_of_lost_masses(const Draft& draft, Faults& faults) {
     if (count > 0)
         faults.warn(
             draft.node_masses_at,
-            fmt::format("*ELEMENT_MASS or _INERTIA: {} masses, {:g} in all, are on nodes of rigid parts "
-                        "whose mass *PART_INERTIA says: they count for nothing",
-                        count, mass));
+            fmt::format(
+                "*ELEMENT_MASS or _INERTIA: {} masses, {:g} in all, are on nodes of rigid parts "
+                "whose mass *PART_INERTIA says: they count for nothing",
+                count, mass));
 }
 
 }  // namespace corpuscle::io
