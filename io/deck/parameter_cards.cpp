@@ -69,6 +69,17 @@ public:
         }
     }
 
+    /// _TYPE: one a line, and what it is a number of. Offsets of *INCLUDE_TRANSFORM are those of
+    /// the fields that name it.
+    void typed_values() {
+        static const Layout layout("PRMR1 VAL1 PRTYP1");
+        while (cards_.rows()) {
+            Card card = cards_.next(layout);
+            if (card.given("PRMR1")) value(card, 0);
+            card.harmless("PRTYP1");
+        }
+    }
+
     void expressions(const Block& block) {
         for (std::size_t i = 0; i < block.lines.size(); ++i) {
             std::string text(block.lines[i].text);
@@ -204,7 +215,7 @@ bool is_parameter_keyword(std::string_view keyword) {
         const auto end = std::min(rest.find('_', 1), rest.size());
         const std::string_view option = rest.substr(0, end);
         if (option != "_LOCAL" && option != "_EXPRESSION" && option != "_NOECHO" &&
-            option != "_MUTABLE")
+            option != "_MUTABLE" && option != "_TYPE")
             return false;
         rest.remove_prefix(end);
     }
@@ -218,6 +229,8 @@ void read_parameters(const Block& block, Parameters& parameters, Faults& faults)
         definitions.duplication();
     else if (has_option(block.keyword, "_EXPRESSION"))
         definitions.expressions(block);
+    else if (has_option(block.keyword, "_TYPE"))
+        definitions.typed_values();
     else
         definitions.values();
     faults.end_block(block.place, block.keyword);

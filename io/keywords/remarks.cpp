@@ -101,6 +101,8 @@ std::string_view reason(std::string_view base, std::string_view keyword) {
 
 std::string_view own_refusal(std::string_view keyword) {
     if (keyword.starts_with("SENSOR_")) return "is not supported yet: sensors switch nothing here";
+    if (keyword == "CASE" || keyword.starts_with("CASE_"))
+        return "is not supported: a run has one case, expected the keywords of that case alone";
     if (keyword.starts_with("DEFORMABLE_TO_RIGID_"))
         return "is not supported: no part becomes rigid or deforms again during a run, expected "
                "*DEFORMABLE_TO_RIGID of parts that are rigid from the start";

@@ -1,7 +1,7 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 //
-// Layers of parts; shells that would vanish or begin with stress.
+// Layers of parts; shells that would vanish or begin with stress; typed parameters; cases.
 
 #include <catch2/catch.hpp>
 
@@ -69,4 +69,23 @@ TEST_CASE("stress at the start that is 0 everywhere is none", "[io]") {
     CHECK(contains(only_fault("*SET_SHELL\n5\n11\n*INITIAL_STRESS_SHELL_SET\n5\n0,0,0,0,0,0,0,1\n"),
                    "field 8 (EPS) = 1"));
     CHECK(contains(only_fault(keyword + "11,1,1,0,6\n0\n"), "field 5 (NTENSR) = 6"));
+}
+
+TEST_CASE("a typed parameter is an integer that is shifted where it is used", "[io]") {
+    const std::string file = small_deck(
+        "*PARAMETER_TYPE\nI    node         3       NID\nI  curve,7,CURVEID\n"
+        "*BOUNDARY_SPC_NODE\n&node,0,1\n*LOAD_NODE_POINT\n&node,1,&curve\n");
+    const Model model = read_included(file, inclusion("file.k", EACH_OFFSET));
+    REQUIRE(model.supports.size() == 1);
+    CHECK(model.node_id[static_cast<std::size_t>(model.supports[0].node)] == 1003);
+    CHECK(model.curves[static_cast<std::size_t>(model.node_loads.at(0).curve)].id == 6007);
+}
+
+TEST_CASE("cases of one deck are refused with what is expected", "[io]") {
+    const DeckFolder folder;
+    const auto faults = folder.faults(
+        small_deck("*CASE\n1\n*CASE_BEGIN_1\n*BOUNDARY_SPC_NODE\n3,0,1\n*CASE_END_1\n"));
+    REQUIRE(faults.size() == 3);
+    for (const std::string& fault : faults)
+        CHECK(contains(fault, "expected the keywords of that case alone"));
 }
