@@ -41,7 +41,8 @@ double Openings::flow_between(std::size_t row, double t, const Inside& from, dou
            leak_speed(leak.law, from.pressure, p_out, density, from.gamma);
 }
 
-/// Through fabric inside the bag: as set_seepage(), for the gas on each side by itself.
+/// Through fabric inside the bag: as set_seepage(), for the gas on each side by itself. Where all pass,
+/// from both sides, it is a hole.
 void Openings::set_between(Index row, double t, double dt, std::span<const Inside> rooms) {
     Opening& opening = openings_[row];
     const auto set = [&](const Inside& from, const Inside& to, Opening::Seepage& seepage,
@@ -61,6 +62,14 @@ void Openings::set_between(Index row, double t, double dt, std::span<const Insid
     const Inside &behind = rooms[opening.room], &ahead = rooms[opening.ahead.room];
     set(behind, ahead, opening.seepage[0], chances.chance);
     set(ahead, behind, opening.seepage[1], chances.front_chance);
+    const auto is_open = [](const Opening::Seepage& side) {
+        return std::all_of(side.share.begin(), side.share.end(),
+                           [](double share) { return share >= 1.0; });
+    };
+    if (!is_open(opening.seepage[0]) || !is_open(opening.seepage[1])) return;
+    for (Opening::Seepage& side : opening.seepage) std::fill(side.due.begin(), side.due.end(), 0.0);
+    std::fill(chances.chance.begin(), chances.chance.end(), 1.0);
+    chances.front_chance.clear();
 }
 
 /// Gas that seeps takes its enthalpy along: what a particle that has passed lacks of it is owed by
@@ -71,6 +80,7 @@ void Openings::count_through(const Arrival& arrival, std::span<const Inside> roo
     const Opening& opening = openings_[row];
     if (opening.leak < 0 || opening.room == opening.ahead.room) return;
     const bool from_front = arrival.outcome.from_front;
+    if (opening.seepage[from_front ? 1 : 0].share[species] >= 1.0) return;  // as through a hole
     const Inside& from = rooms[from_front ? opening.ahead.room : opening.room];
     const double lacks = mass_[species] * species_[species].h(from.temperature) - arrival.energy;
     passed_.still_owed[row] += from_front ? -lacks : lacks;
