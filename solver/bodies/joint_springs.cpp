@@ -17,15 +17,6 @@ constexpr double NEAR_GIMBAL = 0.05;  ///< |cos theta| below which phi and psi a
 constexpr double IN_GIMBAL = 1e-9;    ///< the same, of rounding
 constexpr double DEGREES = 180.0 / std::numbers::pi;
 
-Index body_of_part(const std::vector<RigidBody>& bodies, Index part) {
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-        const std::vector<Index>& parts = bodies[b].parts();
-        if (std::find(parts.begin(), parts.end(), part) != parts.end())
-            return static_cast<Index>(b);
-    }
-    return -1;
-}
-
 /// The angle that differs from another one by full turns, nearest to a third.
 double unwound(double angle, double near) {
     constexpr double TURN = 2.0 * std::numbers::pi;
@@ -102,7 +93,7 @@ JointSprings::JointSprings(const Model& model, const std::vector<RigidBody>& bod
     for (const JointStiffness& card : model.joint_stiffnesses) {
         Pair pair;
         pair.id = card.id;
-        for (std::size_t k = 0; k < 2; ++k) pair.bodies[k] = body_of_part(bodies, card.parts[k]);
+        for (std::size_t k = 0; k < 2; ++k) pair.bodies[k] = body_of(bodies, card.parts[k]);
         if (pair.bodies[0] < 0 || pair.bodies[1] < 0 || pair.bodies[0] == pair.bodies[1])
             throw InputError(
                 fmt::format("joint stiffness {}: of one body with itself, expected two", card.id));

@@ -285,4 +285,13 @@ void RigidBody::hold_rotation(double t, double dt, double span) {
     angular_momentum_ += H * moment;
 }
 
+Index body_of(const std::vector<RigidBody>& bodies, Index part) {
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const std::vector<Index>& parts = bodies[b].parts();
+        if (std::find(parts.begin(), parts.end(), part) != parts.end())
+            return static_cast<Index>(b);
+    }
+    return -1;
+}
+
 }  // namespace corpuscle

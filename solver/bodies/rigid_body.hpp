@@ -209,4 +209,7 @@ private:
     Kick kick_;
 };
 
+/// Row of the body that a part is of; -1: of none.
+[[nodiscard]] Index body_of(const std::vector<RigidBody>& bodies, Index part);
+
 }  // namespace corpuscle

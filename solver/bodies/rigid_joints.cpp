@@ -19,15 +19,6 @@ constexpr double CONVERGED = 1e-14;  ///< gap over coordinates
 constexpr double APART = 1e-6;       ///< the same, where holds keep a joint open
 constexpr double FLOOR = 1e-12;      ///< on S's diagonal, for joints that say one thing twice
 
-Index body_of(const std::vector<RigidBody>& bodies, Index part) {
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-        const std::vector<Index>& parts = bodies[b].parts();
-        if (std::find(parts.begin(), parts.end(), part) != parts.end())
-            return static_cast<Index>(b);
-    }
-    return -1;
-}
-
 }  // namespace
 
 RigidJoints::RigidJoints(const Model& model, const std::vector<RigidBody>& bodies)

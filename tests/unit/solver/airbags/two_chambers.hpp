@@ -90,4 +90,24 @@ inline void run_until(Simulation& simulation, double t, double& residual) {
         });
 }
 
+/// Two stirred tanks that pass their gas to each other with its enthalpy, after a time:
+/// dm_c/dt = w (ρ_d - ρ_c).
+/// @param flow   w, of volume, each way                                                   [m^3/s]
+/// @param gamma  of the gas                                                                   [-]
+inline void seep(std::vector<gas::ChamberState>& tanks, double flow, double gamma, double time) {
+    constexpr int STEPS = 20000;
+    const double dt = time / STEPS;
+    for (int i = 0; i < STEPS; ++i) {
+        std::array<double, 2> mass{}, h{};
+        for (const std::size_t c : {0, 1}) {
+            mass[c] = flow * dt * tanks[c].mass / tanks[c].volume;
+            h[c] = gamma * tanks[c].energy / tanks[c].mass;
+        }
+        for (const std::size_t c : {0, 1}) {
+            tanks[c].mass += mass[1 - c] - mass[c];
+            tanks[c].energy += mass[1 - c] * h[1 - c] - mass[c] * h[c];
+        }
+    }
+}
+
 }  // namespace corpuscle::chambered
