@@ -16,15 +16,15 @@
 
 namespace corpuscle::fabric {
 
-/// The loop over a block; it knows no mechanics. `DAMPED` and the law are settled at construction.
-template <template <class> class Element, class Law, bool DAMPED>
+/// The loop over a block; it knows no mechanics. The law is settled at construction.
+template <template <class> class Element, class Law>
 class BlockOf final : public MembraneBlock {
 public:
     static constexpr int CORNERS = Element<Lanes>::CORNERS;
     static constexpr std::size_t POINTS = Element<Lanes>::POINTS;
     static constexpr std::size_t STRIDE = 3 * LANES * CORNERS;  ///< corner forces of a pack
     static constexpr bool HAS_PAST = Remembering<Law>;
-    static constexpr bool IS_SHARP = DAMPED && KnowsBound<Element<Lanes>> && !StiffensBeyond<Law>;
+    static constexpr bool IS_SHARP = KnowsBound<Element<Lanes>> && !StiffensBeyond<Law>;
 
     template <class Make>
     BlockOf(const BlockInput& in, const Law& law, const Make& make)
@@ -34,7 +34,7 @@ public:
           packs_((in.shells.size() + LANES - 1) / LANES) {
         part = in.part;
         corners = CORNERS;
-        is_damped = DAMPED;
+        is_damped = in.law.damping > 0.0;
         shells = in.shells;
         mass.resize(size() * CORNERS);
         stiffness.resize(size());
@@ -47,29 +47,10 @@ public:
         if (in.law.restoration.any() && !in.start.empty()) note_start(in.start);
     }
 
-    /// Flattened: with so many laws in one file the compiler would call what must be inline.
-    [[gnu::flatten]] Result force(std::size_t begin, std::size_t end, const Points& x,
-                                  const Points& v, double* elastic, double* damping) override {
-        Lanes energy{}, rate = Lanes{} + rest_rate, pack_of{}, lost{}, pull{};
-        for (std::size_t p = begin; p < end; ++p) {
-            const Pack<Element>& pack = packs_[p];
-            const auto motion = pack.shape.motion(corners_of(x.data()->data(), pack.nodes));
-            const auto strain = pack.shape.strain(motion);
-            Lanes stored;
-            const auto load = respond(p, motion, strain, stored, lost, pull);
-            store_corners(elastic + p * STRIDE, pack.shape.spread(motion, load, Lanes{} + 1.0));
-            energy += stored;
-            if constexpr (DAMPED) damp(p, motion, v, damping);
-
-            Lanes now = pack.rate * stiffening(strain);
-            if (!mobility_.empty() && any(now > rate)) now = sharpened(p, motion, load, now);
-            pack_of = select(now > rate, Lanes{} + static_cast<double>(p), pack_of);
-            rate = greater(now, rate);
-        }
-        Result out = summary(energy, rate, pack_of);
-        if constexpr (Remembering<Law>) out.lost = sum_of(lost);
-        if (!history_.empty()) out.pull = sum_of(pull);
-        return out;
+    Result force(std::size_t begin, std::size_t end, const Points& x, const Points& v,
+                 double* elastic, double* damping) override {
+        return is_damped ? pass<true>(begin, end, x, v, elastic, damping)
+                         : pass<false>(begin, end, x, v, elastic, damping);
     }
 
     Index first_broken(const Points& x, const double* elastic,
@@ -84,7 +65,8 @@ public:
             bool is_finite = std::isfinite(stored[lane]);
             for (std::size_t k = 0; k < 3 * CORNERS; ++k) {
                 const std::size_t at = p * STRIDE + k * LANES + lane;
-                is_finite &= std::isfinite(elastic[at]) && (!DAMPED || std::isfinite(damping[at]));
+                is_finite &=
+                    std::isfinite(elastic[at]) && (!is_damped || std::isfinite(damping[at]));
             }
             if (!is_finite && (first < 0 || shells[e] < first)) first = shells[e];
         }
@@ -168,6 +150,32 @@ private:
             pack.rate[lane] = 0.0;
         }
         pack.set(static_cast<int>(lane), one);
+    }
+
+    /// Flattened: with so many laws in one file the compiler would call what must be inline.
+    template <bool DAMPED>
+    [[gnu::flatten]] Result pass(std::size_t begin, std::size_t end, const Points& x,
+                                 const Points& v, double* elastic, double* damping) {
+        Lanes energy{}, rate = Lanes{} + rest_rate, pack_of{}, lost{}, pull{};
+        for (std::size_t p = begin; p < end; ++p) {
+            const Pack<Element>& pack = packs_[p];
+            const auto motion = pack.shape.motion(corners_of(x.data()->data(), pack.nodes));
+            const auto strain = pack.shape.strain(motion);
+            Lanes stored;
+            const auto load = respond(p, motion, strain, stored, lost, pull);
+            store_corners(elastic + p * STRIDE, pack.shape.spread(motion, load, Lanes{} + 1.0));
+            energy += stored;
+            if constexpr (DAMPED) damp(p, motion, v, damping);
+
+            Lanes now = pack.rate * stiffening(strain);
+            if (!mobility_.empty() && any(now > rate)) now = sharpened(p, motion, load, now);
+            pack_of = select(now > rate, Lanes{} + static_cast<double>(p), pack_of);
+            rate = greater(now, rate);
+        }
+        Result out = summary(energy, rate, pack_of);
+        if constexpr (Remembering<Law>) out.lost = sum_of(lost);
+        if (!history_.empty()) out.pull = sum_of(pull);
+        return out;
     }
 
     using At = AtPack<Law, Element<Lanes>, POINTS>;
@@ -290,9 +298,7 @@ template <template <class> class Element, class Make>
 std::unique_ptr<MembraneBlock> make_block(const BlockInput& in, const Make& make) {
     return std::visit(
         [&]<class Law>(const Law& law) -> std::unique_ptr<MembraneBlock> {
-            if (in.law.damping > 0)
-                return std::make_unique<BlockOf<Element, Law, true>>(in, law, make);
-            return std::make_unique<BlockOf<Element, Law, false>>(in, law, make);
+            return std::make_unique<BlockOf<Element, Law>>(in, law, make);
         },
         in.law.law);
 }

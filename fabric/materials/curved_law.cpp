@@ -21,13 +21,6 @@ LoadingLoop loop(const FabricCard& c, std::span<const Curve> curves, std::size_t
     return {std::move(loading), curves[static_cast<std::size_t>(unload)], c.curves.reload};
 }
 
-template <class Measure>
-Law curved(YarnLoops loops, const PlaneModuli& layers) {
-    if (loops.warp.remembers() || loops.weft.remembers() || loops.shear.remembers())
-        return Looped<Measure>(std::move(loops), layers);
-    return Curved<Measure>(std::move(loops), layers);
-}
-
 }  // namespace
 
 std::vector<CurveFault> curve_faults(const FabricCard& card, std::span<const Curve> curves) {
@@ -51,8 +44,10 @@ std::vector<CurveFault> curve_faults(const FabricCard& card, std::span<const Cur
 
 Law curved_law(const FabricCard& card, std::span<const Curve> curves, const PlaneModuli& layers) {
     YarnLoops loops{loop(card, curves, 0), loop(card, curves, 1), loop(card, curves, 2)};
-    return card.form == 14 ? curved<EngineeringMeasure>(std::move(loops), layers)
-                           : curved<GreenMeasure>(std::move(loops), layers);
+    const YarnMeasure measure = card.form == 14 ? YarnMeasure::ENGINEERING : YarnMeasure::GREEN;
+    if (loops.warp.remembers() || loops.weft.remembers() || loops.shear.remembers())
+        return Looped(std::move(loops), measure, layers);
+    return Curved(std::move(loops), measure, layers);
 }
 
 }  // namespace corpuscle::fabric

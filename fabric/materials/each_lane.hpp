@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "fabric/lanes.hpp"
+#include "fabric/materials/lane_by_lane.hpp"
 #include "fabric/materials/own_law.hpp"
 
 namespace corpuscle::fabric {
@@ -20,30 +20,17 @@ public:
 
     template <class Real>
     Stress<Real> stress(const Strain<Real>& e) const {
-        Stress<Real> out;
-        for (int l = 0; l < WIDTH<Real>; ++l) {
-            const Stress<double> s = law_->stress(one(e, l));
-            set_lane(out.warp, l, s.warp);
-            set_lane(out.weft, l, s.weft);
-            set_lane(out.shear, l, s.shear);
-            set_lane(out.energy, l, s.energy);
-        }
-        return out;
+        return stress_by_lane(
+            e, [&](int, const Strain<double>& of_one) { return law_->stress(of_one); });
     }
 
     template <class Real>
     Real stiffening(const Strain<Real>& e) const {
-        Real out{};
-        for (int l = 0; l < WIDTH<Real>; ++l) set_lane(out, l, law_->stiffening(one(e, l)));
-        return out;
+        return number_by_lane(
+            e, [&](const Strain<double>& of_one) { return law_->stiffening(of_one); });
     }
 
 private:
-    template <class Real>
-    static Strain<double> one(const Strain<Real>& e, int l) {
-        return {get_lane(e.warp, l), get_lane(e.weft, l), get_lane(e.shear, l)};
-    }
-
     std::shared_ptr<const OwnLaw> law_;
     PlaneModuli moduli_;
 };

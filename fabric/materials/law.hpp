@@ -21,9 +21,8 @@ namespace corpuscle::fabric {
 
 /// Every law that a block of elements can have: chosen once a part, never in a loop.
 using Law = std::variant<Linear, IsotropicTensionField, OrthotropicTensionField, Lined<Linear>,
-                         Lined<IsotropicTensionField>, Lined<OrthotropicTensionField>,
-                         Curved<GreenMeasure>, Curved<EngineeringMeasure>, Looped<GreenMeasure>,
-                         Looped<EngineeringMeasure>, EachLane>;
+                         Lined<IsotropicTensionField>, Lined<OrthotropicTensionField>, Curved,
+                         Looped, EachLane>;
 
 struct PartLaw {
     Law law{Linear(PlaneModuli{})};

@@ -115,10 +115,10 @@ TEST_CASE("a card with curves picks its law, and one without pays nothing", "[fa
     const auto law = [](int form, bool unloads) {
         return make_law({1, "", curved_card(form, unloads)}, CURVES).law;
     };
-    CHECK(std::holds_alternative<Curved<GreenMeasure>>(law(4, false)));
-    CHECK(std::holds_alternative<Curved<EngineeringMeasure>>(law(14, false)));
-    CHECK(std::holds_alternative<Looped<GreenMeasure>>(law(4, true)));
-    CHECK(std::holds_alternative<Looped<EngineeringMeasure>>(law(14, true)));
+    CHECK(std::get<Curved>(law(4, false)).measure() == YarnMeasure::GREEN);
+    CHECK(std::get<Curved>(law(14, false)).measure() == YarnMeasure::ENGINEERING);
+    CHECK(std::get<Looped>(law(4, true)).measure() == YarnMeasure::GREEN);
+    CHECK(std::get<Looped>(law(14, true)).measure() == YarnMeasure::ENGINEERING);
     FabricCard plain = fabric_card();
     plain.form = 14;
     CHECK(std::holds_alternative<Linear>(make_law({1, "", plain}, CURVES).law));
