@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "solver/base/error.hpp"
+#include "solver/bodies/free_rotation.hpp"
 #include "solver/bodies/rigid_parts.hpp"
 
 namespace corpuscle {
@@ -44,13 +45,16 @@ Eigen::Map<const Eigen::VectorXd> wanted(const std::vector<double>& target) {
 }  // namespace
 
 RigidBody::RigidBody(const Model& model, Index part, const std::vector<double>& node_mass)
-    : part_(part), parts_(merged_parts(model, part)), nodes_(nodes_of_rigid_parts(model, parts_)) {
+    : part_(part),
+      id_(model.parts[part].id),
+      parts_(merged_parts(model, part)),
+      nodes_(nodes_of_rigid_parts(model, parts_)) {
     const auto& card =
         std::get<fabric::RigidCard>(model.materials[model.parts[part].material].card);
     fixed_moves_ = card.fixed_moves;
     fixed_turns_ = card.fixed_turns;
     fixed_axes_ = card.axes;
-    set_inertia(model, inertia_of_parts(model, parts_, node_mass));
+    set_inertia(inertia_of_parts(model, parts_, node_mass));
     for (const Index n : nodes_) arm_.push_back(turn_.conjugate() * (model.x[n] - centre_));
     next_centre_ = centre_;
     next_turn_ = turn_;
@@ -70,26 +74,22 @@ RigidBody::RigidBody(const Model& model, Index part, const std::vector<double>& 
 }
 
 /// Principal moments and their axes.
-void RigidBody::set_inertia(const Model& model, const RigidInertia& all) {
+void RigidBody::set_inertia(const RigidInertia& all) {
     mass_ = all.mass;
     centre_ = all.centre;
-    if (!(mass_ > 0.0))
-        throw InputError(fmt::format("rigid part {} has no mass", model.parts[part_].id));
+    if (!(mass_ > 0.0)) throw InputError(fmt::format("rigid part {} has no mass", id_));
     const Eigen::SelfAdjointEigenSolver<Mat3> principal(all.inertia);
     Mat3 axes = principal.eigenvectors();
     if (axes.determinant() < 0.0) axes.col(2) = -axes.col(2);
     turn_ = Eigen::Quaterniond(axes).normalized();
-    // A straight row of nodes has no moment about itself; then nothing can turn it, nor does it
-    // matter.
-    inertia_ = principal.eigenvalues().cwiseMax(1e-12 * principal.eigenvalues().maxCoeff());
-    if (!(inertia_.minCoeff() > 0.0))
-        throw InputError(
-            fmt::format("rigid part {} has no moment of inertia", model.parts[part_].id));
+    inertia_ = principal_moments(principal.eigenvalues());
+    if (!(inertia_.maxCoeff() > 0.0))
+        throw InputError(fmt::format("rigid part {} has no moment of inertia", id_));
 }
 
 Vec3 RigidBody::spin_of(const Eigen::Quaterniond& turn, const Vec3& momentum) const {
     const Vec3 local = turn.conjugate() * momentum;
-    return turn * local.cwiseQuotient(inertia_);
+    return turn * spin_by(inertia_, local);
 }
 
 void RigidBody::advance(double t, double dt, double span, const Field& field,
@@ -102,7 +102,8 @@ void RigidBody::advance(double t, double dt, double span, const Field& field,
     }
     torque += field.springs;
     const Vec3 zero = Vec3::Zero();
-    kick_ = {span,
+    kick_ = {t,
+             span,
              force,
              torque,
              mass_ * field.acceleration + field.force,
@@ -117,6 +118,7 @@ void RigidBody::advance(double t, double dt, double span, const Field& field,
     momentum_before_ = angular_momentum_;
     velocity_ += span / mass_ * (force + kick_.weight + kick_.drag);
     angular_momentum_ += span * (torque + kick_.moment + kick_.turning_drag);
+    drop_about_line();
     hold_translation(t, dt, span);
     hold_rotation(t, dt, span);
     if (span > 0.0) acceleration_ = (velocity_ - velocity_before_) / span;
@@ -152,11 +154,19 @@ void RigidBody::give(const contact::RigidProxy& proxy, const Vec3& impulse, cons
     velocity_ += change;
     if (held_turns_.empty()) {
         angular_momentum_ += turning;
+        drop_about_line();
     } else {
         const Vec3 local = turn_.conjugate() * (spin() + proxy.inverse_inertia * turning);
         angular_momentum_ = turn_ * inertia_.cwiseProduct(local);
     }
     if (span > 0.0) acceleration_ += change / span;
+}
+
+/// What turns a line about itself turns nothing.
+void RigidBody::drop_about_line() {
+    if (inertia_.minCoeff() > 0.0) return;
+    const Vec3 local = turn_.conjugate() * angular_momentum_;
+    angular_momentum_ = turn_ * inertia_.cwiseProduct(spin_by(inertia_, local));
 }
 
 void RigidBody::foresee(double dt) {
@@ -171,30 +181,21 @@ void RigidBody::carry(double dt, fabric::Nodes& nodes) {
         nodes.v[nodes_[i]] = (next_centre_ + turn * arm_[i] - nodes.x[nodes_[i]]) / dt;
 }
 
-/// R_1: W by fixed-point sweeps, which gain a factor of some dt |spin| each.
 Eigen::Quaterniond RigidBody::turned(double dt) const {
-    constexpr int MOST_SWEEPS = 50;
-    constexpr double CONVERGED = 1e-15;
     if (angular_momentum_.isZero(0.0)) return turn_;
-    const Vec3 momentum = turn_.conjugate() * angular_momentum_;  // in the body's axes at t
-    Vec3 W = momentum.cwiseQuotient(inertia_);
-    Eigen::Quaterniond step;
-    for (int sweep = 0; sweep < MOST_SWEEPS; ++sweep) {
-        const Vec3 half = 0.5 * dt * W;
-        step = Eigen::Quaterniond(1.0, half[0], half[1], half[2]).normalized();
-        const Vec3 then = step.conjugate() * momentum;
-        const Vec3 better = (0.5 * (momentum + then)).cwiseQuotient(inertia_);
-        const double change = (better - W).norm();
-        W = better;
-        if (change <= CONVERGED * W.norm()) break;
-    }
-    return (turn_ * step).normalized();
+    const auto step = free_turn(inertia_, turn_.conjugate() * angular_momentum_, dt);
+    if (!step)
+        throw PhysicsError(kick_.t,
+                           fmt::format("rigid part {} spins at {:.3g} rad/s, which no step "
+                                       "of {:.3g} s can follow",
+                                       id_, spin().norm(), dt));
+    return (turn_ * *step).normalized();
 }
 
 /// About the centre, global axes. [1/(kg m^2)]
 Mat3 RigidBody::inverse_inertia() const {
     const Mat3 R = turn_.toRotationMatrix();
-    return R * inertia_.cwiseInverse().asDiagonal() * R.transpose();
+    return R * spin_by(inertia_, Vec3::Ones()).asDiagonal() * R.transpose();
 }
 
 /// Spin by a moment, with what the holds along H answer: I⁻¹ - I⁻¹ H (Hᵀ I⁻¹ H)⁻¹ Hᵀ I⁻¹.
@@ -204,7 +205,8 @@ Mat3 RigidBody::turning_mobility() const {
     if (held_turns_.size() == 3) return Mat3::Zero();
     const Axes H = columns(held_turns_);
     const Axes IH = inverse * H;
-    return inverse - IH * (H.transpose() * IH).inverse() * IH.transpose();
+    // none about a line: then the holds have nothing to answer there
+    return inverse - IH * (H.transpose() * IH).ldlt().solve(IH.transpose());
 }
 
 contact::RigidProxy RigidBody::proxy() const {

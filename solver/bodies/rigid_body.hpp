@@ -19,12 +19,8 @@ namespace corpuscle {
 /// velocity the lead's.
 ///
 /// Leapfrog on the centre of mass and on the angular momentum L about it. Orientation R follows by
-/// the implicit midpoint rule,
-///
-///     W = I⁻¹ (R_0ᵀ L + R_1ᵀ L) / 2,   R_1 = R_0 cay(dt W),
-///
-/// which keeps L and the energy L·W / 2 of free rotation to rounding [Simo & Wong 1991], at second
-/// order in the phase.
+/// free_turn(), which keeps L and the energy of free rotation to rounding, at second order in the
+/// phase. A body whose mass is a straight line has no spin about it, and no moment about it acts.
 class RigidBody {
 public:
     /// @throws InputError for a body without mass
@@ -153,7 +149,8 @@ private:
         std::optional<double> led;  ///< rate about or along the axis, by a prescribed acceleration
                                     ///< that has acted                            [rad/s], [m/s]
     };
-    void set_inertia(const Model& model, const RigidInertia& all);
+    void set_inertia(const RigidInertia& all);
+    void drop_about_line();
     void give(const contact::RigidProxy& proxy, const Vec3& impulse, const Vec3& turning,
               double span);
     [[nodiscard]] Vec3 spin_of(const Eigen::Quaterniond& turn, const Vec3& momentum) const;
@@ -175,11 +172,12 @@ private:
     [[nodiscard]] Mat3 turning_mobility() const;
 
     Index part_;
+    int id_;                    ///< the part's
     std::vector<Index> parts_;  ///< rows
     std::vector<Index> nodes_;
     std::vector<Vec3> arm_;  ///< node - centre in the body's axes                   [m]
     double mass_ = 0.0;      ///< [kg]
-    Vec3 inertia_;           ///< principal moments                                  [kg m^2]
+    Vec3 inertia_;           ///< principal_moments()                                [kg m^2]
     unsigned fixed_moves_ = 0, fixed_turns_ = 0;  ///< along the columns of fixed_axes_
     Mat3 fixed_axes_;
     std::vector<Motion> motions_;
@@ -198,6 +196,7 @@ private:
     double held_work_ = 0.0, field_work_ = 0.0, damped_ = 0.0;
 
     struct Kick {                           ///< the last one
+        double t = 0.0;                     ///< [s]
         double span = 0.0;                  ///< [s]
         Vec3 force, torque;                 ///< on the nodes, and of springs         [N], [N m]
         Vec3 weight, moment;                ///< of the field                      [N], [N m]
