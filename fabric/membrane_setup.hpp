@@ -21,7 +21,7 @@ struct MembraneSetup {
     std::span<const Material> materials;             ///< M
     std::span<const std::array<Vec3, 4>> reference;  ///< E × 4 stress-free corners              [m]
     std::span<const std::uint8_t>
-        active;                       ///< E; 0: never strained (all nodes prescribed, rigid, null)
+        active;                       ///< E; 0: never strained (all nodes supported, rigid, null)
     std::size_t node_count = 0;       ///< N, of the whole scene
     std::span<const Curve> curves{};  ///< that the materials' rows mean
     std::span<const Vec3> start{};    ///< N: places at the start, for TSRFAC; empty: no strain [m]

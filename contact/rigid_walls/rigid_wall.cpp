@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "contact/geometry/box.hpp"
+
 namespace corpuscle::contact {
 namespace {
 
@@ -101,11 +103,34 @@ void RigidWall::launch(double t, double dt) {
     driving_work_ += kinetic_energy();
 }
 
-void RigidWall::note_nodes_behind(const Points& x) {
-    const bool is_plate = std::holds_alternative<Plate>(card_.shape);
+/// Of coordinates: a billionth of what the nodes extend over.                              [m]
+double RigidWall::rounding(const Points& x) const {
+    Box all;
+    for (const Index node : card_.nodes) all.include(x[node]);
+    return card_.nodes.empty() ? 0.0 : 1e-9 * (all.high - all.low).norm();
+}
+
+RigidWall::Inside RigidWall::inside(const Points& x) const {
+    Inside out;
+    const auto* plate = std::get_if<Plate>(&card_.shape);
+    const double least = rounding(x);
     for (const Index node : card_.nodes) {
         const Vec3 at = x[node] - shift_;
-        is_behind_.push_back(nearest(card_.shape, at).gap < 0.0);
+        const double depth = -nearest(card_.shape, at).gap;
+        if (!(depth > least) || (plate != nullptr && !covers(*plate, at))) continue;
+        ++out.nodes;
+        if (depth > out.depth) out.deepest = node;
+        out.depth = std::max(out.depth, depth);
+    }
+    return out;
+}
+
+void RigidWall::note_nodes_behind(const Points& x) {
+    const bool is_plate = std::holds_alternative<Plate>(card_.shape);
+    const double least = rounding(x);
+    for (const Index node : card_.nodes) {
+        const Vec3 at = x[node] - shift_;
+        is_behind_.push_back(nearest(card_.shape, at).gap < -least);
         if (is_plate) last_.push_back(at);
     }
 }

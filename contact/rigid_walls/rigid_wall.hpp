@@ -43,8 +43,8 @@ public:
 
     /// Stops nodes, between the kick and the drift from t to t + dt, and moves the wall likewise.
     ///
-    /// Nodes that are inside (behind a plane) when it is born are let alone until they have come
-    /// out. A node of a rigid body passes its impulse on to the body; v is then left to the body.
+    /// Nodes that are inside (behind a plane) when it is born, by more than coordinates are rounded,
+    /// are let alone until they have come out. A node of a rigid body passes its impulse on to the body; v is then left to the body.
     void hold(const Points& x, std::span<const double> mass, double t, double dt, Points& v,
               const WallBodies& bodies = {});
 
@@ -52,6 +52,15 @@ public:
     /// @param is_whole  all nodes; else those alone that were near in hold()
     void hold_again(bool is_whole, const Points& x, std::span<const double> mass, double t,
                     double dt, Points& v, const WallBodies& bodies = {});
+
+    /// What it lets alone where it is at the start; of a plate, what lies behind its face.
+    struct Inside {
+        std::size_t nodes = 0;  ///< how many
+        Index deepest = -1;     ///< row of the one that is deepest
+        double depth = 0.0;     ///< of that                                               [m]
+    };
+    /// @param x  N × 3                                                                      [m]
+    [[nodiscard]] Inside inside(const Points& x) const;
 
     /// On the wall in the last step: impulse / dt.                                              [N]
     [[nodiscard]] const Vec3& force() const { return force_; }
@@ -110,6 +119,7 @@ private:
     void set_out(double t, double dt);
     void launch(double t, double dt);
     void note_nodes_behind(const Points& x);
+    [[nodiscard]] double rounding(const Points& x) const;
     [[nodiscard]] bool passes(std::size_t i, const Vec3& at, double gap);
     [[nodiscard]] std::optional<Plane> plane_before(std::size_t i, const Vec3& at,
                                                     const Vec3& travel);

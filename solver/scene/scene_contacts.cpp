@@ -60,17 +60,19 @@ std::vector<double> contact_moduli(const std::vector<fabric::Material>& material
 }
 
 /// Time in which gaps that start below the contact thickness grow to it, but for 1/e: the longest of
-/// all cloth's.                                                                                [s]
+/// all cloth's; without cloth ten times the longest of the rigid parts', for nothing hurries. [s]
 double growth_time(const Model& model, const std::vector<double>& modulus) {
-    double longest = 0.0;
+    double of_cloth = 0.0, of_bodies = 0.0;
     for (const Part& part : model.parts) {
         const fabric::MaterialCard& card = model.materials[part.material].card;
         const double thickness = contact_thickness(part);
-        if (std::holds_alternative<fabric::RigidCard>(card) || !(thickness > 0.0)) continue;
+        if (!(thickness > 0.0)) continue;
         const double sound = std::sqrt(modulus[part.material] / fabric::density(card));
+        double& longest = std::holds_alternative<fabric::RigidCard>(card) ? of_bodies : of_cloth;
         longest = std::max(longest, thickness / (GROWTH_SPEED * sound));
     }
-    return longest > 0.0 ? longest : 0.01 * model.end_time;
+    if (of_cloth > 0.0) return of_cloth;
+    return of_bodies > 0.0 ? 10.0 * of_bodies : 0.01 * model.end_time;
 }
 
 /// Parts as contact knows them: a part of which a card means some shells alone is several.
@@ -240,6 +242,13 @@ void SceneState::build_walls() {
         const Index curve = card.motion.curve;
         obstacles.walls.emplace_back(card, curve >= 0 ? &model.curves[curve] : nullptr,
                                      model.end_time);
+        const auto inside = obstacles.walls.back().inside(model.x);
+        if (card.birth <= 0.0 && inside.nodes > 0)
+            model.warnings.push_back(fmt::format(
+                "rigid wall {}: {} of its {} nodes lie inside it, node {} deepest, by {:.3g}: they "
+                "pass it freely until they have come out",
+                card.id, inside.nodes, card.nodes.size(), model.node_id[inside.deepest],
+                inside.depth));
     }
     impulses.walls = ImpulseBook(obstacles.walls.size());
 }

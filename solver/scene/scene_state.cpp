@@ -35,15 +35,17 @@ bool is_null(const Model& model, Index part) {
         model.materials[model.parts[part].material].card);
 }
 
-/// Shells that are strained: neither rigid nor of null material, and with a node that is free to
-/// move.
-std::vector<std::uint8_t> strained_shells(const Model& model, const Constraints& supports) {
-    std::vector<std::uint8_t> active(model.shells.size(), 0);
+/// Shells that are strained: neither rigid nor of null material, and with a node that supports do
+/// not keep where it is; what drives all its nodes may strain it.
+std::vector<std::uint8_t> strained_shells(const Model& model) {
+    std::vector<std::uint8_t> fixed(model.x.size(), 0), active(model.shells.size(), 0);
+    for (const Support& support : model.supports)
+        fixed[support.node] |= static_cast<std::uint8_t>(support.fixed & 7U);
     for (std::size_t s = 0; s < active.size(); ++s) {
         const Shell& shell = model.shells[s];
         if (is_rigid(model, shell.part) || is_null(model, shell.part)) continue;
         active[s] = std::any_of(shell.nodes.begin(), shell.nodes.end(),
-                                [&](Index n) { return supports.held()[n] != 7; });
+                                [&](Index n) { return fixed[n] != 7; });
     }
     return active;
 }
@@ -72,7 +74,7 @@ SceneState::SceneState(Model of, std::uint64_t draw)
 }
 
 void SceneState::build_cloth() {
-    cloth.active = strained_shells(model, supports);
+    cloth.active = strained_shells(model);
     cloth.reference = reference_corners(model);
     cloth.births = reference_births(model);
     cloth.next_birth = next_birth(0.0, cloth.births);

@@ -80,7 +80,7 @@ void print_needs(const Simulation& simulation) {
     fmt::print("left out:\n");
     const std::size_t unstrained = model.shells.size() - simulation.active_shells();
     line(unstrained > 0,
-         fmt::format("strains of {} shells (rigid, null, or all nodes held)", unstrained));
+         fmt::format("strains of {} shells (rigid, null, or all nodes supported)", unstrained));
     line(model.contacts.empty(), "contact between fabrics (no *CONTACT_)");
     line(model.walls.empty(), "rigid walls");
     line(model.bags.empty(), "particles (no *AIRBAG_PARTICLE)");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -91,6 +92,30 @@ TEST_CASE("nodes behind the wall at its birth are let alone until they come out"
     x[0] = PLANE.point + 1e-6 * PLANE.normal;
     wall.hold(x, mass, 2e-3, WALL_STEP, v);
     CHECK(v[0].dot(PLANE.normal) == Approx(-0.1));
+}
+
+TEST_CASE("nodes that lie on a wall to rounding are held by it", "[contact]") {
+    const Vec3 along = PLANE.normal.cross(Vec3::UnitY()).normalized();
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> place(-0.3, 0.3), off(-1e-17, 1e-17);
+    Points x, v;
+    for (int i = 0; i < 40; ++i) {
+        x.push_back(PLANE.point + place(random) * along + place(random) * Vec3::UnitY() +
+                    off(random) * PLANE.normal);
+        v.push_back(-3.0 * PLANE.normal + along);
+    }
+    x[39] = PLANE.point - 1e-6 * PLANE.normal;
+    RigidWall wall(wall_card(x.size()));
+    const auto behind = std::count_if(x.begin(), x.end(), [](const Vec3& at) {
+        return (at - PLANE.point).dot(PLANE.normal) < 0.0;
+    });
+    CHECK(behind > 5);
+    CHECK(wall.inside(x).nodes == 1);
+    CHECK(wall.inside(x).deepest == 39);
+    CHECK(wall.inside(x).depth == Approx(1e-6));
+    wall.hold(x, std::vector<double>(x.size(), 1.0), 0.0, WALL_STEP, v);
+    for (std::size_t i = 0; i < 39; ++i) CHECK(std::abs(v[i].dot(PLANE.normal)) < 1e-10);
+    CHECK(v[39].dot(PLANE.normal) == Approx(-3.0));
 }
 
 TEST_CASE("a block on an incline sticks below the friction angle and slides above it",
