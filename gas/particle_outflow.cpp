@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "gas/particle_gas.hpp"
 #include "solver/base/error.hpp"
@@ -95,12 +94,7 @@ void ParticleGas::look_at_openings() {
         }
         const auto facet = static_cast<std::size_t>(all[o].facets[0]);
         const Inside& ahead = bag_.rooms[bag_.surface->room(bag_.surface->side(facet, true))];
-        here = room.holds_gas() ? room : ahead;
-        if (!room.holds_gas() || !ahead.holds_gas()) continue;
-        here.pressure = std::midpoint(room.pressure, ahead.pressure);
-        here.temperature = std::midpoint(room.temperature, ahead.temperature);
-        for (std::size_t s = 0; s < here.density.size(); ++s)
-            here.density[s] = std::midpoint(room.density[s], ahead.density[s]);
+        here = room.pressure >= ahead.pressure ? room : ahead;  // of the one that gives
     }
 }
 
@@ -184,20 +178,17 @@ void ParticleGas::pass_air(double t, double dt) {
     }
 }
 
-/// Heat that the fabric takes: those that hit it pay; the air where a room has no particles.
+/// Heat that the fabric takes: those that hit it pay, and the air by its share of the pressure.
 void ParticleGas::cool(double t, double dt) {
-    std::vector<char> has_particles(bag_.rooms.size(), 0);
-    for (std::size_t r = 0; r < bag_.rooms.size(); ++r)
-        for (const double density : bag_.rooms[r].density) has_particles[r] |= density > 0.0;
     for (const HeatLoss::Taken& taken : bag_.heat_loss.lose(t, dt, bag_.samples, bag_.rooms)) {
-        const auto room = static_cast<std::size_t>(taken.room);
-        if (has_particles[room])
+        const auto row = static_cast<std::size_t>(taken.room);
+        const Inside& room = bag_.rooms[row];
+        if (!room.holds_gas()) continue;
+        const double by_air = bag_.air.empty() ? 0.0 : room.air_pressure / room.pressure;
+        if (by_air < 1.0)
             bag_.load.charge(bag_.samples.points(static_cast<std::size_t>(taken.sample)),
-                             taken.heat);
-        else if (!bag_.air.empty())
-            bag_.air[room].add(-taken.heat);
-        else
-            continue;
+                             (1.0 - by_air) * taken.heat);
+        if (by_air > 0.0) bag_.air[row].add(-by_air * taken.heat);
         bag_.balance.lost_energy += taken.heat;
     }
 }

@@ -95,7 +95,12 @@ void Openings::add_opening(Opening opening, bool counts_all, double push) {
                                  std::vector<double>(species_.size(), 0.0),
                                  std::vector<double>(species_.size(), 0.0)});
     const auto row = static_cast<Index>(openings_.size());
-    for (const Index f : opening.facets) transmission_.of_facet[f] = row;
+    for (const Index f : opening.facets) {
+        transmission_.of_facet[f] = row;
+        const auto is_it = [&](const Opening::OfPart& own) { return own.part == part_[f]; };
+        if (std::none_of(opening.parts.begin(), opening.parts.end(), is_it))
+            opening.parts.push_back({part_[f]});
+    }
     openings_.push_back(std::move(opening));
 }
 

@@ -51,8 +51,14 @@ struct Opening {
     Index room = 0;             ///< that it leads out of; of an internal one the one behind it
     Ahead ahead;                ///< of internal fabric that leaks
     Index sample = -1;          ///< row in WallSamples that tells the state; internal vents: none
+    /// A part's share of the free area.
+    struct OfPart {
+        Index part;         ///< row
+        double area = 0.0;  ///< [m^2]
+    };
+    std::vector<OfPart> parts;  ///< one or more
     double first_area = 0.0;    ///< A0 of a leak: at the start, or of the reference shape [m^2]
-    bool has_opened = false;    ///< PPOP has been passed
+    bool has_opened = false;    ///< PPOP has been passed, beyond chance
 
     // This step's
     double area = 0.0;      ///< of all facets                                        [m^2]
@@ -166,6 +172,7 @@ public:
     }
 
 private:
+    void book_by_part(const Opening& opening, double mass);
     void add_vent(const BagWalls& walls, const VentCard& vent, Index row,
                   const WettedSurface& surface);
     void add_leak(const BagWalls& walls, const LeakCard& leak, Index row,

@@ -52,9 +52,10 @@ const Openings::Passed& Openings::count(const FlightResult& flight, double dt,
             if (!is_out) continue;
             opening.due -= mass;
             opening.mass_out += mass;
-            // A collar's gas leaves through the vent's part.
-            part_mass_out_[part_[arrival.outcome.by_collar ? opening.facets[0] : arrival.facet]] +=
-                mass;
+            if (arrival.outcome.by_collar)
+                book_by_part(opening, mass);  // a collar's gas leaves through the vent's parts
+            else
+                part_mass_out_[part_[arrival.facet]] += mass;
             passed_.energy += arrival.energy;
             if (opening.law != Opening::Law::PLAIN)
                 passed_.still_owed[row] += mass * species_[s].h(inside[row].temperature) -
@@ -131,7 +132,17 @@ void Openings::book_air(std::size_t room, double mass) {
 
 void Openings::book(std::size_t row, double mass) {
     openings_[row].mass_out += mass;
-    part_mass_out_[part_[openings_[row].facets[0]]] += mass;
+    book_by_part(openings_[row], mass);
+}
+
+void Openings::book_by_part(const Opening& opening, double mass) {
+    const double free = opening.free * opening.area;
+    if (opening.parts.size() == 1 || !(free > 0.0)) {
+        part_mass_out_[opening.parts[0].part] += mass;
+        return;
+    }
+    for (const Opening::OfPart& own : opening.parts)
+        part_mass_out_[own.part] += mass * own.area / free;
 }
 
 double Openings::mass_out(bool through_vents) const {

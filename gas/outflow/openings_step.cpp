@@ -74,11 +74,15 @@ void Openings::close(Index row) {
 void Openings::measure(Opening& opening, std::span<const Vec3> x) const {
     double free = 0.0;
     opening.area = 0.0;
+    for (Opening::OfPart& own : opening.parts) own.area = 0.0;
     for (const Index f : opening.facets) {
         const auto& [a, b, c] = triangles_[f];
         const double area = vector_area(x[a], x[b], x[c]).norm();
         opening.area += area;
         free += transmission_.open[f] * area;
+        std::find_if(opening.parts.begin(), opening.parts.end(), [&](const Opening::OfPart& own) {
+            return own.part == part_[f];
+        })->area += transmission_.open[f] * area;
     }
     opening.free = opening.area > 0.0 ? free / opening.area : 0.0;
 }
@@ -98,10 +102,11 @@ double Openings::curve_or(Index curve, double at, double otherwise) const {
     return curve >= 0 ? curves_[curve](at) : otherwise;
 }
 
-/// C23 with its curves; 0 until the gauge pressure has passed PPOP.
+/// C23 with its curves; 0 until the gauge pressure has passed PPOP beyond chance.
 double Openings::vent_factor(Opening& opening, double t, const Inside& inside) const {
     const VentCard& vent = vents_[opening.vent];
-    opening.has_opened |= inside.pressure - p_atm_ >= vent.opens_at || vent.opens_at == 0.0;
+    opening.has_opened |=
+        inside.pressure - 3.0 * inside.error - p_atm_ >= vent.opens_at || vent.opens_at == 0.0;
     if (!opening.has_opened) return 0.0;
     return vent.coefficient * (inside.is_uniform ? vent.uniform_factor : 1.0) *
            curve_or(vent.time_curve, t, 1.0) * curve_or(vent.pressure_curve, inside.pressure, 1.0);
