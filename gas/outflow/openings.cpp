@@ -200,7 +200,7 @@ void Openings::add_leak(const BagWalls& walls, const LeakCard& leak, Index row,
         opening.first_area = area_of(opening.facets, x);
         whole += opening.first_area;
         const std::vector<double> none(species_.size(), 0.0);
-        opening.seepage.assign(2, {none, none});
+        opening.seepage.assign(2, {none, none, none, none});
         // Internal fabric is no wall to who passes; fabric that closes the bag is pushed by all who
         // come.
         const double push = opening.is_internal ? 0.0 : 1.0;

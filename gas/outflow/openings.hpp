@@ -25,6 +25,8 @@ struct Opening {
     /// Of what arrives at fabric that leaks, of each gas.
     struct Seepage {
         std::vector<double> share;  ///< that is to pass in this step                     [-]
+        std::vector<double> flow;   ///< that the law wants in this step; 0: all pass    [kg/s]
+        std::vector<double> most;   ///< that of it may be due                            [kg]
         std::vector<double> due;    ///< wanted and not passed yet                        [kg]
 
         template <class Archive>
@@ -173,6 +175,7 @@ public:
 
 private:
     void book_by_part(const Opening& opening, double mass);
+    static void fall_due(Opening& opening, double dt);
     void add_vent(const BagWalls& walls, const VentCard& vent, Index row,
                   const WettedSurface& surface);
     void add_leak(const BagWalls& walls, const LeakCard& leak, Index row,
@@ -193,7 +196,7 @@ private:
     [[nodiscard]] double area_of(std::span<const Index> facets, std::span<const Vec3> x) const;
     [[nodiscard]] double curve_or(Index curve, double at, double otherwise) const;
     [[nodiscard]] double vent_factor(Opening& opening, double t, const Inside& inside) const;
-    [[nodiscard]] double steered(const Opening& opening, const Opening::Seepage& seepage,
+    [[nodiscard]] double steered(const Opening& opening, Opening::Seepage& seepage,
                                  std::size_t species, double dt, const Inside& inside) const;
     [[nodiscard]] double leak_share(const Opening& opening, double t) const;
     [[nodiscard]] double leak_area(const Opening& opening, const Inside& inside) const;

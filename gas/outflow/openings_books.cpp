@@ -43,9 +43,8 @@ const Openings::Passed& Openings::count(const FlightResult& flight, double dt,
             const bool is_out = arrival.outcome.fate == Transmission::Fate::OUT;
             if (opening.law == Opening::Law::SEEPAGE) {
                 Opening::Seepage& side = opening.seepage[arrival.outcome.from_front ? 1 : 0];
-                const bool stays = arrival.outcome.fate == Transmission::Fate::BACK;
-                side.due[s] += mass * (side.share[s] * transmission_.open[arrival.facet] -
-                                       (stays ? 0.0 : 1.0));
+                if (side.flow[s] > 0.0 && arrival.outcome.fate != Transmission::Fate::BACK)
+                    side.due[s] -= mass;
             }
             if (arrival.outcome.fate == Transmission::Fate::THROUGH)
                 count_through(arrival, rooms, s);
@@ -68,6 +67,7 @@ const Openings::Passed& Openings::count(const FlightResult& flight, double dt,
         Opening& opening = openings_[o];
         if (opening.law != Opening::Law::ISENTROPIC) {
             opening.due = 0.0;
+            fall_due(opening, dt);
             continue;
         }
         opening.due += opening.flow * dt;
@@ -83,6 +83,18 @@ const Openings::Passed& Openings::count(const FlightResult& flight, double dt,
         opening.collar_arriving += fresh * (came_to_collar_[o] / dt - opening.collar_arriving);
     }
     return passed_;
+}
+
+/// What seepage wants of the particles in a step; for want of arrivals no more is owed than they
+/// make good in the memory.
+void Openings::fall_due(Opening& opening, double dt) {
+    for (Opening::Seepage& side : opening.seepage)
+        for (std::size_t s = 0; s < side.flow.size(); ++s) {
+            if (!(side.flow[s] > 0.0)) continue;
+            side.due[s] += side.flow[s] * dt;
+            opening.short_of += std::max(0.0, side.due[s] - side.most[s]);
+            side.due[s] = std::min(side.due[s], side.most[s]);
+        }
 }
 
 void Openings::keep_to_balance(double dt, std::span<const double> volume) {

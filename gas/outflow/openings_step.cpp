@@ -66,8 +66,11 @@ void Openings::close(Index row) {
     Transmission::Chances& chances = transmission_.all[row];
     std::fill(chances.chance.begin(), chances.chance.end(), 0.0);
     std::fill(chances.collar_chance.begin(), chances.collar_chance.end(), 0.0);
-    for (Opening::Seepage& side : opening.seepage)
-        std::fill(side.share.begin(), side.share.end(), 0.0);
+    for (Opening::Seepage& side : opening.seepage) {
+        side.share.assign(species_.size(), 0.0);
+        side.flow.assign(species_.size(), 0.0);
+        side.most.assign(species_.size(), 0.0);
+    }
 }
 
 /// Area, and the share of it that is free.
@@ -215,15 +218,18 @@ void Openings::expect_arrivals(Opening& opening, double dt, const Inside& inside
 }
 
 /// The share of a gas that is to pass, corrected by what has passed too little or too much before:
-/// chance alone would scatter the mass by the square root of the number that has passed.
-double Openings::steered(const Opening& opening, const Opening::Seepage& seepage, std::size_t s,
+/// chance alone would scatter the mass by the square root of the number that has passed, and gas
+/// that flows to the fabric arrives in greater number than gas at rest. Where all pass, it is a hole.
+double Openings::steered(const Opening& opening, Opening::Seepage& seepage, std::size_t s,
                          double dt, const Inside& inside) const {
     const double arriving =
         inside.density[s] * opening.area * opening.free *
         effusion_speed(inside.temperature, gas_constant_, species_[s].molar_mass());
     const double share = seepage.share[s], passing = share * arriving;
-    if (!(passing > 0.0)) return share;
+    if (!(passing > 0.0) || share >= 1.0) return share;
     const double memory = STEPS_KEPT * dt + ARRIVALS_KEPT * mass_[s] / passing;
+    seepage.flow[s] = passing;
+    seepage.most[s] = passing * memory;
     return std::clamp(share + seepage.due[s] / (memory * arriving), 0.0, 1.0);
 }
 
