@@ -197,3 +197,31 @@ TEST_CASE("nodes of a body have its motion from the first frame on", "[solver][r
         CHECK((shown[n] - Vec3(1, 2, 3) - Vec3(0, 40, 10).cross(model.x[n] - centre)).norm() <
               1e-12);
 }
+
+TEST_CASE("two nodes that are one body turn as a rod, and nothing spins them about themselves",
+          "[solver][rigid]") {
+    Model model;
+    model.x = {{1, 0, 0}, {2, 1, 0}};
+    model.node_id = {1, 2};
+    model.velocity.assign(2, Vec3::Zero());
+    model.parts.resize(1);
+    model.parts[0].material = 0;
+    model.materials = {{1, "", fabric::RigidCard{}}};
+    model.rigid_extra_nodes = {{0, 0}, {0, 1}};
+    model.rigid_velocity = {{0, Vec3(1, 0, 1.45), Vec3(0.0, 0.4, 0.0)}};
+    model.end_time = 1.0;
+    const std::vector<double> mass{87.5, 52.5};
+    RigidBody body(model, 0, mass);
+    fabric::Nodes nodes{model.x, model.x, model.velocity, Points(2, Vec3::Zero()), mass};
+    // of the spin 0.4 about y what is across the rod: (-0.2, 0.2, 0)
+    const double reduced = 87.5 * 52.5 / 140.0 * 2.0;
+    const double energy = 70.0 * (1.0 + 1.45 * 1.45) + 0.5 * reduced * 0.08;
+    for (int k = 0; k < 2000; ++k) {
+        body.advance(1e-2 * k, 1e-2, 1e-2, {}, nodes);
+        nodes.drift(1e-2);
+        nodes.x.swap(nodes.x_1);
+        REQUIRE(body.kinetic_energy() == Approx(energy).epsilon(1e-12));
+        REQUIRE((nodes.x[1] - nodes.x[0]).norm() == Approx(std::sqrt(2.0)).epsilon(1e-12));
+    }
+    CHECK(body.spin().norm() == Approx(std::sqrt(0.08)).epsilon(1e-10));
+}
