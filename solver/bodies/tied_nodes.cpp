@@ -43,6 +43,21 @@ void TiedNodes::share_mass(std::vector<double>& mass) const {
     }
 }
 
+void TiedNodes::share_momentum(std::vector<double> mass, Points& v) const {
+    Points given(v.size(), Vec3::Zero());
+    for (const auto& [node, ends, w] : ties_) {
+        const Vec3 J =
+            given[node] + mass[node] * (v[node] - (1.0 - w) * v[ends[0]] - w * v[ends[1]]);
+        given[ends[0]] += (1.0 - w) * J;
+        given[ends[1]] += w * J;
+        mass[ends[0]] += (1.0 - w) * mass[node];
+        mass[ends[1]] += w * mass[node];
+        mass[node] = 0.0;
+    }
+    for (std::size_t n = 0; n < v.size(); ++n)
+        if (mass[n] > 0.0) v[n] += given[n] / mass[n];
+}
+
 void TiedNodes::share_force(Points& f) const {
     for (const auto& [node, ends, w] : ties_) {
         f[ends[0]] += (1.0 - w) * f[node];

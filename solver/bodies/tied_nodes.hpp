@@ -26,6 +26,10 @@ public:
 
     /// Mass to the ends: m_0 += (1 - w) m, m_1 += w m, m = 0.                            [kg]
     void share_mass(std::vector<double>& mass) const;
+    /// Momentum to the ends: what a tied node has beyond the velocity of its place on the edge goes
+    /// to the ends in the shares of its mass; of nodes in one place v = sum m v / sum m.
+    /// @param mass  before share_mass()                                                  [kg]
+    void share_momentum(std::vector<double> mass, Points& v) const;
     /// Force to the ends, in the same shares.                                              [N]
     void share_force(Points& f) const;
     /// v = (1 - w) v_0 + w v_1.                                                          [m/s]

@@ -111,6 +111,7 @@ void SceneState::build_cloth() {
                     StrainedStart::LITTLE))
         cloth.strained_start.begin(cloth.membranes->stable_step().dt);
     if (ties.empty()) return;
+    ties.share_momentum(nodes.mass, nodes.v);
     ties.share_mass(nodes.mass);
     ties.hold(nodes.v);
 }

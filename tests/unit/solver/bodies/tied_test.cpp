@@ -100,6 +100,39 @@ TEST_CASE("a tied node's mass is damped with its part, and pulled by its part's 
     CHECK(simulation.nodes().v[0].z() < 3.0 - 0.2);
 }
 
+TEST_CASE("tied nodes start with the momentum that they were given", "[solver][tied]") {
+    const auto momentum = [](const Simulation& simulation) {
+        Vec3 all = Vec3::Zero();
+        for (std::size_t n = 0; n < simulation.nodes().size(); ++n)
+            all += simulation.nodes().mass[n] * simulation.nodes().v[n];
+        return all;
+    };
+    Model model = hanging();
+    const double third = 750.0 * 1e-3 * 0.5 * 0.05 * 0.05 / 3.0;
+    for (const Index node : {3, 4, 5}) model.velocity[node] = Vec3(1, -2, 3 + node);
+    const double corner = 750.0 * 1e-3 * 0.5 * 0.01 / 3.0;  // node 3 is one triangle's
+    CHECK((momentum(Simulation(model)) -
+           (corner * model.velocity[3] + third * model.velocity[4] + third * model.velocity[5]))
+              .norm() < 1e-15);
+
+    // nodes in one place: the mean by mass, through a chain of ties too
+    model.tied_nodes = {{4, {5, 5}, 0.5}, {5, {3, 3}, 0.5}};
+    model.x[4] = model.x[5] = model.x[3];
+    model.shells.pop_back();
+    model.node_masses = {{4, 2.0 * corner}, {5, 5.0 * corner}};
+    const Simulation joined(model);
+    const Vec3 mean = (model.velocity[3] + 2.0 * model.velocity[4] + 5.0 * model.velocity[5]) / 8.0;
+    for (const Index node : {3, 4, 5}) CHECK((joined.nodes().v[node] - mean).norm() < 1e-14);
+
+    // a motion of the whole stays
+    Model turning = hanging();
+    for (std::size_t n = 0; n < turning.x.size(); ++n)
+        turning.velocity[n] = Vec3(1, 2, 3) + Vec3(4, 5, 6).cross(turning.x[n]);
+    const Simulation whole(turning);
+    for (std::size_t n = 0; n < turning.x.size(); ++n)
+        CHECK((whole.nodes().v[n] - turning.velocity[n]).norm() < 1e-14);
+}
+
 TEST_CASE("a load on one part pulls what of it hangs on another", "[solver][tied]") {
     Model model = hanging();
     model.parts.push_back(model.parts[0]);
