@@ -8,6 +8,7 @@
 
 #include "solver/base/surface.hpp"
 #include "solver/bodies/tied_nodes.hpp"
+#include "solver/scene/scene_surface.hpp"
 
 namespace corpuscle {
 
@@ -15,12 +16,13 @@ namespace {
 
 using Facet = std::array<Index, 4>;
 
-/// By which diagonal contact cuts quads: from their first corner.
+/// By which diagonal contact cuts quads.
 std::set<std::pair<Index, Index>> cuts_of_contact(const Model& model) {
     std::set<std::pair<Index, Index>> cuts;
     if (model.contacts.empty()) return cuts;
-    for (const Shell& shell : model.shells)
-        if (!shell.is_triangle()) cuts.insert(std::minmax(shell.nodes[0], shell.nodes[2]));
+    for (std::size_t s = 0; s < model.shells.size(); ++s)
+        if (const auto n = cutting_order(model, s); !model.shells[s].is_triangle())
+            cuts.insert(std::minmax(n[0], n[2]));
     return cuts;
 }
 

@@ -165,6 +165,8 @@ struct ModelMesh {
     Points x;                   ///< initial (folded) node positions, N × 3        [m]
     std::vector<Shell> shells;  ///< E; nodes and part by row
     std::vector<Part> parts;    ///< material by row
+    /// Quads of mirrored files, ascending: they are cut from their second node to their fourth.
+    std::vector<Index> mirrored_quads;
     std::vector<fabric::Material> materials;       ///< cards, as the deck has them
     std::vector<ReferenceGeometry> references;     ///< stress-free shapes of nodes
     std::vector<ShellReference> shell_references;  ///< go before `references`

@@ -18,21 +18,20 @@ Edge edge(Index a, Index b) {
 
 using Corners = std::array<Index, 4>;
 
-/// Of a shell, tied nodes of one place being one.
-Corners tied_corners(const Shell& shell, const TiedEdges& ties) {
-    Corners corners = shell.nodes;
+/// In cutting order, tied nodes of one place being one.
+Corners tied_corners(Corners corners, const TiedEdges& ties) {
     for (Index& node : corners) node = ties.node_for(node);
     return corners;
 }
 
-/// Sides of all shells and diagonals 1-3 of quads, and which shells have them.
+/// Sides of all shells and first diagonals of quads, and which shells have them.
 class Lines {
 public:
     Lines(const Model& model, const TiedEdges& ties) {
-        for (const Shell& whole : model.shells) {
-            const Corners n = tied_corners(whole, ties);
-            const std::size_t count = whole.is_triangle() ? 3 : 4;
-            const auto shell = static_cast<Index>(shells_.size());
+        for (std::size_t s = 0; s < model.shells.size(); ++s) {
+            const Corners n = tied_corners(cutting_order(model, s), ties);
+            const std::size_t count = model.shells[s].is_triangle() ? 3 : 4;
+            const auto shell = static_cast<Index>(s);
             for (std::size_t k = 0; k < count; ++k)
                 all_.emplace_back(edge(n[k], n[(k + 1) % count]), shell);
             if (count == 4) all_.emplace_back(edge(n[0], n[2]), shell);
@@ -57,6 +56,14 @@ private:
 
 }  // namespace
 
+std::array<Index, 4> cutting_order(const Model& model, std::size_t shell) {
+    std::array<Index, 4> nodes = model.shells[shell].nodes;
+    const auto& mirrored = model.mirrored_quads;
+    if (std::binary_search(mirrored.begin(), mirrored.end(), static_cast<Index>(shell)))
+        std::rotate(nodes.begin(), nodes.begin() + 1, nodes.end());
+    return nodes;
+}
+
 SceneTriangles triangles_of(const Model& model, const std::vector<bool>& wanted) {
     const TiedEdges edges(model.tied_nodes);
     const Lines lines(model, edges);
@@ -70,8 +77,7 @@ SceneTriangles triangles_of(const Model& model, const std::vector<bool>& wanted)
     for (std::size_t s = 0; s < model.shells.size(); ++s) {
         const Shell& shell = model.shells[s];
         if (!wanted[shell.part]) continue;
-        const auto& n = shell.nodes;
-        const Corners at = tied_corners(shell, edges);
+        const Corners n = cutting_order(model, s), at = tied_corners(n, edges);
         if (shell.is_triangle()) {
             add({n[0], n[1], n[2]}, s);
         } else if (!lines.has(edge(at[0], at[2]), at) || lines.has(edge(at[1], at[3]), at)) {

@@ -33,8 +33,8 @@ public:
     [[nodiscard]] Vec3 spin(const Vec3& w) const {
         return mirrors_ ? Vec3(-(turn_ * w)) : direction(w);
     }
-    /// Corners of a facet, whose normal is the image of the file's: a mirror exchanges 1 with 2 and
-    /// 3 with 4.
+    /// Corners of a facet, whose normal and first side are the images of the file's: a mirror
+    /// exchanges 1 with 2 and 3 with 4. The diagonal 1-3 of a quad is then 2-4.
     [[nodiscard]] std::array<Index, 4> facet(std::array<Index, 4> corners) const {
         if (mirrors_) std::swap(corners[0], corners[1]), std::swap(corners[2], corners[3]);
         return corners;

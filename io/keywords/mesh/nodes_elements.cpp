@@ -83,6 +83,8 @@ void element_shell(Cards& cards, Draft& draft) {
         if (c.good() && !is_sound(shell.nodes))
             c.fault("N1", "no node twice, but for N4 = N3 of a triangle");
         shell.nodes = c.file().facet(shell.nodes);
+        if (c.file().mirrors() && !shell.is_triangle())
+            draft.model.mirrored_quads.push_back(static_cast<Index>(shells.size()));
         shells.push_back(shell);
         if (cards.has("THICKNESS") || cards.has("BETA")) own_thickness(cards, draft, shell.part);
     }

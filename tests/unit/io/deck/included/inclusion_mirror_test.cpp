@@ -7,7 +7,11 @@
 
 #include <catch2/catch.hpp>
 
+#include <set>
+#include <utility>
+
 #include "solver/loads.hpp"
+#include "solver/scene/scene_surface.hpp"
 #include "tests/unit/io/deck/included/inclusion_setup.hpp"
 
 using namespace corpuscle;
@@ -53,6 +57,26 @@ TEST_CASE("normals of shells and segments are those of the mirror image", "[io]"
         for (std::size_t f = 0; f < plain.pressure_loads[l].facets.size(); ++f)
             check_same(normal_of(moved, moved.pressure_loads[l].facets[f]),
                        reflected(normal_of(plain, plain.pressure_loads[l].facets[f])));
+}
+
+TEST_CASE("quads are cut as the mirror image, and their yarns begin along the same side", "[io]") {
+    // a warped quad, and one whose cut is the diagonal of another one
+    const auto [plain, moved] = placed_small(
+        "*NODE\n7,3,0,0\n8,3,1,0.4\n9,2,0,-1\n*ELEMENT_SHELL\n21,2,5,7,8,6\n22,2,5,9,8,7\n", ROWS);
+    const auto pieces = [](const Model& model) {
+        std::set<std::set<Index>> all;
+        for (const Triangle& t : triangles_of(model, {true, true}).triangles)
+            all.insert({t[0], t[1], t[2]});
+        return all;
+    };
+    CHECK(pieces(moved) == pieces(plain));
+    CHECK(moved.mirrored_quads == std::vector<Index>{2, 3, 4});
+    for (std::size_t s = 0; s < plain.shells.size(); ++s) {
+        const auto &was = plain.shells[s].nodes, &is = moved.shells[s].nodes;
+        CHECK(std::pair(is[0], is[1]) == std::pair(was[1], was[0]));
+    }
+    for (const Triangle& t : triangles_of(moved, {true, true}).triangles)
+        CHECK((moved.x[t[1]] - moved.x[t[0]]).cross(moved.x[t[2]] - moved.x[t[0]]).norm() > 0.1);
 }
 
 TEST_CASE("a stress-free shape of a shell's own keeps its corners", "[io]") {
