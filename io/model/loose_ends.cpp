@@ -8,6 +8,7 @@
 
 #include "io/keywords/bodies/rigid_parts.hpp"
 #include "io/model/held_bodies.hpp"
+#include "io/model/merged_loads.hpp"
 #include "io/model/motion_check.hpp"
 #include "io/model/part_remarks.hpp"
 
@@ -15,10 +16,6 @@ namespace corpuscle::io {
 namespace {
 
 using keywords::is_rigid;
-
-bool holds(const std::vector<Index>& rows, Index row) {
-    return std::find(rows.begin(), rows.end(), row) != rows.end();
-}
 
 std::string name_of(const Draft& draft, Index part) {
     const Part& p = draft.model.parts[static_cast<std::size_t>(part)];
@@ -221,18 +218,6 @@ void check_leaks_count(const Draft& draft, Faults& faults) {
     }
 }
 
-/// A merged body falls as a whole.
-void check_gravity(const Draft& draft, Faults& faults) {
-    for (const BodyLoad& load : draft.model.body_loads)
-        for (const RigidMerge& merge : draft.model.rigid_merges)
-            if (!load.parts.empty() && holds(load.parts, merge.part) !=
-                                           holds(load.parts, keywords::lead_of(draft, merge.part)))
-                faults.fault(place_of(draft, merge.part),
-                             fmt::format("{} is merged with others, expected a *LOAD_ on all of "
-                                         "them or on none",
-                                         name_of(draft, merge.part)));
-}
-
 /// What acts on a rigid part needs a body: shells, or nodes that ride on it or on those merged.
 void check_bodies(const Draft& draft, Faults& faults) {
     const Model& model = draft.model;
@@ -272,7 +257,7 @@ void settle_loose_ends(Draft& draft, Faults& faults) {
     check_motions(draft, faults);
     check_curves(draft, faults);
     check_leaks_count(draft, faults);
-    check_gravity(draft, faults);
+    check_merged_loads(draft, faults);
     check_inertias(draft, faults);
     check_bodies(draft, faults);
     warn_of_lost_masses(draft, faults);

@@ -21,8 +21,8 @@ void make_beam_bodies(Draft& draft, Faults& faults);
 
 /// Leaves out, with a warning that counts them, what cannot act here: other elements that join
 /// nodes, if no cloth hangs on them (else a fault); nodal rigid bodies without mass; leakage of
-/// materials that close no bag. Solids that are taken as rigid are held where their nodes are. A
-/// fault where gravity pulls a part of a merged body. After all keywords.
+/// materials that close no bag. Solids that are taken as rigid are held where their nodes are.
+/// After all keywords.
 void settle_loose_ends(Draft& draft, Faults& faults);
 
 /// Where the deck defines a part.

@@ -109,6 +109,20 @@ TEST_CASE("merged parts start with the momentum and angular momentum of their no
     CHECK(all.rigid_velocity[0].spin.norm() < 1e-12);
 }
 
+TEST_CASE("gravity pulls all of a merged body alike, by one card or several", "[io]") {
+    const std::string load = MERGED + "*LOAD_GRAVITY_PART\n";
+    for (const char* rows : {"50,3,7,9.81\n51,3,7,9.81\n", "50,3,7,9\n51,3,7,4\n51,3,7,5\n",
+                             "51,3,0,9.81\n50,3,0,9.81\n50,1,7,2\n51,1,7,2\n"})
+        CHECK(read_small(load + rows).body_loads.size() >= 2);
+    for (const char* rows : {"50,3,7,9.81\n", "51,3,7,9.81\n", "50,3,7,9\n51,3,7,8\n",
+                             "50,3,7,9\n51,2,7,9\n", "50,3,7,9\n51,3,0,9\n"})
+        CHECK(contains(only_fault(load + rows), "*PART 51 is merged with others"));
+    // nodes that are joined to a body have no mass of their own
+    CHECK(read_small(TWO + "*SET_NODE\n6\n21,5\n*CONSTRAINED_NODAL_RIGID_BODY\n60,0,6\n"
+                           "*LOAD_GRAVITY_PART\n50,3,7,9.81\n")
+              .rigid_merges.size() == 1);
+}
+
 TEST_CASE("what is wrong with merged parts is told", "[io]") {
     const std::string merge = "*CONSTRAINED_RIGID_BODIES\n";
     CHECK(contains(only_fault(TWO + merge + "1,51\n"), "(PIDL) = 1, expected a part with"));
