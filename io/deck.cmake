@@ -49,4 +49,4 @@ target_sources(corpuscle_io PRIVATE
     keywords/motion/loads_rigid.cpp
     keywords/motion/motion.cpp
     # what no single keyword sees
-    model/beam_bodies.cpp model/held_bodies.cpp model/loose_ends.cpp model/merged_loads.cpp model/motion_check.cpp model/numbering.cpp model/part_remarks.cpp model/rigid_start.cpp model/solid_skin.cpp model/file_places.cpp model/transformation.cpp)
+    model/beam_bodies.cpp model/held_bodies.cpp model/loose_ends.cpp model/merged_loads.cpp model/motion_check.cpp model/numbering.cpp model/part_remarks.cpp model/solid_skin.cpp model/file_places.cpp model/transformation.cpp)

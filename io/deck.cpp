@@ -20,7 +20,6 @@
 #include "io/model/file_places.hpp"
 #include "io/model/loose_ends.hpp"
 #include "io/model/numbering.hpp"
-#include "io/model/rigid_start.hpp"
 #include "io/model/solid_skin.hpp"
 #include "io/text/text.hpp"
 #include "io/text/units.hpp"
@@ -258,7 +257,6 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options, D
                          [&](const RigidVelocity& own) { return own.part == start.part; }))
             model.rigid_velocity.push_back(start);
     keywords::place_local_axes(draft);
-    start_rigid_parts(model);
     model.warnings = faults.warnings();
     for (std::string& note : faults.notes()) model.notes.push_back(std::move(note));
     learnt.add("shell", std::move(draft.shells));

@@ -67,6 +67,12 @@ RigidInertia merged(const RigidInertia& a, const RigidInertia& b) {
 
 }  // namespace
 
+bool is_rigid(const Model& model, Index part) {
+    const Index material = model.parts[part].material;
+    return material >= 0 &&
+           std::holds_alternative<fabric::RigidCard>(model.materials[material].card);
+}
+
 std::vector<Index> merged_parts(const Model& model, Index lead) {
     std::vector<Index> parts = {lead};
     for (std::size_t k = 0; k < parts.size(); ++k)

@@ -8,6 +8,9 @@
 
 namespace corpuscle {
 
+/// Whether a part is of *MAT_RIGID.
+[[nodiscard]] bool is_rigid(const Model& model, Index part);
+
 /// A part and all that are merged with it, it being their lead; rows.
 [[nodiscard]] std::vector<Index> merged_parts(const Model& model, Index lead);
 

@@ -1,6 +1,7 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "io/keywords/bodies/rigid_parts.hpp"
@@ -23,12 +24,26 @@ void set_velocity(Draft& draft, const Rows& nodes, const Vec3& velocity) {
     for (const Index node : nodes) draft.model.velocity[static_cast<std::size_t>(node)] = velocity;
 }
 
+bool has_shells(const Model& model, Index part) {
+    return std::any_of(model.shells.begin(), model.shells.end(),
+                       [&](const Shell& shell) { return shell.part == part; });
+}
+
+/// Nodes of their shells; of parts without any (nodal rigid bodies, beams) those that ride on them.
 Rows nodes_of_parts(const Draft& draft, const Rows& parts) {
-    Rows nodes;
-    for (const Shell& shell : draft.model.shells)
-        if (std::find(parts.begin(), parts.end(), shell.part) != parts.end())
+    const Model& model = draft.model;
+    Rows nodes, bare;
+    std::copy_if(parts.begin(), parts.end(), std::back_inserter(bare),
+                 [&](Index part) { return !has_shells(model, part); });
+    const auto holds = [](const Rows& rows, Index part) {
+        return std::find(rows.begin(), rows.end(), part) != rows.end();
+    };
+    for (const Shell& shell : model.shells)
+        if (holds(parts, shell.part))
             for (const Index node : shell.nodes)
                 if (node >= 0) nodes.push_back(node);  // none: a shell with faults
+    for (const RigidExtraNode& extra : model.rigid_extra_nodes)
+        if (holds(bare, extra.part)) nodes.push_back(extra.node);
     return nodes;
 }
 

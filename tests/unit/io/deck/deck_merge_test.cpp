@@ -96,17 +96,18 @@ TEST_CASE("merged parts: lead, inertia, extra nodes on any of them", "[io]") {
 TEST_CASE("merged parts start with the momentum and angular momentum of their nodes", "[io]") {
     // the lead moves at 3 along y, the other rests: a mass of 0.6 each, centres 2 apart
     const Model model = read_small(MERGED + "*INITIAL_VELOCITY_GENERATION\n50,2,0,0,3,0\n\n");
-    REQUIRE(model.rigid_velocity.size() == 1);
-    CHECK(model.rigid_velocity[0].part == 2);
-    CHECK((model.rigid_velocity[0].velocity - Vec3(0, 1.5, 0)).norm() < 1e-12);
+    const auto start = starts_of(model);
+    REQUIRE(start.size() == 1);
+    CHECK(start[0].part == 2);
+    CHECK((start[0].velocity - Vec3(0, 1.5, 0)).norm() < 1e-12);
     const double m = 0.6, turning = -m * 1.5 - m * 1.5;  // sum of m x (v - V)
     const double inertia = 2.0 * (m * 0.5 + m * 1.0);    // of the corners, and of the centres
-    CHECK((model.rigid_velocity[0].spin - Vec3(0, 0, turning / inertia)).norm() < 1e-12);
+    CHECK((start[0].spin - Vec3(0, 0, turning / inertia)).norm() < 1e-12);
     // a field of all: as it is
-    const Model all = read_small(MERGED + "*INITIAL_VELOCITY\n\n1,2,3\n");
-    REQUIRE(all.rigid_velocity.size() == 1);
-    CHECK((all.rigid_velocity[0].velocity - Vec3(1, 2, 3)).norm() < 1e-12);
-    CHECK(all.rigid_velocity[0].spin.norm() < 1e-12);
+    const auto all = starts_of(read_small(MERGED + "*INITIAL_VELOCITY\n\n1,2,3\n"));
+    REQUIRE(all.size() == 1);
+    CHECK((all[0].velocity - Vec3(1, 2, 3)).norm() < 1e-12);
+    CHECK(all[0].spin.norm() < 1e-12);
 }
 
 TEST_CASE("gravity pulls all of a merged body alike, by one card or several", "[io]") {

@@ -115,7 +115,7 @@ TEST_CASE(
     const Model kept = read_small(deck + generation + "\n");
     CHECK(kept.rigid_velocity.at(0).velocity == Vec3(7, 8, 9));
     const Model given = read_small(deck + generation + "0,0,0,0,0,0,0,1\n");
-    CHECK((given.rigid_velocity.at(0).velocity - Vec3(0, 0, 5)).norm() < 1e-12);
+    CHECK((starts_of(given).at(0).velocity - Vec3(0, 0, 5)).norm() < 1e-12);
 }
 
 TEST_CASE("a turning field of velocities gives a part with its own centre that centre's", "[io]") {
@@ -124,9 +124,10 @@ TEST_CASE("a turning field of velocities gives a part with its own centre that c
                                    "1,4,0,4.5\n1,0,0,2,0,2.5\n\n*ELEMENT_SHELL\n"
                                    "14,50,2,5,6,6\n15,50,2,6,3,3\n"
                                    "*INITIAL_VELOCITY_GENERATION\n50,2,2.0\n1,0,0,0,0,1\n");
-    REQUIRE(model.rigid_velocity.size() == 1);
-    CHECK((model.rigid_velocity[0].spin - Vec3(0, 0, 2)).norm() < 1e-12);
-    CHECK((model.rigid_velocity[0].velocity - Vec3(-8, 0, 0)).norm() < 1e-12);
+    const auto start = starts_of(model);
+    REQUIRE(start.size() == 1);
+    CHECK((start[0].spin - Vec3(0, 0, 2)).norm() < 1e-12);
+    CHECK((start[0].velocity - Vec3(-8, 0, 0)).norm() < 1e-12);
 }
 
 TEST_CASE("what is wrong with *PART_INERTIA is told", "[io]") {
@@ -199,7 +200,7 @@ TEST_CASE("nodes inside solids ride on them, sets know the skin, *PART_INERTIA g
     CHECK(model.node_id[model.rigid_extra_nodes[0].node] == id(1, 1, 1));
     REQUIRE(model.rigid_inertia.size() == 1);
     CHECK(model.rigid_inertia[0].mass == 4.5);
-    CHECK((model.rigid_velocity.at(0).velocity - Vec3(0, 0, 5)).norm() < 1e-12);
+    CHECK((starts_of(model).at(0).velocity - Vec3(0, 0, 5)).norm() < 1e-12);
 }
 
 TEST_CASE("what is wrong with solids is told", "[io]") {

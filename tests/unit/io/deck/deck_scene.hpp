@@ -12,6 +12,7 @@
 
 #include "io/deck.hpp"
 #include "solver/base/error.hpp"
+#include "solver/simulation.hpp"
 
 /// Decks written for one test, in a folder of their own.
 namespace corpuscle::test {
@@ -104,6 +105,11 @@ inline std::string small_deck(const std::string& more = "") {
 inline Model read_small(const std::string& more) {
     const DeckFolder folder;
     return folder.read(small_deck(more));
+}
+
+/// What rigid parts start with: what the deck says, or what their nodes have.
+inline std::vector<RigidVelocity> starts_of(const Model& model) {
+    return Simulation(model).model().rigid_velocity;
 }
 
 /// The one fault of a small deck with `more` behind it.

@@ -1,6 +1,6 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
-#include "io/model/rigid_start.hpp"
+#include "solver/bodies/rigid_start.hpp"
 
 #include <Eigen/Eigenvalues>
 
@@ -9,32 +9,15 @@
 
 #include "solver/bodies/rigid_parts.hpp"
 
-namespace corpuscle::io {
-
+namespace corpuscle {
 namespace {
 
-/// Mass of a body's nodes: of each shell density · thickness · area, a share at each corner; or
-/// the area alone, where the body has a mass of its own.
-std::map<Index, double> corner_masses(const Model& model, const std::vector<Index>& parts,
-                                      bool has_own_mass) {
-    std::map<Index, double> mass;
-    for (const Shell& shell : model.shells) {
-        if (std::find(parts.begin(), parts.end(), shell.part) == parts.end()) continue;
-        const auto x = [&](std::size_t i) -> const Vec3& {
-            return model.x[static_cast<std::size_t>(shell.nodes[i])];
-        };
-        const double area =
-            0.5 * (x(2) - x(0)).cross(shell.is_triangle() ? x(1) - x(0) : x(3) - x(1)).norm();
-        const Part& part = model.parts[static_cast<std::size_t>(shell.part)];
-        const auto& card = model.materials[static_cast<std::size_t>(part.material)].card;
-        const double per_area =
-            has_own_mass ? 1.0 : std::get<fabric::RigidCard>(card).density * part.thickness;
-        const std::size_t corners = shell.is_triangle() ? 3 : 4;
-        for (std::size_t i = 0; i < corners; ++i)
-            mass[shell.nodes[i]] += per_area * area / static_cast<double>(corners);
-    }
-    return mass;
-}
+/// Nodes at the start.
+struct StartNodes {
+    const Model& model;
+    const std::vector<double>& mass;
+    const Points& v;
+};
 
 /// A part's or body's mass, and how it moves.
 struct Moving {
@@ -63,36 +46,72 @@ Vec3 spin_by(const Mat3& inertia, const Vec3& turning) {
     return spin;
 }
 
-const RigidInertia* given(const Model& model, Index part) {
+const RigidInertia* own_inertia(const Model& model, Index part) {
     for (const RigidInertia& body : model.rigid_inertia)
         if (body.part == part) return &body;
     return nullptr;
 }
 
-/// V = sum m v / sum m,   I spin = sum m r x v about the centre of mass; parts of one mass.
-Moving motion(const Model& model, const std::vector<Index>& parts, const RigidInertia* own) {
-    const std::map<Index, double> mass = corner_masses(model, parts, own != nullptr);
+/// Of nodes with some weights.
+Moving mean_motion(const StartNodes& nodes, const std::map<Index, double>& weight) {
     Moving body;
-    for (const auto& [node, m] : mass) {
+    for (const auto& [node, m] : weight) {
         body.mass += m;
-        body.centre += m * model.x[static_cast<std::size_t>(node)];
-        body.velocity += m * model.velocity[static_cast<std::size_t>(node)];
+        body.centre += m * nodes.model.x[node];
+        body.velocity += m * nodes.v[node];
     }
     if (!(body.mass > 0.0)) return body;
     body.centre /= body.mass;
     body.velocity /= body.mass;
     Vec3 turning = Vec3::Zero();
-    for (const auto& [node, m] : mass) {
-        const Vec3 r = model.x[static_cast<std::size_t>(node)] - body.centre;
+    for (const auto& [node, m] : weight) {
+        const Vec3 r = nodes.model.x[node] - body.centre;
         body.inertia += point_inertia(m, r);
-        turning += m * r.cross(model.velocity[static_cast<std::size_t>(node)] - body.velocity);
+        turning += m * r.cross(nodes.v[node] - body.velocity);
     }
     body.spin = spin_by(body.inertia, turning);
-    if (own == nullptr) return body;
-    body.velocity += body.spin.cross(own->centre - body.centre);  // that of its own centre
-    body.mass = own->mass;
-    body.centre = own->centre;
-    body.inertia = own->inertia;
+    return body;
+}
+
+/// Of a part whose nodes' masses are not its own: the areas of its shells, else these masses, else
+/// 1 each.
+std::map<Index, double> weights_of(const StartNodes& nodes, Index part) {
+    std::map<Index, double> weight;
+    for (const Shell& shell : nodes.model.shells) {
+        if (shell.part != part) continue;
+        const auto x = [&](int i) -> const Vec3& { return nodes.model.x[shell.nodes[i]]; };
+        const double area =
+            0.5 * (x(2) - x(0)).cross(shell.is_triangle() ? x(1) - x(0) : x(3) - x(1)).norm();
+        const int corners = shell.is_triangle() ? 3 : 4;
+        for (int i = 0; i < corners; ++i) weight[shell.nodes[i]] += area / corners;
+    }
+    if (!weight.empty()) return weight;
+    double all = 0.0;
+    for (const Index n : nodes_of_rigid_parts(nodes.model, {part}))
+        all += weight[n] = nodes.mass[n];
+    if (all == 0.0)
+        for (auto& [node, w] : weight) w = 1.0;
+    return weight;
+}
+
+/// Of a part with a mass of its own, as its nodes move.
+Moving motion_of(const StartNodes& nodes, const RigidInertia& own) {
+    Moving body = mean_motion(nodes, weights_of(nodes, own.part));
+    if (!(body.mass > 0.0)) return body;
+    body.velocity += body.spin.cross(own.centre - body.centre);
+    body.mass = own.mass;
+    body.centre = own.centre;
+    body.inertia = own.inertia;
+    return body;
+}
+
+/// Of parts whose mass is that of their nodes; the tensors of *ELEMENT_INERTIA turn with them.
+Moving motion_of(const StartNodes& nodes, const std::vector<Index>& parts) {
+    std::map<Index, double> mass;
+    for (const Index n : nodes_of_rigid_parts(nodes.model, parts)) mass[n] = nodes.mass[n];
+    Moving body = mean_motion(nodes, mass);
+    for (const NodeInertia& tensor : nodes.model.node_inertias)
+        if (mass.contains(tensor.node)) body.inertia += tensor.inertia;
     return body;
 }
 
@@ -116,44 +135,44 @@ Moving joined(const std::vector<Moving>& bodies) {
     return all;
 }
 
-RigidVelocity start_of(const Model& model, Index lead) {
+RigidVelocity start_of(const StartNodes& nodes, Index lead) {
+    const Model& model = nodes.model;
     std::vector<Moving> bodies;
     std::vector<Index> others;
     for (const Index part : merged_parts(model, lead)) {
-        if (const RigidInertia* own = given(model, part))
-            bodies.push_back(motion(model, {part}, own));
+        if (const RigidInertia* own = own_inertia(model, part))
+            bodies.push_back(motion_of(nodes, *own));
         else
             others.push_back(part);
     }
-    if (!others.empty()) bodies.push_back(motion(model, others, nullptr));
+    if (!others.empty()) bodies.push_back(motion_of(nodes, others));
     std::erase_if(bodies, [](const Moving& body) { return !(body.mass > 0.0); });
     if (bodies.empty()) return {lead};
     const Moving all = bodies.size() == 1 ? bodies.front() : joined(bodies);
     RigidVelocity start{lead, all.velocity, all.spin};
     const auto keeps = [&](const RigidMerge& m) { return m.lead == lead && m.keeps_inertia; };
-    if (std::any_of(model.rigid_merges.begin(), model.rigid_merges.end(), keeps))
-        start.velocity += all.spin.cross(given(model, lead)->centre - all.centre);
+    if (const RigidInertia* own = own_inertia(model, lead);
+        own != nullptr && std::any_of(model.rigid_merges.begin(), model.rigid_merges.end(), keeps))
+        start.velocity += all.spin.cross(own->centre - all.centre);
     return start;
 }
 
 }  // namespace
 
-void start_rigid_parts(Model& model) {
+void start_rigid_parts(Model& model, const std::vector<double>& node_mass, const Points& velocity) {
+    const auto rests = [](const Vec3& v) { return v.isZero(0.0); };
+    if (std::all_of(velocity.begin(), velocity.end(), rests)) return;
     for (std::size_t p = 0; p < model.parts.size(); ++p) {
         const auto part = static_cast<Index>(p);
-        const Index material = model.parts[p].material;
-        const bool is_rigid =
-            material >= 0 && std::holds_alternative<fabric::RigidCard>(
-                                 model.materials[static_cast<std::size_t>(material)].card);
         const bool has_own = std::any_of(model.rigid_velocity.begin(), model.rigid_velocity.end(),
                                          [&](const RigidVelocity& v) { return v.part == part; });
         const bool is_led = std::any_of(model.rigid_merges.begin(), model.rigid_merges.end(),
                                         [&](const RigidMerge& m) { return m.part == part; });
-        if (!is_rigid || is_led || has_own) continue;
-        const RigidVelocity rigid = start_of(model, part);
+        if (!is_rigid(model, part) || is_led || has_own) continue;
+        const RigidVelocity rigid = start_of({model, node_mass, velocity}, part);
         if (!rigid.velocity.isZero(0.0) || !rigid.spin.isZero(0.0))
             model.rigid_velocity.push_back(rigid);
     }
 }
 
-}  // namespace corpuscle::io
+}  // namespace corpuscle
