@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "solver/base/surface.hpp"
-#include "solver/bodies/tied_nodes.hpp"
+#include "solver/bodies/rigid_body.hpp"
+#include "solver/bodies/rigid_parts.hpp"
 #include "solver/scene/scene_surface.hpp"
 
 namespace corpuscle {
@@ -55,6 +56,7 @@ Loads::Loads(const Model& model) {
                          load.scale,
                          load.curve >= 0 ? model.curves[load.curve] : Curve{},
                          load.parts,
+                         {},
                          {}});
     for (const PressureLoad& load : model.pressure_loads) {
         Pressure pressure{as_contact_sees(load.facets, cuts), load.scale, load.arrival, {}};
@@ -101,23 +103,28 @@ bool holds(const std::vector<Index>& parts, Index part) {
 
 void Loads::share_mass(const Model& model, const std::vector<double>& shell_mass,
                        const TiedNodes& ties) {
+    const std::size_t count = model.parts.size();
     for (Body& load : body_) {
         if (load.parts.empty()) continue;
-        std::vector<double> all(model.x.size(), 0.0);
-        load.share.assign(model.x.size(), 0.0);
-        for (std::size_t s = 0; s < model.shells.size(); ++s) {
-            const Shell& shell = model.shells[s];
-            const int corners = shell.is_triangle() ? 3 : 4;
-            for (int k = 0; k < corners; ++k) {
-                all[shell.nodes[k]] += shell_mass[s] / corners;
-                if (holds(load.parts, shell.part))
-                    load.share[shell.nodes[k]] += shell_mass[s] / corners;
-            }
-        }
-        ties.share_mass(all);
-        ties.share_mass(load.share);
+        std::vector<std::uint8_t> is_meant(count, 0);
+        for (const Index part : load.parts) is_meant[part] = !is_rigid(model, part);
+        load.share = mass_at_nodes(model, shell_mass, ties, is_meant);
+        const auto all =
+            mass_at_nodes(model, shell_mass, ties, std::vector<std::uint8_t>(count, 1));
         for (std::size_t n = 0; n < all.size(); ++n)
             if (all[n] > 0.0) load.share[n] /= all[n];
+    }
+}
+
+/// The body's own load counts its cloth too.
+void Loads::ride(const std::vector<RidingNode>& riding, const std::vector<RigidBody>& bodies) {
+    for (Body& load : body_) {
+        if (load.parts.empty()) continue;
+        for (const RidingNode& at : riding) {
+            const bool is_whole = holds(load.parts, bodies[at.body].part());
+            const double felt = load.share[at.node] * at.all - (is_whole ? at.mass : 0.0);
+            if (felt != 0.0) load.riding.emplace_back(at.node, felt);
+        }
     }
 }
 
@@ -145,6 +152,7 @@ void Loads::find_force(double t, const Points& x, const std::vector<double>& mas
         const double a = load.value(t);
         for (std::size_t n = 0; n < f.size(); ++n)
             f[n][load.axis] -= (load.share.empty() ? mass[n] : load.share[n] * mass[n]) * a;
+        for (const auto& [node, riding_mass] : load.riding) f[node][load.axis] -= riding_mass * a;
     }
     for (const Pressure& load : pressure_) {
         if (t < load.arrival) continue;

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "fabric/nodes.hpp"
+#include "solver/bodies/riding_cloth.hpp"
 #include "solver/model.hpp"
 
 namespace corpuscle {
-
-class TiedNodes;
 
 /// Loads that the deck prescribes: base acceleration, pressure on facets, forces on nodes and on
 /// rigid bodies.
@@ -18,11 +18,15 @@ public:
     /// @param model  whose loads on bodies, facets and nodes it takes
     explicit Loads(const Model& model);
 
-    /// Which share of each node's mass, with that of tied nodes that it bears, the parts of a load
-    /// on some parts have.
+    /// Which share of each node's mass, with that of tied nodes that it bears, the parts of cloth
+    /// have that a load on some parts is about.
     /// @param shell_mass  E                                                            [kg]
     void share_mass(const Model& model, const std::vector<double>& shell_mass,
                     const TiedNodes& ties);
+
+    /// Takes note of cloth that rides on bodies: a load on some parts pulls it at its nodes, beside
+    /// what acceleration() gives to the body as a whole.
+    void ride(const std::vector<RidingNode>& riding, const std::vector<RigidBody>& bodies);
 
     /// Whether no load acts on nodes: find_force() would give 0.
     [[nodiscard]] bool empty() const { return body_.empty() && pressure_.empty() && node_.empty(); }
@@ -42,7 +46,8 @@ public:
 
     /// f = loads at t.
     ///
-    ///     body: -m a(t) (a frame that accelerates upward pulls bodies down), m of its parts
+    ///     body: -m a(t) (a frame that accelerates upward pulls bodies down), m of its parts; at
+    ///     nodes that ride on bodies what their cloth feels beside the whole
     ///     pressure: -p(t) (A n of what the corner has), a third of a triangle; of a quad, in the
     ///     mean of both ways to cut it, (A + A_i) / 6, A_i: the triangle of corner i and its two
     ///     neighbours; in a scene with contact, of the two triangles that contact sees. Positive
@@ -57,6 +62,8 @@ private:
         Curve curve;                ///< empty: constant 1
         std::vector<Index> parts;   ///< rows; none: all
         std::vector<double> share;  ///< N, of each node's mass; empty: all of it            [-]
+        std::vector<std::pair<Index, double>> riding;  ///< nodes on bodies: mass of theirs that
+                                                       ///< feels it, less what the body's does
 
         [[nodiscard]] double value(double t) const {
             return scale * (curve.empty() ? 1.0 : curve(t));

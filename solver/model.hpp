@@ -135,9 +135,10 @@ struct NodeInertia {
 };
 
 /// *DAMPING_PART_MASS: f = -SF · curve(t) m v on the nodes of a part, m being what its shells give
-/// them; what tied nodes get of it counts at the nodes that bear their mass. A rigid part has it by
-/// its mass as a whole, translation and spin alike; of a merged body, whose parts move as one, by
-/// the part's share of the body's mass, and nodes of cloth that ride on a body not at all.
+/// them; what tied nodes get of it counts at the nodes that bear their mass, and what nodes get that
+/// ride on a body pulls the body there. A rigid part has it by its mass as a whole, translation and
+/// spin alike, without the cloth that rides on it; of a merged body, whose parts move as one, by the
+/// part's share of their mass.
 struct PartDamping {
     Index part = -1;     ///< row of the part that is damped
     Index curve = -1;    ///< over time                                                   [1/s]

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "solver/base/parallel.hpp"
+#include "solver/bodies/rigid_parts.hpp"
 #include "solver/scene/scene_state.hpp"
 
 namespace corpuscle {
@@ -16,11 +17,30 @@ double SceneState::mass_damping() const {
                                          : model.mass_damping;
 }
 
+namespace {
+
+/// d that the dampings `own` of parts give to what has these shares of them.             [1/s]
+double damping_of(const std::vector<double>& shares, const std::vector<double>& own) {
+    double all = 0.0;
+    for (std::size_t k = 0; k < own.size(); ++k) all += shares[k] * own[k];
+    return all;
+}
+
+}  // namespace
+
+std::vector<double> SceneState::part_dampings() const {
+    std::vector<double> own;
+    for (const PartDamping& damping : model.part_dampings)
+        own.push_back(damping.scale * model.curves[damping.curve](clock.t));
+    return own;
+}
+
+/// Cloth that rides on a body is damped for itself, and not as the body's rigid parts are, whose
+/// damping is that of all the body (move_bodies).
 void SceneState::find_damping() {
     if (forces.damping.f.empty()) return;
     const double d = mass_damping();
-    std::vector<double> own(forces.damped_mass.size());
-    for (std::size_t k = 0; k < own.size(); ++k) own[k] = part_damping(k);
+    const std::vector<double> own = part_dampings();
     parallel::for_each(nodes.size(), [&](std::size_t n) {
         Vec3& f = forces.damping.f[n];
         f = -d * nodes.mass[n] * nodes.v[n];
@@ -28,26 +48,24 @@ void SceneState::find_damping() {
         for (std::size_t k = 0; k < own.size(); ++k)
             f -= own[k] * forces.damped_mass[k][n] * nodes.v[n];
     });
+    if (own.empty()) return;
+    for (const RidingNode& at : bodies.riding) {
+        const RigidBody& body = bodies.all[at.body];
+        double drag = -damping_of(bodies.damped[at.body], own) * at.by_shells;  // [kg/s]
+        for (std::size_t k = 0; k < own.size(); ++k)
+            drag += own[k] * forces.damped_mass[k][at.node];
+        forces.damping.f[at.node] -=
+            drag * (body.velocity() + body.spin().cross(nodes.x[at.node] - body.position()));
+    }
 }
 
-double SceneState::part_damping(std::size_t k) const {
-    const PartDamping& damping = model.part_dampings[k];
-    return damping.scale * model.curves[damping.curve](clock.t);
-}
-
-/// Mass that the shells of each damped part give to nodes, and of tied nodes to those that bear it;
-/// those of rigid parts are damped as one.
+/// Mass that the shells of each damped part of cloth give to nodes, and of tied nodes to those that
+/// bear it; rigid parts are damped as one.
 void SceneState::find_damped_mass() {
-    forces.damped_mass.assign(model.part_dampings.size(), std::vector<double>(nodes.size(), 0.0));
-    for (std::size_t k = 0; k < forces.damped_mass.size(); ++k) {
-        for (std::size_t s = 0; s < model.shells.size(); ++s) {
-            const Shell& shell = model.shells[s];
-            if (shell.part != model.part_dampings[k].part) continue;
-            const int corners = shell.is_triangle() ? 3 : 4;
-            for (int c = 0; c < corners; ++c)
-                forces.damped_mass[k][shell.nodes[c]] += cloth.shell_mass[s] / corners;
-        }
-        ties.share_mass(forces.damped_mass[k]);
+    for (const PartDamping& damping : model.part_dampings) {
+        std::vector<std::uint8_t> is_meant(model.parts.size(), 0);
+        is_meant[damping.part] = !is_rigid(model, damping.part);
+        forces.damped_mass.push_back(mass_at_nodes(model, cloth.shell_mass, ties, is_meant));
     }
 }
 
@@ -71,13 +89,13 @@ void SceneState::kick(double dt, double span) {
 void SceneState::move_bodies(double dt, double span) {
     if (bodies.all.empty()) return;
     if (bodies.springs) bodies.springs->find(clock.t, bodies.all);
+    const std::vector<double> own = part_dampings();
     for (std::size_t b = 0; b < bodies.all.size(); ++b) {
         const Index part = bodies.all[b].part();
         const auto [force, moment] = loads.push(clock.t, nodes.x, bodies.all[b].parts());
         RigidBody::Field field{loads.acceleration(clock.t, part), mass_damping(), force, moment};
         if (bodies.springs) field.springs = bodies.springs->moment(b);
-        for (std::size_t k = 0; k < model.part_dampings.size(); ++k)
-            if (bodies.damped[b][k] > 0.0) field.damping += bodies.damped[b][k] * part_damping(k);
+        if (!own.empty()) field.damping += damping_of(bodies.damped[b], own);
         bodies.all[b].advance(clock.t, dt, span, field, nodes);
         bodies.proxies[b] = bodies.all[b].proxy();
     }

@@ -95,17 +95,21 @@ std::vector<Index> nodes_of_rigid_parts(const Model& model, const std::vector<In
     return nodes;
 }
 
+std::vector<Index> parts_of_nodes(const Model& model, const std::vector<Index>& parts) {
+    std::vector<Index> own;
+    for (const Index part : parts)
+        if (speaker_of(model, part) < 0) own.push_back(part);
+    return own;
+}
+
 RigidInertia inertia_of_parts(const Model& model, const std::vector<Index>& parts,
                               const std::vector<double>& node_mass) {
     std::vector<RigidInertia> bodies;
-    std::vector<Index> others;
-    for (const Index part : parts) {
-        if (merge_into_lead(model, part) != nullptr) continue;
-        if (const RigidInertia* inertia = card_of(model, part))
+    for (const Index part : parts)
+        if (const RigidInertia* inertia = card_of(model, part);
+            inertia != nullptr && merge_into_lead(model, part) == nullptr)
             bodies.push_back(*inertia);
-        else
-            others.push_back(part);
-    }
+    const std::vector<Index> others = parts_of_nodes(model, parts);
     if (!others.empty())
         bodies.push_back(inertia_of(model, nodes_of_rigid_parts(model, others), node_mass));
     RigidInertia all = bodies.front();
@@ -139,7 +143,7 @@ std::vector<double> mass_shares(const Model& model, const std::vector<Index>& pa
         const Group& group = groups.at(speaker);
         const double of_group = group.by_nodes > 0.0 ? own[k] / group.by_nodes
                                                      : static_cast<double>(parts[k] == group.first);
-        own[k] = mass_of(speaker, group) / all * of_group;
+        own[k] = all > 0.0 ? mass_of(speaker, group) / all * of_group : k == 0 ? 1.0 : 0.0;
     }
     return own;
 }

@@ -18,6 +18,11 @@ namespace corpuscle {
 [[nodiscard]] std::vector<Index> nodes_of_rigid_parts(const Model& model,
                                                       const std::vector<Index>& parts);
 
+/// Of parts that move as one body, those whose mass is that of their nodes: for the others
+/// *PART_INERTIA, solids or beams speak.
+[[nodiscard]] std::vector<Index> parts_of_nodes(const Model& model,
+                                                const std::vector<Index>& parts);
+
 /// Mass, centre and inertia of parts that move as one body: what *PART_INERTIA or solids say, and
 /// of the others the nodes' masses, each of which counts once;
 ///
@@ -29,7 +34,7 @@ namespace corpuscle {
 
 /// By part: its share of the mass of parts that move as one body; together 1. What one
 /// *PART_INERTIA speaks for, and what the nodes' masses do, is shared as the nodes' masses are, a
-/// node that several have counting for the first.                                           [-]
+/// node that several have counting for the first; without any mass all is the first part's.                                           [-]
 [[nodiscard]] std::vector<double> mass_shares(const Model& model, const std::vector<Index>& parts,
                                               const std::vector<double>& node_mass);
 

@@ -36,6 +36,8 @@ void SceneState::build_bodies() {
         if (used && !is_led && is_rigid(model, part))
             bodies.all.emplace_back(model, part, nodes.mass);
     }
+    bodies.riding = riding_cloth(model, bodies.all, cloth.shell_mass, ties, nodes.mass);
+    loads.ride(bodies.riding, bodies.all);
     share_part_damping();
     std::vector<const RigidBody*> owner(nodes.size(), nullptr);
     for (const RigidBody& body : bodies.all)
@@ -57,11 +59,13 @@ void SceneState::build_bodies() {
     if (!model.joint_stiffnesses.empty()) bodies.springs.emplace(model, bodies.all);
 }
 
-/// Of bodies, by the mass of their parts that are damped.
+/// Of bodies, by the mass of their rigid parts that are damped; cloth that rides on them has its own.
 void SceneState::share_part_damping() {
     if (model.part_dampings.empty()) return;
+    std::vector<double> rigid_mass = nodes.mass;
+    for (const RidingNode& riding : bodies.riding) rigid_mass[riding.node] -= riding.by_shells;
     for (const RigidBody& body : bodies.all) {
-        const std::vector<double> shares = mass_shares(model, body.parts(), nodes.mass);
+        const std::vector<double> shares = mass_shares(model, body.parts(), rigid_mass);
         bodies.damped.emplace_back(model.part_dampings.size(), 0.0);
         for (std::size_t k = 0; k < model.part_dampings.size(); ++k)
             for (std::size_t p = 0; p < shares.size(); ++p)

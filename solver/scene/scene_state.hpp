@@ -17,6 +17,7 @@
 #include "gas/uniform_bag.hpp"
 #include "solver/bodies/constraints.hpp"
 #include "solver/bodies/joint_springs.hpp"
+#include "solver/bodies/riding_cloth.hpp"
 #include "solver/bodies/rigid_body.hpp"
 #include "solver/bodies/rigid_joints.hpp"
 #include "solver/bodies/tied_nodes.hpp"
@@ -70,8 +71,9 @@ struct SceneBodies {
     std::vector<contact::RigidProxy> proxies;  ///< the same as contact sees them
     std::optional<RigidJoints> joints;         ///< none: no body is joined
     std::optional<JointSprings> springs;       ///< none: no *CONSTRAINED_JOINT_STIFFNESS
+    std::vector<RidingNode> riding;            ///< cloth that they carry
     std::vector<std::vector<double>> damped;   ///< by body, by *DAMPING_PART_MASS: share of its
-                                               ///< mass that is damped                    [-]
+                                               ///< rigid parts' mass that is damped      [-]
 
     /// Positions are those that the last step led to.
     void arrive() {
@@ -99,7 +101,7 @@ struct SceneForces {
     ForceShare fabric,                             ///< internal force of membranes
         loads,                                     ///< prescribed loads
         damping;                                   ///< *DAMPING_GLOBAL, *DAMPING_PART_MASS
-    std::vector<std::vector<double>> damped_mass;  ///< by *DAMPING_PART_MASS: N              [kg]
+    std::vector<std::vector<double>> damped_mass;  ///< by *DAMPING_PART_MASS: N, of cloth    [kg]
 };
 
 /// Impulses since the start, for results.
@@ -137,9 +139,9 @@ struct SceneState {
     /// Walls and touching surfaces take the velocity that would carry a node through them in dt.
     void stop_at_obstacles(double dt);
     [[nodiscard]] double mass_damping() const;  ///< d of *DAMPING_GLOBAL at t          [1/s]
-    /// d of the k-th *DAMPING_PART_MASS at t.                                          [1/s]
-    [[nodiscard]] double part_damping(std::size_t k) const;
-    /// Shares the shells' mass of each damped part out among their corners.
+    /// d of each *DAMPING_PART_MASS at t.                                              [1/s]
+    [[nodiscard]] std::vector<double> part_dampings() const;
+    /// Shares the shells' mass of each damped part of cloth out among their corners.
     void find_damped_mass();
 
     /// Length of the next step, and its limiter.
