@@ -218,6 +218,8 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options, D
     model.unit_system = "consistent";
     Draft draft(model);
     draft.until = options.until;
+    draft.is_incomplete = text.is_incomplete;
+    if (text.is_incomplete) draft.spoil_rest();
     take_settings(parameters, faults, draft);
     const std::string said_units = units(parameters, faults);
     model.fingerprint = scene_fingerprint(text, parameters);
@@ -244,7 +246,7 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options, D
     number_things(draft, learnt);
     keywords::note_bags(draft);
     read(relations, tasks.end());
-    if (!text.files.empty()) check_whole(draft, text, faults);
+    if (!text.is_incomplete) check_whole(draft, text, faults);
     if (!faults.any()) settle_loose_ends(draft, faults);
 
     settle_units(said_units, model, faults);

@@ -201,6 +201,7 @@ private:
     std::string_view rest_;                 ///< after the last field
     std::string_view beyond_;               ///< numbers beyond the last column of a card
     std::size_t unread_at_ = 0;             ///< field whose id is that of
+    bool is_spoilt_ = false;                ///< that field's id is no further fault
     std::string unread_;                    ///< something that is not read; empty: none
     std::uint32_t read_ = 0;                ///< bit i: field i was read or is harmless
     std::uint32_t acted_ = 0, warned_ = 0;  ///< bit i: it was read to be acted on; to be warned of

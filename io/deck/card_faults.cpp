@@ -73,6 +73,7 @@ std::string Card::cause(std::size_t i, const std::string& remark) const {
 
 void Card::fault(std::size_t i, const std::string& expected) {
     good_ = false;
+    if (is_spoilt_ && i == unread_at_) return;
     if (!is_missing_)
         cards_.faults().fault(place(),
                               fmt::format("{}, expected {}{}", label(i), expected,

@@ -100,9 +100,10 @@ public:
     DeckText read() {
         const std::uint32_t file = open(deck_, {});
         text_.end = {file, 1};
-        if (const std::string why = load(deck_); !why.empty())
+        if (const std::string why = load(deck_); !why.empty()) {
+            text_.is_incomplete = true;
             faults_.fault(text_.end, why);
-        else
+        } else
             read_file(file, deck_, Columns::STANDARD);
         read_offsets(text_.inclusions, parameters_, faults_);
         return std::move(text_);
@@ -128,6 +129,7 @@ private:
         file.text.resize(size);
         in.read(file.text.data(), static_cast<std::streamsize>(size));
         if (!in) return "expected a file that can be read";
+        if (std::string why = why_no_lines(file.text); !why.empty()) return why;
         file.lines = split_lines(file.text);
         return {};
     }
@@ -138,7 +140,7 @@ private:
         const std::span<const Line> lines = text_.files.back().lines;
         read_comment_settings(text_.files.back().text, file, parameters_, faults_);
         std::size_t i = skip_to_keyword(lines, 0);
-        if (i > 0 && !trim(lines[0].text).empty())
+        if (i > 0 && !trim(lines[0].text).empty() && !is_encrypted(lines.first(i), file))
             faults_.fault({file, lines[0].number}, fmt::format("expected a *KEYWORD before \"{}\"",
                                                                trim(lines[0].text).substr(0, 60)));
         while (i < lines.size()) {
@@ -154,7 +156,7 @@ private:
                         lines.subspan(i + 1, end - i - 1),
                         inclusion_};
             if (!is_parameter_keyword(head.name)) block.defined = parameters_.definitions();
-            take(block, path, columns);
+            if (!is_encrypted(block.lines, file)) take(block, path, columns);
             i = end;
         }
         open_files_.pop_back();
@@ -163,6 +165,19 @@ private:
     static std::size_t skip_to_keyword(std::span<const Line> lines, std::size_t i) {
         while (i < lines.size() && !lines[i].text.starts_with('*')) ++i;
         return i;
+    }
+
+    /// Encrypted lines among these: one fault, and what they say is not known.
+    bool is_encrypted(std::span<const Line> lines, std::uint32_t file) {
+        for (const Line& line : lines) {
+            if (!line.text.starts_with("-----BEGIN PGP")) continue;
+            text_.is_incomplete = true;
+            faults_.fault({file, line.number},
+                          "encrypted keywords (PGP), which LS-DYNA alone can read, expected them "
+                          "as plain text");
+            return true;
+        }
+        return false;
     }
 
     void take(const Block& block, const fs::path& path, Columns columns) {
@@ -177,8 +192,10 @@ private:
             add_path(block, path);
         else if (is_parameter_keyword(name))
             read_parameters(block, parameters_, faults_);
-        else if (!name.starts_with("KEYWORD"))
+        else if (!name.starts_with("KEYWORD")) {
+            text_.is_incomplete |= name.starts_with("INCLUDE");  // of a kind that is refused
             text_.blocks.push_back(block);
+        }
     }
 
     void include(const Block& block, const fs::path& path, Columns columns) {
@@ -205,6 +222,7 @@ private:
         const std::string& name = file.name;
         const Place at{block.place.file, file.line.number};
         const auto complain = [&](const std::string& expected) {
+            text_.is_incomplete = true;
             faults_.fault(at, fmt::format("*{} card {}, field 1 (FILENAME) = {}, {}", block.keyword,
                                           card, name, expected));
         };

@@ -5,6 +5,7 @@
 #include <deque>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/deck/card.hpp"
@@ -25,6 +26,7 @@ struct DeckText {
     std::vector<Block> blocks;  ///< all but *KEYWORD, *INCLUDE, *PARAMETER and *END, which are done
     std::deque<Inclusion> inclusions;  ///< *INCLUDE_TRANSFORM, in the order met
     Place end;                         ///< where reading stopped, in the deck itself
+    bool is_incomplete = false;  ///< some text could not be read: what it may hold is no fault
 };
 
 /// Reads a deck with its includes, and its parameters into `parameters`.
@@ -33,6 +35,9 @@ struct DeckText {
 /// *INCLUDE_PATH; so are those of *INCLUDE_TRANSFORM, whose offsets are known and whose places are
 /// not yet.
 DeckText read_keywords(const std::filesystem::path& deck, Parameters& parameters, Faults& faults);
+
+/// Why the text of a file has no lines that can be read: its encoding, its line ends. Empty: it has.
+std::string why_no_lines(std::string_view text);
 
 /// Lines of a file: comments left out, tabs of fixed cards turned into blanks up to each 8th
 /// column.

@@ -31,6 +31,14 @@ std::string expand_tabs(const std::string& text) {
 
 }  // namespace
 
+std::string why_no_lines(std::string_view text) {
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+        return "expected text of single bytes (ASCII or UTF-8), but this is UTF-16";
+    if (text.find('\r') != std::string_view::npos && text.find('\n') == std::string_view::npos)
+        return "expected lines that end with LF, or CR and LF: these end with CR alone";
+    return {};
+}
+
 std::vector<Line> split_lines(std::string& text) {
     if (text.find('\t') != std::string::npos) text = expand_tabs(text);
     std::vector<Line> lines;

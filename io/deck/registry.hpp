@@ -52,7 +52,9 @@ public:
     /// An id that the deck defines by a keyword that is refused: what refers to it is no further
     /// fault.
     void spoil(int id) { spoilt_.insert(id); }
-    [[nodiscard]] bool is_spoilt(int id) const { return spoilt_.contains(id); }
+    /// The same of all ids that nothing defines: some text of the deck could not be read.
+    void spoil_rest() { rest_is_spoilt_ = true; }
+    [[nodiscard]] bool is_spoilt(int id) const { return rest_is_spoilt_ || spoilt_.contains(id); }
 
     /// A definition that nothing acts on: only what refers to it is a fault.
     struct Unread {
@@ -85,6 +87,7 @@ private:
     std::unordered_map<int, Entry> entries_;
     std::unordered_set<int> spoilt_;
     std::unordered_map<int, Unread> unread_;
+    bool rest_is_spoilt_ = false;
     mutable std::vector<std::pair<int, Index>> by_id_;
 };
 

@@ -99,12 +99,23 @@ struct DraftNames {
         cpm_chambers{"*DEFINE_CPM_CHAMBER", IdKind::DEFINE},
         cpm_gases{"*DEFINE_CPM_GAS_PROPERTIES", IdKind::DEFINE};
     std::vector<Numbered> numbered;  ///< in the order of the deck; id 0: open until number_things()
+
+    /// Ids that nothing defines are no further faults: some text of the deck could not be read.
+    void spoil_rest() {
+        for (Registry* kind :
+             {&nodes,           &shells,    &solids,     &parts,        &materials,
+              &sections,        &node_sets, &part_sets,  &shell_sets,   &segment_sets,
+              &solid_sets,      &curves,    &vectors,    &boxes,        &coordinates,
+              &transformations, &cpm_vents, &cpm_npdata, &cpm_chambers, &cpm_gases})
+            kind->spoil_rest();
+    }
 };
 
 /// What the run asks of the whole deck.
 struct DraftOptions {
     Dialect dialect = Dialect::TODAY;
-    double until = 0.0;  ///< as DeckOptions                                          [s]
+    double until = 0.0;          ///< as DeckOptions                                  [s]
+    bool is_incomplete = false;  ///< some text of the deck could not be read
 };
 
 /// Members of sets, in the order of their names.

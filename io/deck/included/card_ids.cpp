@@ -113,6 +113,10 @@ const Registry::Entry* Card::named(std::string_view name, double id, const Regis
     if (!of_deck) return nullptr;
     const Registry::Entry* entry = registry.find(*of_deck);
     if (entry == nullptr) remember_unread(at(name), *of_deck, registry);
+    if (entry == nullptr && registry.is_spoilt(*of_deck)) {
+        unread_at_ = at(name);
+        is_spoilt_ = true;
+    }
     return entry;
 }
 

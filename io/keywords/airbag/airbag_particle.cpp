@@ -82,7 +82,8 @@ private:
                 bag_.external_parts.push_back(part);
         if (c.good() && bag_.external_parts.empty())
             c.fault("SID2", "internal parts that leave some part of SID1 to close the bag");
-        if (c.good() && !has_shells()) c.fault("SID1", "parts with shells in them");
+        if (c.good() && !has_shells() && !draft_.is_incomplete)
+            c.fault("SID1", "parts with shells in them");
         block(c, bag_);
         if (notes) {
             if (const double h = c.real("HCONV", NON_NEGATIVE); h > 0.0) bag_.heat = {{all, h, -1}};

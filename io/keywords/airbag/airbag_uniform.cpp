@@ -45,7 +45,7 @@ void shells_of_segments(Card& c, const Draft& draft, std::vector<Index>& shells)
         else
             shells.push_back(at->second);
     }
-    if (bare > 0)
+    if (bare > 0 && !draft.is_incomplete)
         c.fault("SID", fmt::format("segments that lie on shells: {} of this set do not", bare));
 }
 
@@ -57,7 +57,7 @@ void shells_of_parts(Card& c, const Draft& draft, std::vector<Index>& shells) {
     for (std::size_t s = 0; s < all.size(); ++s)
         if (std::find(parts.begin(), parts.end(), all[s].part) != parts.end())
             shells.push_back(static_cast<Index>(s));
-    if (shells.empty()) c.fault("SID", "parts with shells in them");
+    if (shells.empty() && !draft.is_incomplete) c.fault("SID", "parts with shells in them");
 }
 
 }  // namespace
@@ -104,7 +104,7 @@ std::vector<std::array<Index, 4>> facets_of_part(Card& c, const Draft& draft, co
     if (entry != nullptr)
         for (const Shell& shell : draft.model.shells)
             if (shell.part == entry->row) facets.push_back(shell.nodes);
-    if (facets.empty()) c.fault(field, expected);
+    if (facets.empty() && !draft.is_incomplete) c.fault(field, expected);
     return facets;
 }
 
