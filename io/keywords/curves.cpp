@@ -29,7 +29,7 @@ void define_curve(Cards& cards, Draft& draft) {
                 "this meaning of a fabric's curve is not acted on: its points count as they stand");
         c.harmless("LCINT");
     }
-    while (cards.rows()) {
+    while (cards.lines_left() > 0) {  // a blank one between others is (0, 0)
         Card c = cards.next(point);
         const double x = x_scale * (c.real("A") + x_offset);
         const double y = y_scale * (c.real("O") + y_offset);
@@ -113,6 +113,7 @@ void define_curve_function(Cards& cards, Draft& draft) {
     {
         Card c = cards.next("LCID SIDR - - - - - -");
         curve.id = c.new_id("LCID", draft.curves, draft.model.curves.size());
+        draft.function_curves.push_back(static_cast<Index>(draft.model.curves.size()));
         c.choice("SIDR", {0, 2}, {1});
     }
     std::string text;

@@ -162,6 +162,8 @@ struct CurveUse {
 struct DraftUses {
     std::vector<Place> motion_places;  ///< of the cards of Model::motions
     std::vector<CurveUse> curve_uses;
+    std::vector<Index> function_curves;                     ///< rows of *DEFINE_CURVE_FUNCTION
+    std::map<std::pair<Index, double>, Index> late_curves;  ///< row and delay: row of the later one
     std::vector<std::pair<Index, Place>> body_uses;  ///< rigid parts that loads and springs act on
     Place node_masses_at;                            ///< the first *ELEMENT_MASS or _INERTIA
     std::vector<Place> node_inertias_at;             ///< of Model::node_inertias

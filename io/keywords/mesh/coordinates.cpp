@@ -91,6 +91,11 @@ Mat3 axes_at_start(const Draft& draft, Index system) {
     return axes_along(x(1) - x(0), x(2) - x(0));
 }
 
+Vec3 local_axis(const FilePlace& file, int k, bool turns) {
+    const bool is_against = file.mirrors() && (k == 2) != turns;
+    return is_against ? Vec3(-Vec3::Unit(k)) : Vec3(Vec3::Unit(k));
+}
+
 void place_local_axes(Draft& draft) {
     for (const auto& [material, system] : draft.local_constraints)
         std::get<fabric::RigidCard>(draft.model.materials[static_cast<std::size_t>(material)].card)

@@ -10,17 +10,10 @@
 namespace corpuscle::io::keywords {
 namespace {
 
-/// Local axis k, as the mirror image of a file has it: its z = x × y is against that of the image,
-/// and moments turn the other way.
-Vec3 local_axis(const Card& c, int k, bool is_moment) {
-    const bool is_against = c.file().mirrors() && (k == 2) != is_moment;
-    return is_against ? Vec3(-Vec3::Unit(k)) : Vec3(Vec3::Unit(k));
-}
-
 /// DOF 4 and 8: along the normal of the plane through M1, M2, M3, which the load goes with.
 void follow(Card& c, const Draft& draft, RigidLoad& load) {
     load.nodes = {c.row("M1", draft.nodes), c.row("M2", draft.nodes), c.row("M3", draft.nodes)};
-    load.axis = local_axis(c, 2, load.is_moment);
+    load.axis = local_axis(c.file(), 2, load.is_moment);
     c.harmless("CID");
     if (!c.good()) return;
     const auto x = [&](int k) -> const Vec3& {
@@ -41,7 +34,7 @@ void go_along(Card& c, const Draft& draft, int k, RigidLoad& load) {
         return;
     }
     const LocalAxes& local = draft.coordinate[static_cast<std::size_t>(system)];
-    load.axis = local_axis(c, k, load.is_moment);
+    load.axis = local_axis(c.file(), k, load.is_moment);
     if (local.moves)
         load.nodes = local.nodes;
     else if (c.good())

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/keywords/bodies/rigid_parts.hpp"
 #include "io/keywords/keywords.hpp"
+#include "io/keywords/mesh/coordinates.hpp"
 
 namespace corpuscle::io::keywords {
 
@@ -13,30 +15,72 @@ namespace {
 
 const Vec3 AXES[] = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
 
+/// x, y or z, of the deck or of the coordinate system -VID.
+void along_axis(Card& c, const Draft& draft, int k, PrescribedMotion& motion) {
+    const double vid = c.real("VID");  // a vector counts for DOF 4 and 8 alone
+    if (vid >= 0.0) {
+        motion.axis = motion.rotation ? c.file().spin(AXES[k]) : c.file().direction(AXES[k]);
+        return;
+    }
+    const Registry::Entry* system = c.named("VID", -vid, draft.coordinates);
+    if (system == nullptr)
+        return c.fault("VID", "0, or minus the id of a *DEFINE_COORDINATE_... of the deck");
+    if (draft.coordinate[static_cast<std::size_t>(system->row)].moves)
+        return c.fault("VID",
+                       "a coordinate system that stays as it is, FLAG = 0: axes of a motion that "
+                       "go with nodes are not acted on yet");
+    motion.axis =
+        axes_at_start(draft, system->row) * local_axis(c.file(), k, /*turns=*/motion.rotation);
+}
+
 /// DOF 1-3 x y z, 4 along VID, 5-7 about x y z, 8 about VID.
 void direction(Card& c, const Draft& draft, PrescribedMotion& motion, bool of_rigid_part) {
     const int dof = of_rigid_part ? c.choice("DOF", {1, 2, 3, 4, 5, 6, 7, 8}, {-4, -8, 9, 10, 11})
                                   : c.choice("DOF", {1, 2, 3, 4}, {-4, -8, 9, 10, 11});
     motion.rotation = dof > 4;
-    if (dof % 4 != 0) {
-        const Vec3& axis = AXES[dof % 4 - 1];
-        motion.axis = motion.rotation ? c.file().spin(axis) : c.file().direction(axis);
-        return c.harmless("VID");
-    }
+    if (dof % 4 != 0) return along_axis(c, draft, dof % 4 - 1, motion);
     const Index vector = c.row("VID", draft.vectors);
     if (vector >= 0) motion.axis = draft.vector[static_cast<std::size_t>(vector)].normalized();
     if (motion.rotation && c.file().mirrors()) motion.axis = -motion.axis;
 }
 
+/// Row of the curve whose abscissae are times since BIRTH, as those of a motion are.
+Index late_curve(Draft& draft, Index curve, double birth) {
+    auto& curves = draft.model.curves;
+    const bool is_reached = birth < std::max(draft.until, draft.model.end_time);
+    if (curve < 0 || birth == 0.0 || !is_reached) return curve;
+    const auto [late, is_new] = draft.late_curves.try_emplace({curve, birth}, 0);
+    if (is_new) {
+        late->second = static_cast<Index>(curves.size());
+        Curve copy = curves[static_cast<std::size_t>(curve)];
+        for (double& t : copy.x) t += birth;
+        curves.push_back(std::move(copy));
+    }
+    return late->second;
+}
+
+/// LCID and BIRTH, from which on the curve's time counts.
+void curve_of_motion(Card& c, Draft& draft, PrescribedMotion& motion) {
+    motion.curve = c.row("LCID", draft.curves);
+    motion.birth = c.real("BIRTH", NON_NEGATIVE);
+    const auto& functions = draft.function_curves;
+    if (std::find(functions.begin(), functions.end(), motion.curve) == functions.end()) {
+        motion.curve = late_curve(draft, motion.curve, motion.birth);
+    } else if (motion.birth > 0.0) {
+        motion.birth = 0.0;
+        c.warn("BIRTH",
+               "does not count for a *DEFINE_CURVE_FUNCTION: the motion acts from the start on");
+    }
+}
+
 /// The card, but for its first field.
-PrescribedMotion motion_card(Card& c, const Draft& draft, bool of_rigid_part) {
+PrescribedMotion motion_card(Card& c, Draft& draft, bool of_rigid_part) {
     PrescribedMotion motion;
     direction(c, draft, motion, of_rigid_part);
     motion.kind = static_cast<MotionKind>(c.choice("VAD", {0, 1, 2}, {3, 4}));
-    motion.curve = c.row("LCID", draft.curves);
+    curve_of_motion(c, draft, motion);
     motion.scale = c.real("SF");
     motion.death = c.real("DEATH", POSITIVE);
-    motion.birth = c.real("BIRTH", NON_NEGATIVE);
     return motion;
 }
 

@@ -85,3 +85,29 @@ TEST_CASE("a flat bag of quads closes, also where both panels' corners lie betwe
     CHECK(other_cut == Approx(27.0 / 28.0 * volume));  // so the mass tells them apart
     run.steps(20);
 }
+
+TEST_CASE("time of a motion's curve counts from its birth on, along the axes of a local system",
+          "[io]") {
+    constexpr double BIRTH = 0.02, RATE = 4.0, SIDE = 0.1;
+    Run run("late_motions.k");
+    double start = 0.0;  // of the first step that moves
+    while (!run.scene.is_over()) {
+        run.steps(1);
+        if (start == 0.0 && run.last_time >= BIRTH) start = run.last_time;
+    }
+    const double end = run.scene.time(), late = end - BIRTH, missed = start - BIRTH;
+    REQUIRE(missed < 1e-2 * late);
+    const double led = 0.5 * RATE * (late * late - missed * missed);
+    CHECK(run.x(11).x() + SIDE == Approx(led).epsilon(1e-9));
+    CHECK(run.x(11).y() + 0.05 == Approx(0.5 * RATE * end * end).epsilon(1e-6));
+    CHECK(run.x(21).x() + SIDE == Approx(RATE * (end - start)).epsilon(1e-9));
+    CHECK(run.x(31).x() + SIDE == Approx(RATE / 6.0 * std::pow(late, 3.0)).epsilon(5e-3));
+    CHECK(run.x(41).y() - 2.95 == Approx(led).epsilon(1e-9));
+    CHECK(run.x(41).x() == Approx(-SIDE).epsilon(1e-12));
+    const Vec3 spin = run.scene.bodies()[4].spin();
+    CHECK(spin.x() == Approx(-RATE * (run.half_step - BIRTH)).epsilon(1e-9));
+    CHECK(spin.tail<2>().norm() < 1e-12);
+    for (const int node : {61, 64}) CHECK(-run.x(node).x() - SIDE == Approx(led).epsilon(1e-9));
+    CHECK(run.x(61).z() == Approx(0.1 * (end - start)).epsilon(1e-9));
+    CHECK(tells(run.scene.model().warnings, "does not count for a *DEFINE_CURVE_FUNCTION"));
+}
