@@ -90,21 +90,25 @@ void airbag_hybrid(Cards& cards, Draft& draft) {
     keep_bag(cards, draft, std::move(bag));
 }
 
-/// p = P0 (V0 / V)^GAMMA: a gas that nothing enters or leaves. Its temperature is not given; 300 is
-/// taken.
+/// p = (P0 + PE) (V0 / V)^GAMMA: a gas that nothing enters or leaves, P0 its gauge pressure at the
+/// start. Its temperature is not given; 300 is taken.
 void airbag_adiabatic(Cards& cards, Draft& draft) {
     constexpr double SOME_TEMPERATURE = 300.0;
     UniformBagCard bag = control_volume(cards, draft, "*AIRBAG_ADIABATIC_GAS_MODEL");
     Card c = cards.next("PSF=1 LCID GAMMA P0 PE RO - -");
     bag.pressure_scale *= c.real("PSF", POSITIVE);
-    const double gamma = c.real("GAMMA", {1.0, INF, true}), p = c.real("P0", POSITIVE);
+    const double gamma = c.real("GAMMA", {1.0, INF, true}), gauge = c.real("P0");
     bag.p_atm = c.real("PE", NON_NEGATIVE);
     bag.density = c.real("RO", POSITIVE);
+    const double p = gauge + bag.p_atm;
+    if (c.good() && !(p > 0.0)) c.fault("P0", "a gauge pressure, with P0 + PE > 0");
     if (!c.good()) return;
+    if (bag.p_atm > 0.0 && gauge >= bag.p_atm)
+        c.note("P0", fmt::format("a gauge pressure: the bag starts at P0 + PE = {:g}", p));
     const double R = p / (bag.density * SOME_TEMPERATURE);
     bag.cv = R / (gamma - 1.0);
     bag.cp = gamma * bag.cv;
-    bag.overpressure = p - bag.p_atm;
+    bag.overpressure = gauge;
     keep_bag(cards, draft, std::move(bag));
 }
 

@@ -54,8 +54,8 @@ std::string deck(const DeckMesh& mesh, double step_factor) {
            fmt::format("*MAT_FABRIC\n1, {0}, {1}, {1}, , {2}, {2}\n{3}, , , 1\n,\n,\n,\n", DENSITY,
                        E, NU, E / (2.0 * (1.0 + NU))) +
            set_card(12, {1}) +
-           fmt::format("*AIRBAG_ADIABATIC_GAS_MODEL\n12, 1\n1.0, 0, {}, {}, {}, 1.2\n", GAMMA, P_0,
-                       P_OUT) +
+           fmt::format("*AIRBAG_ADIABATIC_GAS_MODEL\n12, 1\n1.0, 0, {}, {}, {}, 1.2\n", GAMMA,
+                       P_0 - P_OUT, P_OUT) +
            fmt::format("*CONTROL_TIMESTEP\n0.0, {}\n", step_factor) +
            "*DAMPING_GLOBAL\n0, 400.0\n*CONTROL_TERMINATION\n0.1\n*DATABASE_ABSTAT\n1e-3\n"
            "*DATABASE_BINARY_D3PLOT\n0.1\n*END\n";
