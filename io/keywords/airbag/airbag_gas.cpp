@@ -67,14 +67,15 @@ gas::InitialAirCard initial_air(Cards& cards, const Draft& draft, const gas::Bag
     air.temperature = c.real("TAIR", TEMPERATURE);
     if (air.pressure == 0.0) air.pressure = bag.p_atm;
     if (air.temperature == 0.0) air.temperature = bag.T_atm;
-    air.is_particles = kind == 2;
+    air.is_particles = kind == 2 || kind == 4;
     air.flows_in = kind == -1;
     if (air.is_particles) {
         constexpr double MOST = 1e8;
         air.particles = static_cast<std::size_t>(c.integer("NPAIR", within(0.0, MOST)));
-        if (c.real("NPRLX") < 0.0)
+        if (c.real("NPRLX") >= 0.0)
+            c.noted("NPRLX", "initial air is at equilibrium from the start");
+        else if (kind == 2)
             c.fault("NPRLX", ">= 0: initial air always presses on the fabric");
-        c.noted("NPRLX", "initial air is at equilibrium from the start");
     } else {
         c.harmless("NPAIR NPRLX");
     }
@@ -160,7 +161,7 @@ bool has_mass(const Draft& draft, Index node) {
 
 }  // namespace
 
-gas::OrificeCard orifice(Cards& cards, const Draft& draft, bool is_first) {
+gas::OrificeCard orifice(Cards& cards, const Draft& draft, const gas::OrificeCard* first) {
     gas::OrificeCard nozzle;
     int vd = 0;
     {
@@ -169,11 +170,14 @@ gas::OrificeCard orifice(Cards& cards, const Draft& draft, bool is_first) {
                                 : "NID AN VD CA INFO=1 IMOM IANG CHM_ID");
         vd = c.integer("VD", {-4.0});
         direction(c, draft, nozzle, vd);
-        nozzle.weight = c.real("AN", POSITIVE);
+        nozzle.weight = c.real("AN", NON_NEGATIVE);
+        if (first != nullptr && (first->weight > 0.0) != (nozzle.weight > 0.0))
+            c.fault("AN", first->weight > 0.0 ? "> 0, as the first orifice has it"
+                                              : "0 or blank, as the first orifice has it");
         nozzle.inflator = c.integer("INFO", {1.0});
         if (draft.dialect == Dialect::TODAY)
             c.noted("CHM_ID", "a nozzle is in the chamber that it lies in");
-        nozzle.cone = cone(c, draft.dialect, is_first);
+        nozzle.cone = cone(c, draft.dialect, /*is_first=*/first == nullptr);
         nozzle.pushes = draft.dialect == Dialect::TODAY && c.choice("IMOM", {0, 1}) == 1;
         if (nozzle.pushes && c.good() && nozzle.shell < 0 && !has_mass(draft, nozzle.node)) {
             nozzle.pushes = false;

@@ -28,7 +28,7 @@ inline constexpr UnitSystem UNIT_SYSTEMS[] = {
 /// step.
 inline constexpr Range TEMPERATURE = within(0.0, 1e5);  ///< [K]
 
-/// @param kind  IAIR: 1, -1, 2
+/// @param kind  IAIR: 1, -1, 2, or 4, which is taken as 2
 gas::InitialAirCard initial_air(Cards& cards, const Draft& draft, const gas::BagCard& bag,
                                 const UnitSystem& unit, int kind);
 gas::InflowCard inflow(Cards& cards, const Draft& draft, const UnitSystem& unit);
@@ -37,7 +37,8 @@ gas::InflowCard inflow(Cards& cards, const Draft& draft, const UnitSystem& unit)
 /// @param low, high  temperatures that the gas may have                                    [K]
 gas::SpeciesCard defined_gas(Card& c, const char* mass, double id, const Draft& draft, double low,
                              double high);
-gas::OrificeCard orifice(Cards& cards, const Draft& draft, bool is_first);
+/// @param first  of the bag, nullptr for this one: with an area AN all have one, without none
+gas::OrificeCard orifice(Cards& cards, const Draft& draft, const gas::OrificeCard* first);
 
 /// _MOLEFRACTION: until here the gases' `mass_rate` are mole fractions of time; afterwards they are
 /// mass flows, new curves of the model. A fault when the fractions are no shares of 1.

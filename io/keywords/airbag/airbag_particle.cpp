@@ -39,7 +39,10 @@ public:
         if (cards_.has("JET")) cards_.next("JNODE");
         if (cards_.plus()) fine_points();
         if (cards_.plus()) front_tracking();
-        if (unit_ == 3) cards_.next("- MASS - TIME - LENGTH").harmless_all();
+        if (unit_ == 3) unit_ = system_of_factors();
+        bag_.gas_constant = GAS_CONSTANT * unit().energy;
+        bag_.second = unit().second;
+        if (bag_.p_atm == 0.0) bag_.p_atm = ATMOSPHERE_PRESSURE * unit().pressure;
         counts();
         skip(inner_rows_, "SIDUP STYUP PFRAC LINKING");
         for (int i = 0; i < part_rows_; ++i) part_data(cards_, draft_, bag_);
@@ -107,20 +110,33 @@ private:
         Card c = cards_.next("NP=200000 UNIT VISFLG TATM=293 PATM NVENT TEND=1e10 TSW=1e10");
         constexpr double MOST = 1e8;  // some 10 GB
         bag_.particles = static_cast<std::size_t>(c.integer("NP", within(1.0, MOST)));
-        c.choice("UNIT", {0, 1, 2}, {3});
-        if (const int u = c.integer("UNIT"); u >= 0 && u <= 3) unit_ = u;
+        unit_ = c.choice("UNIT", {0, 1, 2, 3});
         const int visible = c.choice("VISFLG", {0, 1, 2, 3});
         const bool blank_shows = draft_.dialect == Dialect::TODAY && !c.given("VISFLG");
         bag_.show_particles = blank_shows || visible == 1 || visible == 2;
-        bag_.gas_constant = GAS_CONSTANT * unit().energy;
-        bag_.second = unit().second;
+        if (!blank_shows && visible == 0 && draft_.dialect == Dialect::TODAY)
+            c.note("VISFLG", "no particles are in the frames, as with 3 (LS-DYNA takes 0 as 1)");
         bag_.T_atm = c.real("TATM", TEMPERATURE);
         if (bag_.T_atm == 0.0) bag_.T_atm = ATMOSPHERE_TEMPERATURE;
         bag_.p_atm = c.real("PATM", NON_NEGATIVE);
-        if (bag_.p_atm == 0.0) bag_.p_atm = ATMOSPHERE_PRESSURE * unit().pressure;
         vent_rows_ = c.integer("NVENT", COUNT);
         bag_.all_in = c.real("TEND", POSITIVE);
         bag_.switch_at = c.real("TSW", POSITIVE);
+    }
+
+    /// UNIT = 3: the row of UNIT_SYSTEMS whose mass, time and length have these many kg, s and m.
+    int system_of_factors() {
+        constexpr double ROUNDING = 1e-6;
+        Card c = cards_.next("- MASS - TIME - LENGTH");
+        const Vec3 factors = c.vector("MASS", "TIME", "LENGTH");
+        const Vec3 known[] = {{1.0, 1e-3, 1e-3}, {1.0, 1.0, 1.0}, {1e3, 1.0, 1e-3}};
+        for (int system = 0; system < 3; ++system)
+            if ((factors.cwiseQuotient(known[system]) - Vec3::Ones()).isZero(ROUNDING))
+                return system;
+        c.fault("MASS",
+                "with TIME and LENGTH those of kg-mm-ms (1, 0.001, 0.001), of SI (1, 1, 1) or of "
+                "ton-mm-s (1000, 1, 0.001)");
+        return 1;
     }
 
     void fine_points() {
@@ -158,7 +174,6 @@ private:
             c.warn("IAIR",
                    "taken as 2: initial air is particles that press as particles do, from the "
                    "start on; there is no front to track");
-            air_ = 2;
         }
         skips_air_ = air_ == 0 && c.integer("IAIR") != 0;
         if (!c.good()) return;
@@ -191,10 +206,15 @@ private:
         if (cards_.has("MOLEFRACTION")) mass = cards_.next("LCMASS").row("LCMASS", draft_.curves);
         for (int i = 0; i < gases_; ++i) bag_.inflow.push_back(inflow(cards_, draft_, unit()));
         if (mass >= 0 && cards_.good()) share_by_moles(cards_, draft_, mass, bag_.inflow);
-        for (int i = 0; i < nozzles_; ++i) bag_.orifices.push_back(orifice(cards_, draft_, i == 0));
+        auto& nozzles = bag_.orifices;
+        for (int i = 0; i < nozzles_; ++i)
+            nozzles.push_back(orifice(cards_, draft_, i == 0 ? nullptr : &nozzles.front()));
+        if (nozzles_ == 0 || nozzles.front().weight > 0.0) return;
+        if (nozzles_ > 1) cards_.note("has orifices without areas AN: all have the same");
+        for (gas::OrificeCard& nozzle : nozzles) nozzle.weight = 1.0;
     }
 
-    [[nodiscard]] const UnitSystem& unit() const { return UNIT_SYSTEMS[unit_ == 3 ? 1 : unit_]; }
+    [[nodiscard]] const UnitSystem& unit() const { return UNIT_SYSTEMS[unit_]; }
 
     Cards& cards_;
     Draft& draft_;

@@ -180,7 +180,14 @@ TEST_CASE("AIRBAG_PARTICLE: what nothing acts on yet is one fault, its rows are 
         bag.card_2 = "100,1,1,0,0,0,0,0.5", bag.rows = "";
         CHECK(folder.read(bag.deck()).bags.at(0).switch_at == 0.5);
         bag.card_2 = "100,3", bag.behind_2 = ",1,,1,,1\n";
-        CHECK(contains(only_fault(folder, bag), "(UNIT) = 3, expected 0 or 1 or 2: this choice"));
+        CHECK(folder.read(bag.deck()).unit_system == "SI");
+        bag.behind_2 = ",1,,.001,,.001\n";
+        const Model factors = folder.read(bag.deck());
+        CHECK(factors.unit_system == "kg-mm-ms-K");
+        CHECK(factors.bags.at(0).p_atm == Approx(1.01325e-4).epsilon(1e-3));
+        CHECK(factors.bags.at(0).second == 1e3);
+        bag.behind_2 = ",2,,.001,,.001\n";
+        CHECK(contains(only_fault(folder, bag), "(MASS) = 2, expected with TIME and LENGTH"));
         bag.card_2 = "0,1", bag.behind_2 = "";  // blank or zero is the default
         CHECK(folder.read(bag.deck()).bags.at(0).particles == 200000);
         bag.card_2 = "-5,1";

@@ -141,6 +141,33 @@ TEST_CASE("AIRBAG_PARTICLE: initial air as a gas, as particles, with ambient air
     CHECK(folder.read(bag.deck()).bags.at(0).air->particles == 500);
     bag.rows = "0,0,0.029,29.,0,0,500,-1\n";
     CHECK(contains(only_fault(folder, bag), "(NPRLX) = -1, expected >= 0"));
+    bag.card_3 = "4,1,1";
+    CHECK(folder.read(bag.deck()).bags.at(0).air->is_particles);
+}
+
+TEST_CASE("AIRBAG_PARTICLE: orifices without areas have the same, and VISFLG = 0 is told", "[io]") {
+    const DeckFolder folder;
+    Bag bag;
+    bag.card_3 = "0,1,2";
+    const auto weights = [&](const std::string& first, const std::string& second) {
+        bag.orifice = "5," + first + "\n4," + second;
+        std::vector<double> all;
+        const Model model = folder.read(bag.deck());
+        for (const gas::OrificeCard& nozzle : model.bags.at(0).orifices)
+            all.push_back(nozzle.weight);
+        return all;
+    };
+    CHECK(weights("", "0.0") == std::vector<double>{1.0, 1.0});
+    CHECK(weights("2.0", "3.0") == std::vector<double>{2.0, 3.0});
+    bag.orifice = "5,1.0\n4,0.0";
+    CHECK(contains(only_fault(folder, bag), "(AN) = 0.0, expected > 0, as the first orifice"));
+    bag.orifice = "5\n4,1.0";
+    CHECK(contains(only_fault(folder, bag), "(AN) = 1.0, expected 0 or blank, as the first"));
+    bag = {};
+    bag.card_2 = "10000,1,0";
+    const Model model = folder.read(bag.deck());
+    CHECK_FALSE(model.bags.at(0).show_particles);
+    CHECK(any_contains(model.notes, "(VISFLG) = 0: no particles are in the frames"));
 }
 
 TEST_CASE("the smallest public CPM block is read", "[io]") {
