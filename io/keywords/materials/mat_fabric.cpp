@@ -53,8 +53,9 @@ void elasticity(Cards& cards, Draft& draft, fabric::Material& material, FabricCa
     d.harmless("GBC GCA");
 }
 
+/// -14 is 14 with the card of the coat, which is read behind 4 and 14 too where it is there.
 void fabric_form(Card& c, FabricCard& cloth) {
-    cloth.form = c.choice("FORM", {0, 1, 2, 3, 4, 12, 13, 14}, {-14, 24});
+    cloth.form = std::abs(c.choice("FORM", {0, 1, 2, 3, 4, 12, 13, 14, -14}, {24}));
     if (cloth.form == 12)
         c.warn("FORM", "the refined form 2: taken as 2, linear in the Green-Lagrange strain");
     if (cloth.form == 3 || cloth.form == 13)
@@ -130,7 +131,7 @@ void stress_curves(Cards& cards, Draft& draft, FabricCard& cloth) {
         c.warn("LCA", "with curves warp and weft do not feel each other: PRBA does not count");
 }
 
-/// The card that FORM -14 has besides: here after the curves of 4 and 14, for the coat alone.
+/// The card that FORM -14 has behind the curves, and that 4 and 14 may have: for the coat alone.
 void coat(Cards& cards, FabricCard& cloth) {
     if ((cloth.form != 4 && cloth.form != 14) || !cards.more()) return;
     Card c = cards.next("LCAA LCBB H DT - ECOAT SCOAT TCOAT");

@@ -224,7 +224,11 @@ TEST_CASE("MAT_FABRIC: a coat after the curves of forms 4 and 14", "[io]") {
     CHECK(contains(one("14", ",,,,,0,,0.1"), "(ECOAT)"));
     CHECK(contains(one("14", ",,,,,0.05,0.01,0.1"), "(SCOAT) = 0.01, expected 0 or blank"));
     CHECK(contains(one("14", "7,,,,,0.05,,0.1"), "(LCAA) = 7, expected 0 or blank"));
-    CHECK(contains(one("-14", ""), "(FORM) = -14, expected"));
+    const Model same = folder.read(deck("-14", ",,,,,0.05,,0.1"));
+    CHECK(cloth(same).form == 14);
+    CHECK(cloth(same).coat_E == 0.05);
+    CHECK(contains(one("-14", "7,,,,,0.05,,0.1"), "(LCAA) = 7, expected 0 or blank"));
+    CHECK(contains(one("24", ""), "(FORM) = 24, expected"));
 }
 
 TEST_CASE("MAT_FABRIC: curves of forms 4 and 14, loading and unloading", "[io]") {
