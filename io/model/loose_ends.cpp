@@ -138,10 +138,7 @@ void leave_out_links(Draft& draft, Faults& faults) {
 /// Bodies of nodes that nothing with mass is at hold nothing.
 void leave_out_empty_bodies(Draft& draft, Faults& faults) {
     Model& model = draft.model;
-    std::vector<std::uint8_t> has_mass(model.x.size(), 0);
-    for (const Shell& shell : model.shells)
-        for (const Index node : shell.nodes)
-            if (node >= 0) has_mass[static_cast<std::size_t>(node)] = 1;
+    const std::vector<std::uint8_t> has_mass = nodes_with_mass(model);
     std::map<Index, bool> has;  // part -> some node has mass
     for (const RigidExtraNode& extra : model.rigid_extra_nodes)
         has[extra.part] |= has_mass[static_cast<std::size_t>(extra.node)] != 0;
@@ -260,6 +257,7 @@ void settle_loose_ends(Draft& draft, Faults& faults) {
     check_merged_loads(draft, faults);
     check_inertias(draft, faults);
     check_bodies(draft, faults);
+    expect_extent(draft, faults);
     warn_of_lost_masses(draft, faults);
 }
 

@@ -4,10 +4,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <variant>
 #include <vector>
+
+#include "io/keywords/bodies/rigid_parts.hpp"
+#include "io/model/loose_ends.hpp"
 
 namespace corpuscle::io {
 namespace {
@@ -64,6 +68,50 @@ void check_forms(const Draft& draft, Faults& faults) {
                                            "(ECOAT, TCOAT of *MAT_FABRIC)" +
                                            whose);
     }
+}
+
+std::vector<std::uint8_t> nodes_with_mass(const Model& model) {
+    std::vector<std::uint8_t> has_mass(model.x.size(), 0);
+    for (const Shell& shell : model.shells)
+        for (const Index node : shell.nodes)
+            if (node >= 0) has_mass[static_cast<std::size_t>(node)] = 1;
+    for (const NodeMass& added : model.node_masses)
+        if (added.mass > 0.0) has_mass[static_cast<std::size_t>(added.node)] = 1;
+    return has_mass;
+}
+
+namespace {
+
+/// Parts that have a moment of inertia whatever nodes ride on them.
+std::set<Index> parts_with_inertia(const Model& model) {
+    std::set<Index> parts;
+    for (const Shell& shell : model.shells) parts.insert(shell.part);
+    for (const RigidInertia& said : model.rigid_inertia) parts.insert(said.part);
+    for (const RigidMerge& merge : model.rigid_merges) parts.insert({merge.part, merge.lead});
+    for (const RigidExtraNode& extra : model.rigid_extra_nodes)
+        for (const NodeInertia& own : model.node_inertias)
+            if (own.node == extra.node) parts.insert(extra.part);
+    return parts;
+}
+
+}  // namespace
+
+void expect_extent(const Draft& draft, Faults& faults) {
+    constexpr double ONE_PLACE = 1e-9;  // of the coordinates
+    const Model& model = draft.model;
+    const std::vector<std::uint8_t> has_mass = nodes_with_mass(model);
+    const std::set<Index> extended = parts_with_inertia(model);
+    std::map<Index, Eigen::AlignedBox3d> boxes;
+    for (const auto& [part, node] : model.rigid_extra_nodes)
+        if (!extended.contains(part) && has_mass[static_cast<std::size_t>(node)] != 0)
+            boxes[part].extend(model.x[static_cast<std::size_t>(node)]);
+    for (const auto& [part, box] : boxes)
+        if (box.diagonal().norm() <= ONE_PLACE * box.center().norm())
+            faults.fault(place_of(draft, part),
+                         fmt::format("rigid part {} has all of its mass in one place, expected "
+                                     "nodes with mass in several, or a tensor (_INERTIA, "
+                                     "*ELEMENT_INERTIA): it has no moment of inertia",
+                                     model.parts[static_cast<std::size_t>(part)].id));
 }
 
 void warn_of_lost_masses(const Draft& draft, Faults& faults) {
