@@ -20,9 +20,15 @@ namespace {
 /// Kind and id.
 using SetName = std::pair<Registry*, int>;
 
+/// Ids of a kind, from the first to the last.
+struct SetRange {
+    Registry* kind = nullptr;
+    int first = 0, last = 0;
+};
+
 struct SetOfSets {
     SetName name;
-    std::vector<SetName> of;
+    std::vector<SetRange> of;
     std::vector<std::size_t> behind;  ///< places of those of them that are sets of sets
     std::vector<std::size_t> before;  ///< places of sets that are made of it
 };
@@ -42,7 +48,22 @@ void add_named(Card& c, DraftNames& names, SetOfSets& set) {
     Registry* kind = option == "SET" ? set.name.first : &names.shell_sets;
     const bool is_short = set.name.first == &names.segment_sets && !is_taken_away;
     for (std::size_t i = 1; i <= (is_short ? MOST_SEGMENT_IDS : MOST_IDS); ++i)
-        if (c.given(i)) set.of.emplace_back(kind, c.id(i, kind->id_kind()));
+        if (c.given(i)) {
+            const int id = c.id(i, kind->id_kind());
+            set.of.push_back({kind, id, id});
+        }
+}
+
+/// Ids of a line of a sum; one below 0 ends the range that the one before begins.
+void add_listed(Card& c, SetOfSets& set) {
+    for (std::size_t i = 0; i < 8; ++i) {
+        if (!c.given(i)) continue;
+        const int id = c.id(i, IdKind::SET);
+        if (id < 0 && !set.of.empty())
+            set.of.back().last = -id;
+        else
+            set.of.push_back({set.name.first, id, id});
+    }
 }
 
 /// Names alone: whoever reads the set tells what is wrong with its cards.
@@ -60,8 +81,7 @@ SetOfSets names_in(const Task& task, const Parameters& parameters, DraftNames& n
         if (is_general)
             add_named(c, names, set);
         else
-            for (std::size_t i = 0; i < 8; ++i)
-                if (c.given(i)) set.of.emplace_back(set.name.first, c.id(i, IdKind::SET));
+            add_listed(c, set);
     }
     return set;
 }
@@ -70,8 +90,9 @@ void find_uses(std::vector<SetOfSets>& sets) {
     std::map<SetName, std::vector<std::size_t>> places;  // several of a _COLLECT
     for (std::size_t i = 0; i < sets.size(); ++i) places[sets[i].name].push_back(i);
     for (std::size_t i = 0; i < sets.size(); ++i)
-        for (const SetName& name : sets[i].of)
-            if (const auto at = places.find(name); name.second > 0 && at != places.end())
+        for (const SetRange& of : sets[i].of)
+            for (auto at = places.lower_bound({of.kind, std::max(of.first, 1)});
+                 at != places.end() && at->first <= SetName(of.kind, of.last); ++at)
                 for (const std::size_t place : at->second) {
                     sets[i].behind.push_back(place);
                     sets[place].before.push_back(i);

@@ -144,12 +144,33 @@ void list_set(Cards& cards, Registry& sets, std::vector<Rows>& store, const Regi
     end_set(cards, set, store[row]);
 }
 
+/// Eight ids of sets a line; below 0: all from the id before up to this one.
+Rows listed_sums(Cards& cards, const Registry& sets) {
+    static const Layout layout("ID1 ID2 ID3 ID4 ID5 ID6 ID7 ID8");
+    Rows rows;
+    int before = 0;
+    while (cards.rows()) {
+        Card c = cards.next(layout);
+        for (std::size_t i = 0; i < 8; ++i) {
+            const int id = c.given(i) ? c.id(i, sets.id_kind()) : 0;
+            if (id < 0 && !(before > 0 && -id >= before))
+                c.fault(i, "the id of a set, or minus one that is not below the id before it");
+            else if (id < 0)
+                append(rows, sets.between(before, -id));
+            else if (id > 0)
+                if (const Index row = c.row(i, sets); row >= 0) rows.push_back(row);
+            if (id != 0) before = id;
+        }
+    }
+    return rows;
+}
+
 /// The sum of other sets of the kind.
 template <class Item>
 void sum_set(Cards& cards, Registry& sets, std::vector<std::vector<Item>>& store) {
     const std::size_t row = begin_set(cards, sets, store);
     Collection<Index> parts;
-    parts.add(listed(cards, sets));
+    parts.add(listed_sums(cards, sets));
     Collection<Item> sum;
     for (const Index part : parts.close(cards)) sum.add(store[static_cast<std::size_t>(part)]);
     end_set(cards, sum, store[row]);

@@ -40,6 +40,14 @@ Rows nodes_of_shells(const Draft& draft, const Rows& shells) {
     return nodes;
 }
 
+/// As the nodes are written, before *NODE_TRANSFORM.
+Rows nodes_in(const Draft& draft, const SetBox& box) {
+    Rows nodes;
+    for (std::size_t n = 0; n < draft.model.x.size(); ++n)
+        if (box.contains(draft.model.x[n])) nodes.push_back(static_cast<Index>(n));
+    return nodes;
+}
+
 Segments segments_of(const Draft& draft, const Rows& shells) {
     Segments segments;
     for (const Index s : shells)
@@ -116,6 +124,8 @@ void set_node_general(Cards& cards, Draft& d) {
         {{"ALL", nullptr, [&](Index) { return all_rows(d.model.x.size()); }},
          {"NODE", &d.nodes, [](Index node) { return Rows{node}; }},
          {"PART", &d.parts, [&](Index part) { return nodes_of_shells(d, shells_of(d, part)); }},
+         {"BOX", &d.boxes,
+          [&](Index box) { return nodes_in(d, d.box[static_cast<std::size_t>(box)]); }},
          {"SET", &d.node_sets, [&](Index set) { return at(d.node_set, set); }},
          {"SET_SHELL", &d.shell_sets,
           [&](Index set) { return nodes_of_shells(d, at(d.shell_set, set)); }}});

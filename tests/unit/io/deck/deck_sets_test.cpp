@@ -181,6 +181,6 @@ TEST_CASE("sets that are empty, double, or name what is not there are faults", "
         "deck.k:32: *SET_NODE_LIST card 2, field 2 (ID2) = 77, expected the id of a *NODE"));
     CHECK(contains(one("*SET_NODE_LIST_GENERATE\n5\n4,2\n*SET_NODE_LIST\n6\n1\n").substr(0, 9),
                    "deck.k:3"));
-    CHECK(contains(one("*SET_NODE_GENERAL\n5\nALL\nBOX,1\n"), "(OPTION) = BOX, expected one of"));
+    CHECK(contains(one("*SET_NODE_GENERAL\n5\nALL\nVOL,1\n"), "(OPTION) = VOL, expected one of"));
     CHECK(contains(one("*SET_NODE_LIST_SMOOTH\n5\n1\n"), "is not acted on yet"));
 }
