@@ -36,11 +36,24 @@ void control_timestep(Cards& cards, Draft& draft) {
         draft.model.step_start = c.real("DTINIT", NON_NEGATIVE);
         draft.model.step_factor = c.real("TSSFAC", {0.0, 1.0, true});
         draft.model.step_mass_scaled = c.real("DT2MS");
+        c.noted("LCTM", "this upper bound of the step is not kept: fabric and gas set it");
         c.harmless("ISDO TSLIMT ERODE");
     }
     if (cards.more())
         cards.next("DT2MSF DT2MSLC IMSCL - - RMSCL EMSCL IHDO").harmless("EMSCL IHDO");
     if (cards.more()) cards.next("RMAVG IGADO DTUSR DTDYNV").harmless("RMAVG IGADO DTDYNV");
+}
+
+void control_contact(Cards& cards, Draft& draft) {
+    {
+        Card c = cards.next("SLSFAC=0.1 RWPNAL ISLCHK SHLTHK PENOPT THKCHG ORIEN ENMASS");
+        draft.rigid_wall_penalty = c.real("RWPNAL");
+        c.harmless_all();
+    }
+    cards.note(
+        "is read for RWPNAL alone: contact here has no penalties, thicknesses do not change, and "
+        "friction is that of the contact's own card");
+    cards.abandon();
 }
 
 void control_cpm(Cards& cards, Draft& draft) {

@@ -88,6 +88,7 @@ void mat_null(Cards&, Draft&);
 void mat_rigid(Cards&, Draft&);
 void mat_fabric(Cards&, Draft&);
 void mat_other(Cards&, Draft&);
+void mat_add_erosion(Cards&, Draft&);
 void mat_add_leakage(Cards&, Draft&);  // leakage.cpp
 // curves.cpp
 void define_curve(Cards&, Draft&);
@@ -159,6 +160,7 @@ void load_shell_set(Cards&, Draft&);
 void damping_global(Cards&, Draft&);
 void damping_part_mass(Cards&, Draft&);
 void damping_part_stiffness(Cards&, Draft&);
+void damping_frequency_range(Cards&, Draft&);
 void load_node_point(Cards&, Draft&);
 void load_node_set(Cards&, Draft&);
 void load_rigid_body(Cards&, Draft&);  // loads_rigid.cpp
@@ -172,6 +174,7 @@ void element_beam(Cards&, Draft&);
 void element_discrete(Cards&, Draft&);
 void element_seatbelt(Cards&, Draft&);
 void accelerometer(Cards&, Draft&);
+void sensor_control(Cards&, Draft&);
 void belt_device(Cards&, Draft&);
 void nodal_rigid_body(Cards&, Draft&);
 void spotweld(Cards&, Draft&);
@@ -196,6 +199,7 @@ void rigidwall_prism(Cards&, Draft&);
 void title(Cards&, Draft&);
 void control_termination(Cards&, Draft&);
 void control_timestep(Cards&, Draft&);
+void control_contact(Cards&, Draft&);
 void control_cpm(Cards&, Draft&);
 void database_cpm_sensor(Cards&, Draft&);  // database_sensor.cpp
 void database_d3plot(Cards&, Draft&);

@@ -196,6 +196,7 @@ struct Draft : DraftNames, DraftOptions, DraftSets, DraftAirbags, DraftUses {
 
     std::vector<std::pair<Index, Place>> added_leaks;  ///< *MAT_ADD_AIRBAG_POROSITY_LEAKAGE
     std::vector<Index> body_load_parts;                ///< *LOAD_BODY_PARTS; none: all
+    double rigid_wall_penalty = 0.0;                   ///< RWPNAL of *CONTROL_CONTACT
 
     int frame_count = 0;  ///< NPLTC of *DATABASE_BINARY_D3PLOT, which needs the end time
 };

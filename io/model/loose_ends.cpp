@@ -259,6 +259,7 @@ void settle_loose_ends(Draft& draft, Faults& faults) {
     check_bodies(draft, faults);
     expect_extent(draft, faults);
     warn_of_lost_masses(draft, faults);
+    note_stopped_bodies(draft, faults);
 }
 
 }  // namespace corpuscle::io

@@ -139,4 +139,21 @@ void warn_of_lost_masses(const Draft& draft, Faults& faults) {
                 count, mass));
 }
 
+void note_stopped_bodies(Draft& draft, Faults& faults) {
+    if (draft.rigid_wall_penalty != 0.0) return;
+    const std::vector<Index>& owner = keywords::rigid_owners(draft);
+    for (const Numbered& named : draft.numbered) {
+        if (named.kind != Numbered::Kind::WALL) continue;
+        const contact::WallCard& wall = draft.model.walls[named.row];
+        const auto count = std::count_if(wall.nodes.begin(), wall.nodes.end(), [&](Index node) {
+            return owner[static_cast<std::size_t>(node)] >= 0;
+        });
+        if (count > 0)
+            faults.note(named.place,
+                        fmt::format("*{} {} stops {} nodes of rigid bodies too; with RWPNAL = 0 or "
+                                    "blank in *CONTROL_CONTACT LS-DYNA lets them pass",
+                                    named.keyword, wall.id, count));
+    }
+}
+
 }  // namespace corpuscle::io

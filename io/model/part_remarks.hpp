@@ -25,4 +25,8 @@ void expect_extent(const Draft& draft, Faults& faults);
 /// for nothing.
 void warn_of_lost_masses(const Draft& draft, Faults& faults);
 
+/// A note for walls that stop nodes of rigid bodies where RWPNAL of *CONTROL_CONTACT is 0: LS-DYNA
+/// lets them pass then.
+void note_stopped_bodies(Draft& draft, Faults& faults);
+
 }  // namespace corpuscle::io

@@ -5,6 +5,7 @@
 // cloth (loose_ends.cpp).
 
 #include "io/keywords/keywords.hpp"
+#include "io/text/text.hpp"
 
 namespace corpuscle::io::keywords {
 namespace {
@@ -61,6 +62,21 @@ void accelerometer(Cards& cards, Draft&) {
         cards.next("SBACID NID1 NID2 NID3 IGRAV INTOPT MASS")
             .harmless("SBACID NID1 NID2 NID3 IGRAV INTOPT");
     cards.note("is not written: nothing that is read refers to it");
+}
+
+/// CNTLID TYPE, and what else it says: of belts, which are left out, or a fault.
+void sensor_control(Cards& cards, Draft&) {
+    if (cards.has("TITLE")) cards.title();
+    bool is_of_belt = false;
+    {
+        Card c = cards.next("CNTLID TYPE TYPEID TIMEOFF NREP ESTYP - -");
+        is_of_belt = upper(c.text("TYPE")).starts_with("BELT");
+        c.harmless_all();
+        if (!is_of_belt)
+            c.fault("TYPE", "that of a belt (BELTPRET ...): sensors switch nothing here");
+    }
+    if (is_of_belt) cards.note("is not used: belts are left out");
+    cards.abandon();
 }
 
 }  // namespace corpuscle::io::keywords

@@ -1,5 +1,7 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "io/keywords/bodies/held.hpp"
 #include "io/keywords/bodies/rigid_parts.hpp"
 #include "io/keywords/keywords.hpp"
@@ -110,6 +112,48 @@ void mat_rigid(Cards& cards, Draft& draft) {
     c.harmless("A1 A2 A3 V1 V2 V3");  // axes of LS-DYNA's own output
     material.card = rigid;
     draft.model.materials.push_back(material);
+}
+
+namespace {
+
+/// Whether shells that deform are of the material.
+bool has_cloth(const Draft& draft, Index material) {
+    const auto& shells = draft.model.shells;
+    return std::any_of(shells.begin(), shells.end(), [&](const Shell& shell) {
+        return shell.part >= 0 && !is_rigid(draft, shell.part) &&
+               draft.model.parts[static_cast<std::size_t>(shell.part)].material == material;
+    });
+}
+
+}  // namespace
+
+/// *MAT_ADD_EROSION: of no account where it sets no limit, or where no shell could reach one.
+void mat_add_erosion(Cards& cards, Draft& draft) {
+    static const Layout first("MID EXCL MXPRES MNEPS EFFEPS VOLEPS NUMFIP=1 NCS=1"),
+        rest("L1 L2 L3 L4 L5 L6 L7 L8");
+    if (cards.has("TITLE")) cards.title();
+    Card c = cards.next(first);
+    const Index material = c.row("MID", draft.materials);
+    const double unset = c.real("EXCL");
+    bool sets_limits = false;
+    const auto look = [&](Card& card, std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            const double limit = card.real(i);
+            sets_limits |= limit != 0.0 && limit != unset;
+        }
+    };
+    look(c, 2, 6);
+    c.harmless_all();
+    while (cards.rows()) {
+        Card more = cards.next(rest);
+        look(more, 0, 8);
+    }
+    if (material < 0) return;
+    if (sets_limits && has_cloth(draft, material))
+        c.fault("MID", "a material that is in no membrane: no element is taken out here");
+    else if (c.good())
+        cards.note(sets_limits ? "is not used: no membrane is of its material"
+                               : "is not used: it sets no limit");
 }
 
 }  // namespace corpuscle::io::keywords

@@ -1,6 +1,8 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "io/keywords/keywords.hpp"
 
@@ -206,10 +208,26 @@ void damping_global(Cards& cards, Draft& draft) {
     draft.model.mass_damping = c.real("VALDMP", NON_NEGATIVE);
     if (draft.model.mass_damping_curve >= 0)
         draft.model.mass_damping = 0.0;  // the curve goes before
-    const Vec3 by_axis = c.vector("STX", "STY", "STZ");
-    if (by_axis != Vec3::Zero() && by_axis != Vec3::Ones())
-        c.fault("STX", "STX = STY = STZ = 1 or blank: damping by direction is not acted on yet");
-    c.harmless("SRX SRY SRZ");  // nodes do not turn
+    const Vec3 moves = c.vector("STX", "STY", "STZ"), turns = c.vector("SRX", "SRY", "SRZ");
+    const bool all_blank = moves.isZero(0.0) && turns.isZero(0.0);  // then all are 1
+    if (!all_blank && moves != Vec3::Ones())
+        c.fault("STX",
+                "STX = STY = STZ = 1, or all six blank: damping by direction is not acted on yet");
+    const auto rigid = [&](const Part& part) {
+        return part.material >= 0 &&
+               std::holds_alternative<fabric::RigidCard>(
+                   draft.model.materials[static_cast<std::size_t>(part.material)].card);
+    };
+    const auto& parts = draft.model.parts;
+    if (!all_blank && turns != Vec3::Ones() && std::any_of(parts.begin(), parts.end(), rigid))
+        c.warn("SRX", "taken as 1, as SRY and SRZ are: rigid bodies turn slower too");
+}
+
+void damping_frequency_range(Cards& cards, Draft&) {
+    cards.warn(
+        "is left out: what it would damp in its range of frequencies lasts longer (DAMP of "
+        "*MAT_FABRIC damps cloth)");
+    cards.abandon();
 }
 
 }  // namespace corpuscle::io::keywords

@@ -96,6 +96,11 @@ more cloth
 1,3
 )";
 
+/// Part 3, rigid, beside the small mesh.
+inline const std::string RIGID_TRIANGLE =
+    "*PART\nplate\n3,1,2\n*MAT_RIGID\n2,1000.,1.e9,0.3\n\n\n"
+    "*NODE\n21,5,0,0\n22,6,0,0\n23,5,1,0\n*ELEMENT_SHELL\n91,3,21,22,23,23\n";
+
 /// With lines behind it.
 inline std::string small_deck(const std::string& more = "") {
     return SMALL_MESH + more + "*END\n";
