@@ -294,13 +294,4 @@ private:
     std::vector<std::array<PointHistory, POINTS>> history_;  ///< empty: neither TSRFAC nor LNRC
 };
 
-template <template <class> class Element, class Make>
-std::unique_ptr<MembraneBlock> make_block(const BlockInput& in, const Make& make) {
-    return std::visit(
-        [&]<class Law>(const Law& law) -> std::unique_ptr<MembraneBlock> {
-            return std::make_unique<BlockOf<Element, Law>>(in, law, make);
-        },
-        in.law.law);
-}
-
 }  // namespace corpuscle::fabric

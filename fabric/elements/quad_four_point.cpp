@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "fabric/elements/quad_four_point.hpp"
 
-#include "fabric/membrane_block_of.hpp"
+#include "fabric/elements/make_block.hpp"
 
 namespace corpuscle::fabric {
 

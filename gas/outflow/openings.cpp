@@ -253,7 +253,7 @@ void Openings::add_collar(Opening& opening, Index row, double wanted, std::span<
         if (transmission_.collar_of[f] >= 0 || std::find(near.begin(), near.end(), f) != near.end())
             return;
         transmission_.collar_of[f] = row;
-        opening.collar.push_back(f);
+        opening.collar.facets.push_back(f);
     });
 }
 

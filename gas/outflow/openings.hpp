@@ -39,6 +39,11 @@ struct Opening {
         Index room = 0;
         std::vector<Index> points;  ///< of its wall
     };
+    /// Closed facets round a vent.
+    struct Collar {
+        std::vector<Index> facets;  ///< rows
+        double arriving = 0.0;      ///< as `arriving`, there                             [kg/s]
+    };
     enum class Law {
         PLAIN,       ///< a share of those that arrive passes
         ISENTROPIC,  ///< Wang-Nefske flow through an area
@@ -49,10 +54,10 @@ struct Opening {
     bool is_strong = false;      ///< C23 above 1: draws on its room as a whole
     Index vent = -1, leak = -1;  ///< row of its card, of one kind or the other
     std::vector<Index> facets;
-    std::vector<Index> collar;  ///< closed facets round a vent
-    Index room = 0;             ///< that it leads out of; of an internal one the one behind it
-    Ahead ahead;                ///< of internal fabric that leaks
-    Index sample = -1;          ///< row in WallSamples that tells the state; internal vents: none
+    Collar collar;
+    Index room = 0;     ///< that it leads out of; of an internal one the one behind it
+    Ahead ahead;        ///< of internal fabric that leaks
+    Index sample = -1;  ///< row in WallSamples that tells the state; internal vents: none
     /// A part's share of the free area.
     struct OfPart {
         Index part;         ///< row
@@ -74,7 +79,6 @@ struct Opening {
     double due = 0.0;              ///< wanted and not passed yet                     [kg]
     std::vector<Seepage> seepage;  ///< SEEPAGE: of what comes from `room`, from ahead
     double arriving = 0.0;         ///< flow that arrives, smoothed, by weight        [kg/s]
-    double collar_arriving = 0.0;  ///< the same on the collar                        [kg/s]
     double memory = 0.0;           ///< time over which it is smoothed                [s]
     double short_of = 0.0;         ///< beyond what all arrivals could give           [kg]
     double mass_out = 0.0;         ///< so far                                        [kg]
@@ -83,7 +87,7 @@ struct Opening {
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(has_opened, area, free, flow, air_flow, intake, air_heat, due, seepage, arriving,
-                collar_arriving, memory, short_of, mass_out);
+                collar.arriving, memory, short_of, mass_out);
     }
 };
 

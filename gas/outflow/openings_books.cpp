@@ -80,7 +80,7 @@ const Openings::Passed& Openings::count(const FlightResult& flight, double dt,
         }
         const double fresh = -std::expm1(-dt / opening.memory);
         opening.arriving += fresh * (came_[o] / dt - opening.arriving);
-        opening.collar_arriving += fresh * (came_to_collar_[o] / dt - opening.collar_arriving);
+        opening.collar.arriving += fresh * (came_to_collar_[o] / dt - opening.collar.arriving);
     }
     return passed_;
 }

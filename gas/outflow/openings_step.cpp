@@ -131,10 +131,10 @@ void Openings::set_plain(Index row, double share, std::span<const Vec3> x, const
     std::fill(chances.chance.begin(), chances.chance.end(), own);
     if (opening.is_internal) return;
     chances.push = std::min(1.0, p_atm_ / inside.pressure);
-    if (share > 1.0 && !opening.collar.empty())
+    if (share > 1.0 && !opening.collar.facets.empty())
         std::fill(chances.collar_chance.begin(), chances.collar_chance.end(),
                   std::min(1.0, (share - 1.0) * opening.free * opening.area /
-                                    area_of(opening.collar, x)));
+                                    area_of(opening.collar.facets, x)));
     opening.air_flow = share * opening.free * opening.area * inside.air_density *
                        effusion_speed(inside.temperature, gas_constant_, inside.air_molar_mass);
     opening.air_heat = 0.5;  // effusing molecules carry u + R T / 2
@@ -166,8 +166,8 @@ void Openings::set_isentropic(Index row, double area, double dt, const Inside& i
     if (wanted <= 0.0) return;
     const double chance = opening.arriving > 0.0 ? std::min(1.0, wanted / opening.arriving) : 1.0;
     const double rest = wanted - chance * opening.arriving;
-    const double collar = rest > 0.0 && opening.collar_arriving > 0.0
-                              ? std::min(1.0, rest / opening.collar_arriving)
+    const double collar = rest > 0.0 && opening.collar.arriving > 0.0
+                              ? std::min(1.0, rest / opening.collar.arriving)
                               : 0.0;
     for (std::size_t s = 0; s < species_.size(); ++s) {
         chances.chance[s] = chance * weight_[s];
@@ -214,7 +214,7 @@ void Openings::expect_arrivals(Opening& opening, double dt, const Inside& inside
     opening.memory = STEPS_KEPT * dt + (count > 0.0 ? ARRIVALS_KEPT / count : 0.0);
     if (!is_first) return;
     opening.arriving = mass;
-    opening.collar_arriving = opening.collar.empty() ? 0.0 : mass;
+    opening.collar.arriving = opening.collar.facets.empty() ? 0.0 : mass;
 }
 
 /// The share of a gas that is to pass, corrected by what has passed too little or too much before:

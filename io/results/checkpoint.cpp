@@ -19,7 +19,7 @@ namespace corpuscle::io {
 namespace {
 
 /// First words of the file. The number changes whenever a class lists its state in another way.
-constexpr std::string_view MAGIC = "corpuscle checkpoint 23\n";
+constexpr std::string_view MAGIC = "corpuscle checkpoint 24\n";
 static_assert(MAGIC.size() % sizeof(std::uint64_t) == 0);  // Checksum takes whole words
 
 std::filesystem::path file_in(const std::filesystem::path& folder) {

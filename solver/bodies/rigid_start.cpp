@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 
+#include "solver/bodies/free_rotation.hpp"
 #include "solver/bodies/rigid_parts.hpp"
 
 namespace corpuscle {
@@ -32,18 +33,11 @@ Mat3 point_inertia(double mass, const Vec3& r) {
     return mass * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
 }
 
-/// spin of I spin = turning
-Vec3 spin_by(const Mat3& inertia, const Vec3& turning) {
+/// ω of I ω = turning.                                                                 [rad/s]
+Vec3 start_spin(const Mat3& inertia, const Vec3& turning) {
     const Eigen::SelfAdjointEigenSolver<Mat3> principal(inertia);
-    Vec3 spin = Vec3::Zero();
-    for (int axis = 0; axis < 3; ++axis) {
-        const double moment = principal.eigenvalues()[axis];
-        const Vec3 along = principal.eigenvectors().col(axis);
-        // a straight row of nodes has no moment about itself, and no spin
-        if (moment > 1e-12 * principal.eigenvalues()[2])
-            spin += along.dot(turning) / moment * along;
-    }
-    return spin;
+    const Mat3& axes = principal.eigenvectors();
+    return axes * spin_by(principal_moments(principal.eigenvalues()), axes.transpose() * turning);
 }
 
 const RigidInertia* own_inertia(const Model& model, Index part) {
@@ -69,7 +63,7 @@ Moving mean_motion(const StartNodes& nodes, const std::map<Index, double>& weigh
         body.inertia += point_inertia(m, r);
         turning += m * r.cross(nodes.v[node] - body.velocity);
     }
-    body.spin = spin_by(body.inertia, turning);
+    body.spin = start_spin(body.inertia, turning);
     return body;
 }
 
@@ -131,7 +125,7 @@ Moving joined(const std::vector<Moving>& bodies) {
         all.inertia += body.inertia + point_inertia(body.mass, r);
         turning += body.inertia * body.spin + body.mass * r.cross(body.velocity - all.velocity);
     }
-    all.spin = spin_by(all.inertia, turning);
+    all.spin = start_spin(all.inertia, turning);
     return all;
 }
 
