@@ -218,8 +218,6 @@ Model read_deck(const std::filesystem::path& file, const DeckOptions& options, D
     model.unit_system = "consistent";
     Draft draft(model);
     draft.until = options.until;
-    draft.is_incomplete = text.is_incomplete;
-    if (text.is_incomplete) draft.spoil_rest();
     take_settings(parameters, faults, draft);
     const std::string said_units = units(parameters, faults);
     model.fingerprint = scene_fingerprint(text, parameters);

@@ -87,6 +87,8 @@ void warn_of_repeats(const std::vector<Task>& tasks, Faults& faults) {
 
 std::vector<Task> sort_out(const DeckText& text, const Parameters& parameters, Faults& faults,
                            Draft& draft) {
+    draft.is_incomplete = text.is_incomplete;
+    if (text.is_incomplete) draft.spoil_rest();
     std::vector<Task> tasks;
     for (const Block& block : text.blocks) {
         faults.begin_block();
