@@ -1,5 +1,9 @@
 // corpuscle: airbag deployment by the corpuscular method
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
 #include "io/keywords/keywords.hpp"
 
 namespace corpuscle::io::keywords {
@@ -45,11 +49,16 @@ void control_timestep(Cards& cards, Draft& draft) {
 }
 
 void control_contact(Cards& cards, Draft& draft) {
+    bool says_more = false;
     {
         Card c = cards.next("SLSFAC=0.1 RWPNAL ISLCHK SHLTHK PENOPT THKCHG ORIEN ENMASS");
         draft.rigid_wall_penalty = c.real("RWPNAL");
+        const std::vector<std::string_view> said = c.set_fields();
+        says_more = std::any_of(said.begin(), said.end(),
+                                [](std::string_view name) { return name != "RWPNAL"; });
         c.harmless_all();
     }
+    if (!says_more && !cards.more()) return;
     cards.note(
         "is read for RWPNAL alone: contact here has no penalties, thicknesses do not change, and "
         "friction is that of the contact's own card");
