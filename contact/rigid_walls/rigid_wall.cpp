@@ -103,11 +103,11 @@ void RigidWall::launch(double t, double dt) {
     driving_work_ += kinetic_energy();
 }
 
-/// Of coordinates: a billionth of what the nodes extend over.                              [m]
+/// Of coordinates in decks, of seven digits: a millionth of what the nodes extend over.      [m]
 double RigidWall::rounding(const Points& x) const {
     Box all;
     for (const Index node : card_.nodes) all.include(x[node]);
-    return card_.nodes.empty() ? 0.0 : 1e-9 * (all.high - all.low).norm();
+    return card_.nodes.empty() ? 0.0 : 1e-6 * (all.high - all.low).norm();
 }
 
 RigidWall::Inside RigidWall::inside(const Points& x) const {
