@@ -69,8 +69,8 @@ TEST_CASE("a scene whose steps never reach the end time stops, and says who sets
 
 TEST_CASE("a bag that next to nothing holds back stops before its gas is lost", "[io]") {
     const test::DeckFolder folder;
-    const auto [status, text] =
-        run(folder.write("deck.k", balloon("*MAT_RIGID\n1,1e-30,1e9,.3\n\n\n", "1e-4")), "");
+    const auto deck = folder.write("deck.k", balloon("*MAT_RIGID\n1,1e-30,1e9,.3\n\n\n", "1e-4"));
+    const auto [status, text] = run(deck, "");
     CHECK(status == 3);
     CHECK_THAT(text, Contains("rigid part 1 spins at") && Contains("which no step of"));
 }
@@ -81,9 +81,7 @@ TEST_CASE("a run that breaks in its first step shows the start once", "[io]") {
         folder.write("deck.k", balloon(CLOTH, "1e-4", "*INITIAL_VELOCITY_NODE\n1,1e9,0,0\n"));
     const auto [status, text] = run(deck, "");
     CHECK(status == 3);
-    CAPTURE(text);
-    CHECK_THAT(text, Contains("the physics broke at time 0:") &&
-                         Contains("times the bag's size in one step"));
+    CHECK_THAT(text, Contains("the physics broke at time 0:") && Contains("times the bag's size"));
     const io::Hdf5Reader results(deck.string() + ".out/results.h5");
     CHECK(results.read<double>("/frames/time") == std::vector<double>{0.0});
 }
