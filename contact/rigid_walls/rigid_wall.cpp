@@ -115,12 +115,10 @@ RigidWall::Inside RigidWall::inside(const Points& x) const {
     const auto* plate = std::get_if<Plate>(&card_.shape);
     const double least = rounding(x);
     for (const Index node : card_.nodes) {
-        const Vec3 at = x[node] - shift_;
-        const double depth = -nearest(card_.shape, at).gap;
-        if (!(depth > least) || (plate != nullptr && !covers(*plate, at))) continue;
+        const double depth = -nearest(card_.shape, x[node] - shift_).gap;
+        if (!(depth > least) || (plate != nullptr && !covers(*plate, x[node] - shift_))) continue;
         ++out.nodes;
-        if (depth > out.depth) out.deepest = node;
-        out.depth = std::max(out.depth, depth);
+        if (depth > out.depth) out = {out.nodes, node, depth};
     }
     return out;
 }

@@ -43,8 +43,8 @@ public:
 
     /// Stops nodes, between the kick and the drift from t to t + dt, and moves the wall likewise.
     ///
-    /// Nodes that are inside (behind a plane) when it is born, by more than coordinates are rounded,
-    /// are let alone until they have come out. A node of a rigid body passes its impulse on to the body; v is then left to the body.
+    /// Nodes inside (behind a plane) at its birth, beyond rounding, are let alone until they come
+    /// out. A node of a rigid body passes its impulse on to the body; v is then left to the body.
     void hold(const Points& x, std::span<const double> mass, double t, double dt, Points& v,
               const WallBodies& bodies = {});
 
